@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Arithmetic on integers in two's complement whose bits are functions. Results are exact and as wide as they need.
+// Arithmetic on two's complement integers whose bits are Boolean functions. Results are exact, with as many bits as
+// needed.
 //
-// A Bit is a Boolean function: `Bit()` is false; `Bit::constant`, `is_false`, `==`, `~ & | ^` and, found by its
-// arguments, `ite(condition, then, otherwise)`. Functions may be equal that `==` tells apart.
+// Requirements on Bit, a Boolean function: `Bit()` is false; `Bit::constant`, `is_false`, `==`, `~ & | ^` and, found by
+// argument-dependent lookup, `ite(condition, then, otherwise)`. Equal functions may compare as different.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 
 namespace grafverif::bits {
 
-/// Least significant bit first, the last the sign; never empty.
+/// Least significant bit first, sign bit last; never empty.
 template <class Bit>
 using Integer = std::vector<Bit>;
 
@@ -29,14 +30,14 @@ const Bit& bit(const Integer<Bit>& value, std::size_t place) {
     return value[std::min(place, value.size() - 1)];
 }
 
-/// Without the sign bits that only repeat the sign.
+/// Removes redundant copies of the sign bit.
 template <class Bit>
 Integer<Bit> trimmed(Integer<Bit> value) {
     while (value.size() > 1 && value[value.size() - 1] == value[value.size() - 2]) value.pop_back();
     return value;
 }
 
-/// left + right + carry over `width` bits, what lies beyond dropped.
+/// left + right + carry in `width` bits; higher bits are dropped.
 template <class Bit>
 Integer<Bit> added(const Integer<Bit>& left, const Integer<Bit>& right, Bit carry, std::size_t width) {
     Integer<Bit> result;
@@ -92,7 +93,8 @@ Integer<Bit> product(const Integer<Bit>& left, const Integer<Bit>& right) {
     Integer<Bit> result = constant<Bit>(0);
     for (std::size_t place = 0; place < right.size(); ++place) {
         const Integer<Bit> part = shifted(masked(right[place], left), place);
-        result = place + 1 < right.size() ? sum(result, part) : difference(result, part);  // the sign counts negatively
+        result = place + 1 < right.size() ? sum(result, part) : difference(result, part);  // the sign bit has negative
+                                                                                           // weight
     }
     return result;
 }
@@ -118,7 +120,7 @@ Bit less(const Integer<Bit>& left, const Integer<Bit>& right) {
     const std::size_t width = std::max(left.size(), right.size());
     Bit result;
     for (std::size_t place = 0; place < width; ++place) {
-        const bool sign = place + 1 == width;  // there a one makes a number smaller
+        const bool sign = place + 1 == width;  // a sign bit of 1 makes the number smaller
         const Bit& low = sign ? bit(right, place) : bit(left, place);
         const Bit& high = sign ? bit(left, place) : bit(right, place);
         result = ite(low ^ high, high, result);
@@ -131,7 +133,7 @@ Integer<Bit> magnitude(const Integer<Bit>& value) {
     return choice(value.back(), negated(value), value);
 }
 
-/// Truncated towards zero, as in C; where the divisor is 0 they mean nothing.
+/// Truncated towards zero, as in C; unspecified for a zero divisor.
 template <class Bit>
 struct Division {
     Integer<Bit> quotient = {}, remainder = {};

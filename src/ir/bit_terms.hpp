@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Terms as Boolean functions: what an Expr of any IR means, bit by bit. Bits are any kind of function (see
+// Terms as Boolean functions: translates an Expr of any IR to bits. Bits are any type of function (see
 // ir/bit_integers.hpp): decision diagrams, gates.
 //
-// A Boolean is one bit. An integer is a number in two's complement, least significant bit first, as many bits as it
-// needs: sums and products grow, so nothing wraps around. Bits are functions, hence an integer is a function from
+// A Boolean is one bit. An integer is a two's complement number, least significant bit first, with as many bits as it
+// needs: sums and products grow, so there is no overflow. Bits are functions, hence an integer is a function from
 // assignments to numbers.
 //
-// A term has a value wherever `evaluate` (ir/expr.hpp) gives it one, and the same; `undefined` tells where it has none:
-// division by zero, or a result outside 64 bits. Like `evaluate`, `and` and `or` stop at the first operand that
-// decides, and a conditional looks at one branch only.
+// A term has a value exactly if `evaluate` (ir/expr.hpp) returns one, and both are equal. `undefined` is true where it
+// has none: for division by zero or a result outside 64 bits. Like `evaluate`, `and` and `or` stop at the first operand
+// that determines the result, and a conditional evaluates only the selected branch.
 #pragma once
 
 #include <cassert>
@@ -27,17 +27,17 @@
 
 namespace grafverif {
 
-/// A value that depends on what the bits are functions of.
+/// A value as a function of the variables of its bits.
 template <class Bit>
 struct BitTerm {
     bool boolean = true;
-    std::vector<Bit> bits = {};  ///< of a Boolean one; of an integer one or more, the last its sign
-    Bit undefined = {};          ///< where it has no value; its bits mean nothing there
+    std::vector<Bit> bits = {};  ///< one bit for a Boolean; at least one for an integer, the last is its sign
+    Bit undefined = {};          ///< true where the term has no value; its bits are then unspecified
 
     bool operator==(const BitTerm&) const = default;
 };
 
-/// The number of bits that tell the values of `type` apart.
+/// Number of bits needed to encode the values of `type`.
 inline std::size_t bit_count(Type type) {
     if (type.boolean) return 1;
     std::size_t bits = 0;
@@ -56,18 +56,18 @@ BitTerm<Bit> integer_term(std::int64_t value) {
     return {false, bits::constant<Bit>(value), {}};
 }
 
-/// Where two terms of one kind have the same value, both being defined.
+/// True where both terms are defined and have the same value. Requires operands of the same type.
 template <class Bit>
 Bit equal(const BitTerm<Bit>& left, const BitTerm<Bit>& right) {
     assert(left.boolean == right.boolean);
     return bits::equal(left.bits, right.bits) & ~(left.undefined | right.undefined);
 }
-/// Where the term has that value; of a Boolean one: 0 or 1.
+/// True where the term has that value; 0 or 1 for a Boolean.
 template <class Bit>
 Bit equals(const BitTerm<Bit>& term, std::int64_t value) {
     return equal(term, term.boolean ? boolean_term(Bit::constant(value != 0)) : integer_term<Bit>(value));
 }
-/// Where the integer has a value in [low, high]; of a Boolean: where it is defined.
+/// True where the integer has a value in [low, high]; for a Boolean, where the term is defined.
 template <class Bit>
 Bit within(const BitTerm<Bit>& term, std::int64_t low, std::int64_t high) {
     if (term.boolean) return ~term.undefined;
@@ -75,7 +75,7 @@ Bit within(const BitTerm<Bit>& term, std::int64_t low, std::int64_t high) {
         bits::less(term.bits, bits::constant<Bit>(low)) | bits::less(bits::constant<Bit>(high), term.bits);
     return ~(outside | term.undefined);
 }
-/// `condition` is Boolean, the others are of one kind.
+/// `condition` is Boolean; both branches have the same type.
 template <class Bit>
 BitTerm<Bit> conditional(const BitTerm<Bit>& condition, const BitTerm<Bit>& then, const BitTerm<Bit>& otherwise) {
     assert(condition.boolean && then.boolean == otherwise.boolean);
@@ -84,16 +84,16 @@ BitTerm<Bit> conditional(const BitTerm<Bit>& condition, const BitTerm<Bit>& then
             condition.undefined | ite(chosen, then.undefined, otherwise.undefined)};
 }
 
-/// The terms of one table as functions; each subterm is translated once.
+/// Translates the terms of one table to functions; each subterm is translated once.
 template <class Bit>
 class BitTerms {
 public:
-    /// `leaf` says what a leaf is (is_leaf; not an edge). Both arguments outlive this.
+    /// `leaf` translates a leaf (is_leaf; not an edge). Both arguments must outlive this object.
     BitTerms(const Exprs& exprs, std::function<BitTerm<Bit>(const Expr&)> leaf)
         : exprs_(exprs), leaf_(std::move(leaf)) {}
 
     const BitTerm<Bit>& operator()(Id<Expr> term) {
-        std::vector<Id<Expr>> open{term};  // no recursion: terms are as deep as their author likes
+        std::vector<Id<Expr>> open{term};  // iterative, because terms can be arbitrarily deep
         while (!open.empty()) {
             const Id<Expr> next = open.back();
             bool ready = true;
@@ -144,12 +144,12 @@ private:
         case Op::Divide:
         case Op::Modulo: return calculated(node.op, *operands[0], *operands[1]);
         case Op::Rise:
-        case Op::Fall: unreachable();  // edges are gone once a chart is derived
+        case Op::Fall: unreachable();  // derive has replaced all edges
         }
         unreachable();
     }
 
-    /// And, Or: the operands after the first that decides are not looked at.
+    /// And, Or: operands after the first that determines the result are not evaluated.
     static Term joined(bool disjunction, std::span<const Term* const> operands) {
         Bit value = Bit::constant(!disjunction), undefined;
         for (const Term* operand : operands) {
@@ -183,7 +183,7 @@ private:
         case Op::Divide:
         case Op::Modulo: {
             undefined = undefined | bits::is_zero(right.bits);
-            // Like the processor, `evaluate` gives the least number divided by -1 no value, and no remainder either.
+            // As `evaluate`: the least number divided by -1 has neither quotient nor remainder.
             undefined =
                 undefined | (bits::equal(left.bits, bits::constant<Bit>(std::numeric_limits<std::int64_t>::min())) &
                              bits::equal(right.bits, bits::constant<Bit>(-1)));

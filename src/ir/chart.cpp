@@ -23,7 +23,7 @@ ReadTerms read_terms(const Chart& chart) {
         read.terms[action.value.index] = true;
         if (action.event.valid()) read.terms[action.event.index] = true;
     }
-    // Operands precede the terms they stand in, and what a time condition watches precedes the time condition.
+    // Operands precede their terms, and the term observed by a time condition precedes the time condition.
     for (auto index = static_cast<std::uint32_t>(chart.exprs.size()); index-- > 0;) {
         if (!read.terms[index]) continue;
         const Expr& node = chart.exprs[Id<Expr>{index}];
@@ -37,7 +37,7 @@ ReadTerms read_terms(const Chart& chart) {
 
 namespace {
 
-/// Collects what does not hold.
+/// Collects violated invariants.
 struct Faults {
     Sorts sorts;
     std::vector<std::string> found = {};
@@ -59,7 +59,7 @@ bool leaf_in_table(const Chart& chart, const Expr& leaf) {
     }
 }
 
-/// What the leaves of its terms are; a chart has edges, and no durations outside its time conditions.
+/// Sorts of leaves; a chart has edges, and durations only in its time conditions.
 Sort leaf_sort(const Chart& chart, const Expr& leaf) {
     if (leaf.op == Op::Rise || leaf.op == Op::Fall) return Sort::Boolean;
     if (!leaf_in_table(chart, leaf)) return Sort::None;

@@ -10,7 +10,7 @@ namespace grafverif {
 
 namespace {
 
-/// What an id cannot hold becomes `_`; long names are cut.
+/// Replaces characters that an id cannot contain by `_` and cuts long names.
 std::string word_of(std::string_view name) {
     constexpr std::size_t longest = 80;
     std::string word;

@@ -19,8 +19,8 @@ struct Check {
     Sorts sorts{equations.exprs, [this](const Expr& leaf) {
                     return sort_of(equations.variables[{static_cast<std::uint32_t>(leaf.value)}].type);
                 }};
-    std::vector<bool> reads_firing = {};  ///< per term: a firing condition occurs in it
-    std::vector<int> defined = {};        ///< per variable: how many equations it has
+    std::vector<bool> reads_firing = {};  ///< per term: true if it contains a firing condition
+    std::vector<int> defined = {};        ///< per variable: its number of equations
 
     void fault(std::string text) { faults.push_back(std::move(text)); }
 
@@ -38,7 +38,8 @@ struct Check {
         }
     }
 
-    /// Children precede parents: one pass. False if a leaf is none of ours, which ends the check.
+    /// Checks all terms in one pass, because children precede parents. False if a leaf does not belong to the
+    /// equations; the check then ends.
     bool terms() {
         const Exprs& exprs = equations.exprs;
         for (std::uint32_t index = 0; index < exprs.size(); ++index) {
@@ -59,7 +60,7 @@ struct Check {
         return true;
     }
 
-    /// One equation `variable = term` of the given role.
+    /// Records an equation `variable = term` with the given role.
     void define(Id<Equations::Variable> variable, Id<Expr> term, std::string_view what) {
         if (!known(variable)) return fault(std::string(what) + " of a variable that does not exist");
         ++defined[variable.index];

@@ -25,7 +25,7 @@ std::size_t hash_of(Op op, std::int64_t value, std::span<const Id<Expr>> operand
     return static_cast<std::size_t>(hash);
 }
 
-/// The value of a binary operator on integers (Booleans as 0 and 1); empty where it has none.
+/// Value of a binary operator on integers (Booleans as 0 and 1); empty if undefined.
 std::optional<std::int64_t> combine(Op op, std::int64_t left, std::int64_t right) {
     std::int64_t result = 0;
     switch (op) {
@@ -114,7 +114,7 @@ Id<Expr> Exprs::intern(Op op, std::int64_t value, std::span<const Id<Expr>> oper
     }
     const Expr node{op, value, static_cast<std::uint32_t>(operands_.size()),
                     static_cast<std::uint32_t>(operands.size())};
-    // `operands` may be a view into operands_ itself, which growing would move.
+    // `operands` may be a view into operands_, which is invalidated when operands_ grows.
     const std::vector<Id<Expr>> copy(operands.begin(), operands.end());
     operands_.insert(operands_.end(), copy.begin(), copy.end());
     nodes_.push_back(node);
@@ -147,8 +147,8 @@ Id<Expr> Exprs::disjunction(Id<Expr> left, Id<Expr> right) { return disjunction(
 
 namespace {
 
-/// The operands of an And or Or: nested ones of the same kind opened, neutral and repeated ones dropped, in order.
-/// Empty optional: an operand absorbs them all.
+/// Operands of an And or Or in order: nested operands of the same operator are flattened, neutral and repeated ones
+/// removed. Empty optional if an operand is absorbing.
 std::optional<std::vector<Id<Expr>>> flattened(const Exprs& exprs, Op op, std::span<const Id<Expr>> operands) {
     const Op neutral = op == Op::And ? Op::True : Op::False;
     const Op absorbing = op == Op::And ? Op::False : Op::True;
@@ -234,7 +234,7 @@ Id<Expr> Exprs::apply(Op op, std::span<const Id<Expr>> operands) {
 
 namespace {
 
-/// The value of a term; `value(i)` gives that of its operand i.
+/// Value of a term; `value(i)` is the value of its operand i.
 template <class Value>
 std::optional<std::int64_t> value_of(const Exprs& exprs, Id<Expr> root,
                                      const std::function<std::int64_t(const Expr&)>& leaf, const Value& value) {
@@ -313,7 +313,7 @@ std::vector<std::optional<std::int64_t>> evaluate_all(const Exprs& exprs,
     return values;
 }
 
-// Walks: copying a term into another table, and its leaves. Both visit each shared subterm once.
+// Traversals: copying a term into another table, and its leaves. Both visit each shared subterm once.
 
 namespace {
 
@@ -327,7 +327,7 @@ void collect(const Exprs& exprs, Id<Expr> root, std::unordered_set<std::uint32_t
 }  // namespace
 
 Id<Expr> TermCopier::operator()(Id<Expr> root) {
-    const Expr node = (*from_)[root];  // by value: `to` may be `from`, and grow
+    const Expr node = (*from_)[root];  // a copy, because `to` may be `from` and grow
     if (node.op == Op::False || node.op == Op::True) return to_->constant(node.op == Op::True);
     if (node.op == Op::Integer) return to_->integer(node.value);
     if (const auto known = copies_.find(root.index); known != copies_.end()) return known->second;

@@ -11,7 +11,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// A symbol of main (no instance) or of an instance.
+/// A symbol of main (invalid instance) or of an instance.
 struct Site {
     Id<System::Instance> instance = {};
     Id<System::Symbol> symbol = {};
@@ -64,7 +64,7 @@ private:
         known_[index(site)] = flat_.exprs.leaf(Op::Variable, id.index);
     }
 
-    /// The sites that `site` is defined by.
+    /// The sites that the definition of `site` reads.
     std::vector<Site> sources(Site site) const {
         return std::visit(
             overloaded{
@@ -85,7 +85,7 @@ private:
             symbol(site).kind);
     }
 
-    /// No recursion: definitions may be chained at any length.
+    /// Iterative, because chains of definitions can be arbitrarily long.
     void resolve(Site wanted) {
         std::vector<Site> open{wanted};
         while (!open.empty()) {
@@ -94,7 +94,7 @@ private:
             if (!known_[index(site)].valid())
                 for (const Site source : sources(site))
                     if (!known_[index(source)].valid()) open.push_back(source);
-            assert(open.size() <= known_.size() * known_.size() + 1);  // definitions form no cycle
+            assert(open.size() <= known_.size() * known_.size() + 1);  // definitions are acyclic
             if (open.size() != before) continue;
             open.pop_back();
             if (known_[index(site)].valid()) continue;
@@ -104,7 +104,7 @@ private:
         }
     }
 
-    /// A term of the module of `instance`, over the variables.
+    /// Translates a term of the module of `instance` to the variables of the flat system.
     Id<Expr> in_place(Id<System::Instance> instance, Id<Expr> term) {
         return translate(system_.exprs, term, flat_.exprs, [&](const Expr& node) {
             return known_[index(Site{instance, {static_cast<std::uint32_t>(node.value)}})];
@@ -129,8 +129,8 @@ private:
 
     const System& system_;
     FlatSystem flat_ = {};
-    std::vector<std::size_t> offsets_ = {};  ///< per instance: the index of its first symbol
-    std::vector<Id<Expr>> known_ = {};       ///< per site: its value
+    std::vector<std::size_t> offsets_ = {};  ///< index of the first symbol per instance
+    std::vector<Id<Expr>> known_ = {};       ///< value per site
 };
 
 }  // namespace

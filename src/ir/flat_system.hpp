@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// FlatSystem: a TransitionSystem without modules: its state variables and choices in one table, definitions and
-// parameters put in their places. What engines search, and what gives meaning to the numbers that a model checker prints.
+// FlatSystem: a TransitionSystem without modules. Its state variables and choices are in one table, and definitions and
+// parameters are substituted. It is the input of the engines, and defines the meaning of the values that a model
+// checker prints.
 //
-// Variable leaves of `exprs` index `variables`. Shared terms stay shared: a term is a graph, and walking it as a tree
-// may take exponential time; see `values` and BddTerms.
+// Variable leaves of `exprs` index `variables`. Shared terms stay shared: a term is a graph, and traversing it as a
+// tree may take exponential time; see `values` and BddTerms.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +20,9 @@ namespace grafverif {
 
 struct FlatSystem {
     struct Variable {
-        std::string name = {};  ///< `START`, of an instance `station.X_2`
+        std::string name = {};  ///< `START`; for an instance `station.X_2`
         Type type = {};
-        bool choice = false;  ///< chosen anew in each step, no part of the state
+        bool choice = false;  ///< chosen freely in each step, not part of the state
         std::optional<Id<Expr>> initial = {};
         std::optional<Id<Expr>> next = {};
         Span origin = {};
@@ -39,38 +40,40 @@ struct FlatSystem {
 /// Requires verify(system).empty().
 FlatSystem flattened(const TransitionSystem& system);
 
-/// `term`, over the symbols of the system's main, as a term over the variables of `flat`, in flat.exprs.
+/// Translates `term`, over the symbols of the system's main, to a term over the variables of `flat`, in flat.exprs.
 Id<Expr> flattened(const TransitionSystem& system, FlatSystem& flat, Id<Expr> term);
 
-/// How a program that reads a model of the system spells what is in its tables.
+/// Names in a generated model, as the external program that reads it prints them.
 struct SystemSpelling {
-    std::vector<std::string> variables = {};  ///< of flattened(system).variables
+    std::vector<std::string> variables = {};  ///< per flattened(system).variables
     std::vector<std::vector<std::string>> values =
-        {};                                    ///< per variable, the names of its values from type.low; none: numbers
-    std::vector<std::string> properties = {};  ///< of system.properties
+        {};                                    ///< per variable: names of its values, starting with type.low; empty for
+                                               ///< numbers
+    std::vector<std::string> properties = {};  ///< per system.properties
 
     bool operator==(const SystemSpelling&) const = default;
 };
 
-/// A run of a TransitionSystem. States hold the value of each symbol of main; where that depends on choices, with those
-/// of the step that leaves the state. A symbol without a value there (a definition that divides by zero) is 0.
+/// A run of a TransitionSystem. A state contains the value of each symbol of main; if it depends on choices, with those
+/// of the step that leaves the state. The value of an undefined symbol (a definition that divides by zero) is 0.
 struct SystemRun {
     std::vector<std::vector<std::int64_t>> states = {};  ///< the first is an initial state
-    std::optional<std::size_t> loop = {};                ///< a last step leads back to this state, and so on for ever
+    std::optional<std::size_t> loop = {};                ///< the step after the last state leads back to this state,
+                                                         ///< forming an infinite run
 
     bool operator==(const SystemRun&) const = default;
 };
 
-/// Why a system means nothing: no verdict about it would be worth anything.
+/// Reason why a system is ill-defined and no verdict about it is valid.
 struct SystemFault {
     enum class Kind {
-        NoInitialState,  ///< the invariants and initial values contradict each other
-        DeadEnd,         ///< a reachable state has no step
-        OutOfRange,      ///< a step gives `variable` a value outside its range, or none
+        NoInitialState,  ///< the invariants and initial values are contradictory
+        DeadEnd,         ///< a reachable state has no successor
+        OutOfRange,      ///< a step gives `variable` no value or one outside its range
     };
     Kind kind = Kind::NoInitialState;
     std::string variable = {};
-    SystemRun run = {};  ///< to the state where it shows
+    SystemRun run = {};  ///< to the state that shows the fault
 
     bool operator==(const SystemFault&) const = default;
 };
@@ -78,20 +81,20 @@ struct SystemFault {
 /// `no-initial-state`, `dead-end`, `out-of-range`.
 std::string_view word(SystemFault::Kind kind);
 
-/// The same with one value for each of `variables`.
+/// A run with one value for each of `variables` in every state.
 struct FlatRun {
     std::vector<std::vector<std::int64_t>> states = {};
     std::optional<std::size_t> loop = {};
 
     bool operator==(const FlatRun&) const = default;
 };
-/// As a run of the system that `flat` was made of.
+/// Converts to a run of the system from which `flat` was built.
 SystemRun system_run(const FlatSystem& flat, const FlatRun& run);
 
-/// The values of all symbols of main, as a state of a SystemRun. `variables`: one value for each of flat.variables.
+/// Values of all symbols of main, as in a state of a SystemRun. `variables`: one value for each of flat.variables.
 std::vector<std::int64_t> symbol_values(const FlatSystem& flat, std::span<const std::int64_t> variables);
 
-/// The value of a term over symbols of main, in a state of a run; 0 where it has none.
+/// Value of a term over symbols of main in a state of a run; 0 if undefined.
 std::int64_t value_in(const TransitionSystem& system, const std::vector<std::int64_t>& state, Id<Expr> term);
 
 }  // namespace grafverif

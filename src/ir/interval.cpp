@@ -39,20 +39,21 @@ Interval product(Interval a, Interval b) {
 
 std::int64_t magnitude(Interval a) { return std::max(a.high, a.low == least ? greatest : -a.low); }
 
-/// Truncated towards zero, a quotient is never farther from zero than its dividend.
+/// Quotients truncated towards zero; their magnitude is at most that of the dividend.
 Interval quotient(Interval a, Interval b) {
     if (b.low == b.high && b.low > 0) return {a.low / b.low, a.high / b.low};
     const std::int64_t bound = magnitude(a);
     return {-bound, bound};
 }
 
-/// A remainder has the sign of its dividend and is nearer to zero than both operands allow.
+/// Remainders have the sign of the dividend, and a magnitude of at most that of the dividend and less than that of the
+/// divisor.
 Interval remainder(Interval a, Interval b) {
     const std::int64_t bound = std::min(magnitude(a), std::max<std::int64_t>(magnitude(b) - 1, 0));
     return {a.low < 0 ? -bound : 0, a.high > 0 ? bound : 0};
 }
 
-/// Of a term whose operands have these.
+/// Interval of a term, given those of its operands.
 template <class OfOperand>
 Interval interval_of(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of, const OfOperand& of) {
     const Expr& node = exprs[term];
@@ -89,7 +90,7 @@ bool is_wide(std::int64_t low, std::int64_t high) {
 }
 
 std::vector<bool> wide_terms(const Exprs& exprs, const TypeOf& type_of) {
-    std::vector<Interval> intervals;  // operands come before terms
+    std::vector<Interval> intervals;  // operands precede terms
     std::vector<bool> wide;
     for (std::uint32_t index = 0; index < exprs.size(); ++index) {
         const Interval own =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Interval: the values that a term can have, as the types of its variables bound them.
+// Interval analysis: bounds on the values of a term, derived from the types of its variables.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +11,21 @@
 
 namespace grafverif {
 
-/// The type of the variable with this leaf.
+/// Type of the variable of a leaf.
 using TypeOf = std::function<Type(const Expr&)>;
 
 struct Interval {
     std::int64_t low = 0, high = 1;
 };
 
-/// An interval that holds every value of `term`; bounds outside 64 bits are cut there.
+/// An interval that contains every value of `term`; its bounds are clipped to 64 bits.
 Interval interval(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of);
 
-/// Whether integers of 32 bits do not hold all of these.
+/// True if the range does not fit into 32-bit integers.
 bool is_wide(std::int64_t low, std::int64_t high);
 
-/// Per term of the table, whether something in it may need an integer of more than 32 bits. A program that computes with 32
-/// (NuSMV 2.6, UPPAAL) finds another value then, and says nothing.
+/// Per term of the table: true if it or a subterm may exceed 32 bits. A program with 32-bit arithmetic (NuSMV 2.6,
+/// UPPAAL) would then silently compute another value.
 std::vector<bool> wide_terms(const Exprs& exprs, const TypeOf& type_of);
 
 }  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a conjunction or disjunction joins.
+// Operands of conjunctions and disjunctions.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace grafverif {
 
-/// The operands of a junction `op`; of another term itself.
+/// The operands if `term` has the operator `op`; otherwise the term itself.
 inline std::vector<Id<Expr>> operands_of(const Exprs& exprs, Id<Expr> term, Op op) {
     if (exprs[term].op != op) return {term};
     const auto operands = exprs.operands(term);

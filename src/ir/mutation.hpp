@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mutation: plausible mistakes in a chart, one at a time, and what becomes of each.
+// Mutation testing: mutants of a chart, each with one plausible mistake, and their results.
 #pragma once
 
 #include <cstddef>
@@ -13,40 +13,43 @@
 namespace grafverif {
 
 struct Mutant {
-    std::string kind = {};                ///< `wrong-successor`; all of them: compare/mutants.hpp
+    std::string kind = {};                ///< mutation operator, `wrong-successor`; complete list: compare/mutants.hpp
     std::string subject = {};             ///< `transition t3`, `step 2`
-    std::string before = {}, after = {};  ///< the declaration in one line
-    Span where = {};                      ///< in the original
-    std::string text = {};                ///< of the whole file
+    std::string before = {}, after = {};  ///< the declaration, in one line
+    Span where = {};                      ///< in the original file
+    std::string text = {};                ///< complete text of the mutated file
 };
 
 struct MutantFate {
     enum class Kind {
-        Refused,     ///< its text, or what it means, is none that is taken
-        Equivalent,  ///< proved by compare
-        Noticed,     ///< a property fails that does not of the original
-        Unnoticed,   ///< told apart from the original, and every property is as of that
-        Unknown,     ///< not decided
+        Refused,     ///< the mutated file is rejected
+        Equivalent,  ///< equivalence proved by `compare`
+        Noticed,     ///< killed: a property of the original fails
+        Unnoticed,   ///< survived: not equivalent, but no property fails that holds for the original
+        Unknown,     ///< inconclusive
     };
     Kind kind = Kind::Unknown;
-    std::string reason = {};                   ///< Refused: the code of the error; Unknown: why
-    std::vector<std::string> noticed_by = {};  ///< properties
-    std::vector<std::string> undecided = {};   ///< properties that were not decided of it
-    std::vector<std::string> vacuous = {};     ///< properties that hold vacuously of it, and not of the original
-    std::optional<bool> caught = {};           ///< by the test sequence; empty: there is none, or nobody looked
-    std::size_t scans = 0;                     ///< that tell it from the original; 0: none were found
-    std::vector<std::string> failures = {};    ///< ours
+    std::string reason = {};                   ///< Refused: error code; Unknown: reason
+    std::vector<std::string> noticed_by = {};  ///< properties that kill it
+    std::vector<std::string> undecided = {};   ///< properties with unknown verdict for the mutant
+    std::vector<std::string> vacuous = {};     ///< properties that hold vacuously for the mutant, but not for the
+                                               ///< original
+    std::optional<bool> caught = {};           ///< killed by the test sequence; empty if there is none or it was not
+                                               ///< run
+    std::size_t scans = 0;                     ///< length of a sequence of scans that distinguishes it from the
+                                               ///< original; 0 if none was found
+    std::vector<std::string> failures = {};    ///< internal errors
 };
 
 struct Mutation {
     std::string chart = {};
-    std::size_t possible = 0;                           ///< mutants there are
-    std::vector<Mutant> mutants = {};                   ///< those that were asked for
-    std::vector<std::optional<MutantFate>> fates = {};  ///< per mutant; empty: the run was stopped before
-    std::vector<std::string> properties = {};           ///< as expected of the original
-    std::vector<std::string> vacuous = {};              ///< those of them that hold vacuously
-    std::optional<std::size_t> test_steps = {};         ///< of the test sequence
-    std::string no_test = {};                           ///< the code of the error, where there is none
+    std::size_t possible = 0;                           ///< number of all possible mutants
+    std::vector<Mutant> mutants = {};                   ///< the selected ones
+    std::vector<std::optional<MutantFate>> fates = {};  ///< per mutant; empty if the run was stopped before
+    std::vector<std::string> properties = {};           ///< those with the expected verdict for the original
+    std::vector<std::string> vacuous = {};              ///< those that hold vacuously for the original
+    std::optional<std::size_t> test_steps = {};         ///< length of the test sequence
+    std::string no_test = {};                           ///< error code if no test sequence was generated
 };
 
 /// `refused`, `equivalent`, `noticed`, `unnoticed`, `unknown`.

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Cells: a network cut into a partial chart each, with the instances around it; and a network with only some of its
-// cells left, the others replaced by what they may do at their borders at most.
+// Localization: partition of a network into fragments ("cells"), one per partial chart with the instances around it. A
+// network is over-approximated by some of its fragments; the others are replaced by an upper bound of their behaviour
+// at the borders.
 //
-// A cell has processes and variables of its own. The instances that talk to one chart only are of its cell; those between
-// charts (a buffer) are cells of their own; so is each process of a network without controllers. A variable belongs to the
-// cell that alone writes it. Those that several write, and the flags of a PLC, belong to nobody; neither do the PLCs
-// themselves, of which each cell has its part.
+// A fragment has its own processes and variables. Instances that communicate with only one chart belong to its
+// fragment; instances between charts (a buffer) form separate fragments; so does each process of a network without
+// controllers. A variable belongs to the only fragment that writes it. Variables with several writers and the flags of
+// a PLC belong to no fragment; neither do the PLCs, of which each fragment has a part.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,8 @@ namespace grafverif {
 struct NetworkCells {
     static constexpr std::uint32_t none = 0xFFFFFFFF;
 
-    /// What a Boolean variable is wherever time passes: `process` stops time while it is anything else.
+    /// Fixed value of a Boolean variable in all states where time can pass: `process` stops time while the variable has
+    /// the other value.
     struct Resting {
         bool value = false;
         std::uint32_t process = none;
@@ -27,44 +29,45 @@ struct NetworkCells {
 
     std::uint32_t count = 0;
     std::vector<std::uint32_t> of_process = {};   ///< per process; none: a PLC
-    std::vector<std::uint32_t> of_variable = {};  ///< per variable; none: nobody's
-    std::vector<std::string> names = {};          ///< per cell: its partial chart, controller, or first instance
-    std::vector<Resting> resting = {};            ///< per variable; `process` none: it may be anything
+    std::vector<std::uint32_t> of_variable = {};  ///< per variable; none: it belongs to no fragment
+    std::vector<std::string> names = {};          ///< per fragment: its partial chart, controller or first instance
+    std::vector<Resting> resting = {};            ///< per variable; `process` equals none if the value is not fixed
 };
 
 /// Requires: `network` is expanded.
 NetworkCells cells_of(const Network& network);
 
-/// Premises left out on purpose, for laws that see what each is good for.
+/// Premises that are omitted on purpose, for tests that show that each of them is needed.
 struct LocalAblations {
-    bool urgent_where_possible = false;  ///< urgent edges stop time where some free value enables them, not all
-    bool silent = false;                 ///< what is left out writes nothing that is kept
-    bool steady = false;                 ///< free values stay what they are at first
-    bool break_off = false;              ///< that a search breaks off says nothing of it, nor that another does
-    bool unproven = false;               ///< what is asked of other cells is known before it is found to hold
+    bool urgent_where_possible = false;  ///< urgent edges stop time if some (not every) free value enables them
+    bool silent = false;                 ///< omitted processes write no kept variable
+    bool steady = false;                 ///< free variables keep their initial values
+    bool break_off = false;              ///< model errors in a fragment, and unexplored fragments, are ignored
+    bool unproven = false;               ///< properties of other fragments are assumed before they are proved
 };
 
-/// Some cells of a network, and the PLCs that they have a part of, as a network of its own that can do whatever the whole
-/// does, seen in what is kept; perhaps more. What is left out is free: whoever reads it finds any value, each time anew.
-/// What it may write of what is kept, the process `rest` writes at any moment. An urgent edge that reads what is free
-/// stops time only where every value enables it. `race` is told of what is kept.
+/// Over-approximation by some fragments and the PLCs that they have parts of: every run of the complete network,
+/// projected to the kept variables, is a run of this network. Omitted variables are free: each read of one returns an
+/// arbitrary value. The process `rest` performs, at any time, the writes of omitted processes to kept variables. An
+/// urgent edge that reads free variables stops time only if all their values enable it. `race` concerns only kept
+/// variables.
 struct LocalNetwork {
-    bool made = true;  ///< false: an edge reads too many free values; the network is of no use
+    bool made = true;  ///< false: an edge reads too many free values; the network is unusable
     Network network = {};
-    std::vector<std::uint32_t> borders = {};  ///< other cells that kept processes read, but for flags of a PLC
-    std::vector<std::uint32_t> tied = {};     ///< all other cells that are read
-    std::vector<std::size_t> known = {};      ///< the invariants that keep some free values away
+    std::vector<std::uint32_t> borders = {};  ///< other fragments that kept processes read, flags of a PLC excepted
+    std::vector<std::uint32_t> tied = {};     ///< all other fragments that are read
+    std::vector<std::size_t> known = {};      ///< indices of the invariants that exclude some free values
 };
 
-/// Requires: `network` is expanded, and each of its terms has a value in every state; `chosen` are cells, in order, and
-/// `properties` read nothing but these (cells_read); `invariants` are true in each state of the whole. An edge chooses no
-/// values that break one of these.
+/// Requires: `network` is expanded and each of its terms has a value in every state; `chosen` are fragments, in order;
+/// `properties` read only these (cells_read); `invariants` hold in each state of the complete network. Edges do not
+/// choose values that violate an invariant.
 LocalNetwork localized(const Network& network, const NetworkCells& cells, const std::vector<std::uint32_t>& chosen,
                        const std::vector<Property>& properties, const std::vector<Id<Expr>>& invariants = {},
                        const LocalAblations& ablations = {});
 
-/// The cells whose variables and locations the operands of `property` read, in order. Empty: none, or it reads what no
-/// local network tells: `race`, a scratch variable, where a PLC is in its cycle.
+/// The fragments whose variables and locations the operands of `property` read, in order. Empty: none, or it reads a
+/// value that a localized network does not preserve: `race`, a scratch variable, or the location of a PLC in its cycle.
 std::vector<std::uint32_t> cells_read(const Network& network, const NetworkCells& cells, const Property& property);
 
 }  // namespace grafverif

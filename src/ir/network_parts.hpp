@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Sub-loops: the parts of a Network that share nothing but time.
+// Independent subsystems ("parts") of a Network: sets of processes that share only time.
 //
-// Two processes are of one part when one of them writes a variable that the other reads or writes, and the parts are the
-// least classes that this makes. Clocks belong to one process. What carries nothing from one process to another ties
-// nothing: a variable that nobody writes, a scratch variable, and the flag `race`, which is looked at as one flag per
-// part, for a state in which it is set is the end of a run. A process without edges and invariants does nothing and is
-// put with the first part.
+// Two processes belong to the same part if one of them writes a variable that the other reads or writes; parts are the
+// equivalence classes of the closure of this relation. Clocks belong to one process. Variables that transfer no
+// information between processes create no dependency: variables without writers, scratch variables, and the flag
+// `race`. The latter is treated as one flag per part, because a state in which it is set ends the run. A process
+// without edges and invariants belongs to the first part.
 #pragma once
 
 #include <cstdint>
@@ -21,9 +21,10 @@ struct NetworkParts {
     static constexpr std::uint32_t none = 0xFFFFFFFF;
 
     std::uint32_t count = 0;                      ///< parts are numbered by their first process
-    std::vector<std::uint32_t> of_process = {};   ///< per process, its part
-    std::vector<std::uint32_t> of_variable = {};  ///< per variable: whose it is; none: it ties nothing
-    /// Per part, the conjuncts of `settled` that read nothing else. Empty: there is none, or one of them reads several.
+    std::vector<std::uint32_t> of_process = {};   ///< part per process
+    std::vector<std::uint32_t> of_variable = {};  ///< part per variable; none: it creates no dependency
+    /// Per part: the conjuncts of `settled` that read only this part. Empty if `settled` is not defined or a conjunct
+    /// reads several parts.
     std::vector<std::vector<Id<Expr>>> settled = {};
 };
 
@@ -33,26 +34,26 @@ NetworkParts parts_of(const Network& network);
 std::vector<std::uint32_t> parts_read(const Network& network, const NetworkParts& parts,
                                       const std::vector<Id<Expr>>& terms);
 
-/// What users call a part: its controllers, or its first instance.
+/// Displayed name of a part: its controllers, or its first instance.
 std::string name_of_part(const Network& network, const NetworkParts& parts, std::uint32_t part);
 
-/// Some parts of a network as a network of their own, without properties. Of controllers it keeps their names and
-/// processes, of `settled` what is said of these parts.
+/// Some parts of a network as a separate network without properties. It keeps the names and processes of controllers,
+/// and the conjuncts of `settled` about these parts.
 struct SubNetwork {
     Network network = {};
-    std::vector<Id<Network::Process>> processes = {};  ///< what its processes are in the whole
+    std::vector<Id<Network::Process>> processes = {};  ///< original of each process
     std::vector<Id<Network::Variable>> variables = {};
 };
 
-/// Terms of the whole network in terms of one of its parts; they read no other part.
+/// Translates terms of the complete network to terms of the subnetwork. Requires that they read no other part.
 class SubNetworkBuilder {
 public:
-    /// `network` is expanded and outlives this; `chosen` are parts of it, in order.
+    /// `chosen` are parts of `network`, in order. Requires that `network` is expanded and outlives this object.
     SubNetworkBuilder(const Network& network, const NetworkParts& parts, const std::vector<std::uint32_t>& chosen);
     SubNetworkBuilder(const SubNetworkBuilder&) = delete;
     SubNetworkBuilder& operator=(const SubNetworkBuilder&) = delete;
 
-    /// A property of the whole, as one of the part.
+    /// Adds a property of the complete network.
     void ask(Property property);
     SubNetwork build() && { return std::move(made_); }
 
@@ -63,12 +64,12 @@ private:
     void add_controller(const Network::Controller& controller);
     const Network& whole_;
     SubNetwork made_ = {};
-    std::vector<std::uint32_t> process_ = {};   // of the whole -> of the part
-    std::vector<std::uint32_t> variable_ = {};  // likewise
+    std::vector<std::uint32_t> process_ = {};   // process of the complete network -> process of the subnetwork
+    std::vector<std::uint32_t> variable_ = {};  // the same for variables
     TermCopier copy_;
 };
 
-/// A run of a part in terms of the whole: the same moves.
+/// Converts a run of a subnetwork to a run of the complete network, with the same moves.
 Run in_whole(const SubNetwork& part, Run run);
 
 }  // namespace grafverif

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The terms of a template, for who writes others in their place.
+// Replacement of the terms of a template.
 #pragma once
 
 #include "grafverif/ir/network.hpp"
 
 namespace grafverif {
 
-/// Puts `copy(term)` in the place of each term of `automaton`, in the order in which they stand.
+/// Replaces each term of `automaton` by `copy(term)`, in order of occurrence.
 template <class Copy>
 void replace_terms(Network::Template& automaton, Copy&& copy) {
     const auto constraints = [&](std::vector<Network::ClockConstraint>& list) {

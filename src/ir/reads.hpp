@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which variables the terms of the equations read.
+// Determines which variables the terms of the equations read.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace grafverif {
 
-/// Calls `visit` with the index of each variable that a term reads, shared subterms once per walk.
+/// Calls `visit` with the index of each variable that a term reads. Shared subterms are visited once per traversal.
 class Reads {
 public:
     explicit Reads(const Exprs& exprs) : exprs_(exprs), seen_(exprs.size(), 0) {}
 
-    /// A new walk, which visits again what was visited before.
+    /// Starts a new traversal, which visits earlier subterms again.
     void start() { ++walk_; }
 
     template <class Visit>

@@ -8,13 +8,13 @@
 
 namespace grafverif {
 
-/// The shared variables of a loop, which inputs and outputs of its charts are by name.
+/// Index of the shared variables of a loop by name; inputs and outputs of charts refer to them by name.
 class SharedByName {
 public:
     explicit SharedByName(const ClosedLoop& loop) {
         for (const Id<ClosedLoop::Shared> id : loop.shared.ids()) known_.emplace(loop.shared[id].name, id);
     }
-    /// Not valid: the loop shares none of that name.
+    /// Invalid id: the loop has no shared variable of this name.
     Id<ClosedLoop::Shared> operator()(std::string_view name) const {
         const auto found = known_.find(name);
         return found == known_.end() ? Id<ClosedLoop::Shared>{} : found->second;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Slots: what a template of a Network reads and writes, as one process has it. A slot is a parameter bound to a
-// variable or a variable named outright; a parameter bound to a constant is that constant.
+// Slots: variables that one process reads and writes, with the parameters of its template resolved. A slot is a
+// parameter bound to a variable, or a variable named directly; a parameter bound to a constant is replaced by it.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct Slots {
     Slots(const Network& of, Id<Network::Process> id)
         : network(of), process(of.processes[id]), automaton(of.templates[process.automaton]) {}
 
-    /// The variable behind a Parameter or Variable leaf; not valid: a constant.
+    /// The variable of a Parameter or Variable leaf; an invalid id for a constant.
     Id<Network::Variable> variable(const Expr& leaf) const {
         const auto index = static_cast<std::uint32_t>(leaf.value);
         if (leaf.op == Op::Variable) return {index};
@@ -36,7 +36,7 @@ struct Slots {
         return literal(exprs, automaton.parameters[parameter].type, constant(leaf));
     }
 
-    /// Copies terms of the template into `to`, as the process has them.
+    /// Copies terms of the template into `to`, with the parameters resolved.
     TermCopier terms(Exprs& to) const {
         return {network.exprs, to, [this, &to](const Expr& leaf) {
                     const Id<Network::Variable> of = variable(leaf);
@@ -44,7 +44,7 @@ struct Slots {
                 }};
     }
 
-    /// Every assignment of an edge in the order in which they run.
+    /// All assignments of an edge in order of execution.
     std::vector<Network::Assignment> assignments(const Network::Edge& edge) const {
         std::vector<Network::Assignment> all = edge.assignments;
         for (const Id<Network::Procedure> call : edge.calls) {
@@ -54,13 +54,13 @@ struct Slots {
         return all;
     }
 
-    /// The variables that the process reads in guards and values, those that it writes, and both; in order of first
+    /// The variables that the process reads in guards and values, those that it writes, and both, in order of first
     /// occurrence.
     std::vector<Id<Network::Variable>> read() const { return collect(true, false); }
     std::vector<Id<Network::Variable>> written() const { return collect(false, true); }
     std::vector<Id<Network::Variable>> used() const { return collect(true, true); }
 
-    /// As the template calls it: its parameter, or the variable where that is named outright.
+    /// Name in the template: of the parameter, or of a variable named directly.
     std::string name(Id<Network::Variable> variable) const {
         for (const Id<Network::Parameter> parameter : automaton.parameters.ids())
             if (const auto* bound = std::get_if<Id<Network::Variable>>(&process.arguments[parameter.index]))

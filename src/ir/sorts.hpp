@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sorts of terms, for every `verify`: a term has one, or it is wrongly typed somewhere inside. Which leaves a term
-// may read, and of what sort they are, depends on the owner of the table.
+// Sort checking of terms, for every `verify`: a term has a sort, or it contains a type error. The owner of the table
+// defines the allowed leaves and their sorts.
 #pragma once
 
 #include <cstdint>
@@ -16,25 +16,25 @@
 namespace grafverif {
 
 enum class Sort : std::uint8_t {
-    None,  ///< of no term: it is missing, or an operand or leaf in it has no place there
+    None,  ///< missing term, or an operand or leaf that is not allowed there
     Boolean,
     Integer,
-    Duration,  ///< sums of durations, and integers times a duration; of components only
+    Duration,  ///< sums of durations, and products of integers and durations; in components only
 };
 
 inline Sort sort_of(Type type) { return type.boolean ? Sort::Boolean : Sort::Integer; }
 
-/// The sorts of the terms of one table, each found out once.
+/// The sorts of the terms of one table, each computed once.
 class Sorts {
 public:
-    /// `leaf` gives the sort of each leaf, edges (Rise, Fall) and durations; None where it has no place. An edge is
-    /// asked for only where its operand is Boolean. `exprs` outlives this.
+    /// `leaf` returns the sort of each leaf, edge (Rise, Fall) and duration; None if it is not allowed. It is called
+    /// for an edge only if the operand is Boolean. `exprs` must outlive this object.
     Sorts(const Exprs& exprs, std::function<Sort(const Expr&)> leaf) : exprs_(&exprs), leaf_(std::move(leaf)) {}
 
-    /// None of a term that is not in the table.
+    /// None if the term is not in the table.
     Sort operator()(Id<Expr> term);
 
-    /// Adds a fault to `faults` unless `term` is of sort `wanted`; `what` names the term. Whether it is.
+    /// Returns true if `term` has the sort `wanted`; otherwise adds a fault to `faults`. `what` names the term.
     bool check(Id<Expr> term, Sort wanted, const std::string& what, std::vector<std::string>& faults);
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What verdicts and traces call a step variable: as conditions of the chart write it, `X7`, `G2.X7` of the partial chart
-// G2; where several controllers stand side by side, after the name of its own: `press.X7`.
+// Names of step variables in verdicts and traces: as in conditions of the chart, `X7`, or `G2.X7` for the partial chart
+// G2; with several controllers, qualified by the controller: `press.X7`.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace grafverif {
 
-/// The step variable that `variable` of the network stands for. Requires its role to be Step.
+/// Name of the step variable `variable` of the network. Requires the role Step.
 std::string step_variable_name(const Network& network, Id<Network::Variable> variable);
 
 }  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of a TransitionSystem, one of which moves in a step: what is theirs, and some of them as a system of their own.
+// Parts of a TransitionSystem, of which one moves in each step: ownership of symbols, and projection to some parts.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,20 @@
 
 namespace grafverif {
 
-/// Some parts of a system, in order.
+/// Parts of a system, in order.
 using PartList = std::vector<std::uint32_t>;
 
 constexpr std::uint32_t no_part = 0xFFFFFFFF;
 
-/// Per symbol of main, the part that it is of; no_part: it is of none, or of several.
+/// Part of each symbol of main; no_part: it belongs to none or to several.
 std::vector<std::uint32_t> parts_of_symbols(const TransitionSystem& system);
 
-/// The system without all other parts and without properties: who is left out never moves and holds nobody up. Symbols
-/// of main keep their ids, but for `settled` nothing is said of charts and plant.
+/// The system without all other parts and without properties; omitted parts never move and block no step. Symbols of
+/// main keep their ids. Data about charts and plant is removed, except for `settled`.
 TransitionSystem with_parts(const TransitionSystem& system, const PartList& chosen);
 
-/// Per variable of `part`, made of some parts of the system that `whole` is made of, the same variable there.
+/// Maps each variable of `part`, a flattened projection, to the same variable of `whole`, the flattened complete
+/// system.
 std::vector<Id<FlatSystem::Variable>> variables_in_whole(const FlatSystem& part, const FlatSystem& whole);
 
 }  // namespace grafverif

@@ -8,8 +8,8 @@
 
 namespace grafverif {
 
-/// What an instance's own variable is called in properties and traces: `Gate.X`; where the component has a location of that
-/// name, which `Gate.X` is then, `Gate_X`.
+/// Displayed name of a variable of an instance in properties and traces: `Gate.X`; `Gate_X` if the component has a
+/// location X, because `Gate.X` then denotes the location.
 inline std::string told_name(const std::string& instance, const Component& component, const std::string& variable) {
     const bool is_location =
         std::ranges::find(component.locations, variable, &Component::Location::name) != component.locations.end();

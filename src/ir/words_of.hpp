@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of a chart for a model that was made of its equations.
+// Names and roles of a chart's elements (ControllerWords) for models that are built from its equations.
 #pragma once
 
 #include <algorithm>
@@ -9,14 +9,14 @@
 
 namespace grafverif {
 
-/// The index in `equations.steps` of the step that a timer watches; empty: it watches another term.
+/// Index in `equations.steps` of the step that a timer observes; empty if it observes another term.
 inline std::optional<std::size_t> watched_step(const Equations& equations, const Equations::Timer& timer) {
     const auto step = std::ranges::find(equations.steps, timer.watched, &Equations::StepActivity::variable);
     if (step == equations.steps.end()) return {};
     return static_cast<std::size_t>(step - equations.steps.begin());
 }
 
-/// What a timer watches, as conditions write it: `X2`, `a`; of a longer term empty.
+/// The term that a timer observes, if it is a name, in the notation of conditions: `X2`, `a`; otherwise empty.
 inline std::string watched_name(const Equations& equations, const Equations::Timer& timer) {
     if (const auto step = watched_step(equations, timer)) return equations.steps[*step].step.variable();
     const auto watch = std::ranges::find(equations.watches, timer.watched, &Equations::Watch::variable);
@@ -24,7 +24,7 @@ inline std::string watched_name(const Equations& equations, const Equations::Tim
     return term.op == Op::Variable ? equations.variables[{static_cast<std::uint32_t>(term.value)}].name : "";
 }
 
-/// `place` gives the variable of the model that stands for one of the equations.
+/// `place` maps a variable of the equations to the corresponding variable of the model.
 template <class Variable, class Place>
 ControllerWords<Variable> words_of(const Equations& equations, ExecutionMode mode, const Place& place) {
     ControllerWords<Variable> words{.name = equations.name, .mode = mode};

@@ -12,7 +12,7 @@ namespace grafverif {
 
 namespace {
 
-/// The urgent edges of a process, where they read but a few Booleans.
+/// Analyses when the urgent edges of a process stop time, if they read only a few Boolean variables.
 class StoppingTime {
 public:
     StoppingTime(const Network& network, Id<Network::Process> id)
@@ -35,7 +35,8 @@ public:
 
     const std::vector<Id<Network::Variable>>& read() const { return read_; }
 
-    /// Whether in each location some urgent edge is enabled while `variable` has this value, whatever else is so.
+    /// True if, while `variable` has this value, each location has an enabled urgent edge for all values of the other
+    /// variables.
     bool while_it_is(Id<Network::Variable> variable, bool value) const {
         const auto at = std::ranges::find(read_, variable) - read_.begin();
         for (std::size_t values = 0; values < (std::size_t{1} << read_.size()); ++values) {
@@ -58,12 +59,13 @@ private:
     }
 
     const Network& network_;
-    std::vector<std::vector<Id<Expr>>> guards_;  // per location
+    std::vector<std::vector<Id<Expr>>> guards_;  // urgent guards per location
     std::vector<Id<Network::Variable>> read_ = {};
 };
 
-/// Finds the cells: first the charts, by their steps and all that is computed from these or for them; then the instances,
-/// each with the one chart that it talks to, or else with the cell that it hangs on.
+/// Computes the fragments: first the charts, with their steps and all variables computed from or for these; then the
+/// instances. An instance that communicates with one chart is added to its fragment; the others are added to that of a
+/// neighbour.
 class CellFinder {
 public:
     explicit CellFinder(const Network& network)
@@ -106,8 +108,8 @@ private:
                controls_[writers.front()];
     }
 
-    /// Of the variables that a PLC alone writes, or with a timer that takes what it asks: each with those that its values
-    /// are computed from. Flags are not among them.
+    /// For each variable that only a PLC writes, or a PLC and the timer that it controls: the variables that its values
+    /// are computed from. Flags are excluded.
     using Sources = std::map<Id<Network::Variable>, std::set<Id<Network::Variable>>>;
     Sources sources(Id<Network::Process> controller) const {
         Sources found;
@@ -134,7 +136,7 @@ private:
                                             add(step.name.partial.empty() ? controller.words.name : step.name.partial);
         }
         if (charts.empty()) charts[""] = add(controller.words.name);
-        for (const auto& [target, read] : sources)  // a firing condition is of the chart whose steps it moves
+        for (const auto& [target, read] : sources)  // a firing condition belongs to the chart whose steps it changes
             if (network_.variables[target].role == Network::Role::Step && cell(target) != none)
                 for (const Id<Network::Variable> variable : read)
                     if (network_.variables[variable].role == Network::Role::FiringCondition && cell(variable) == none)
@@ -147,7 +149,7 @@ private:
             if (cell(target) == none) cell(target) = charts.begin()->second;
     }
 
-    /// Puts a variable with the first that it is computed from, or is good for.
+    /// Adds a variable to the fragment of the first variable that it is computed from or that is computed from it.
     bool place(Id<Network::Variable> target, const std::set<Id<Network::Variable>>& read) {
         bool placed = false;
         for (const Id<Network::Variable> variable : read) {
@@ -163,12 +165,12 @@ private:
         return placed;
     }
 
-    /// What each instance exchanges values with: charts, and other instances.
+    /// Finds the communication partners of each instance: charts and other instances.
     void find_neighbours() {
         talks_to_.resize(network_.processes.size());
         neighbours_.resize(network_.processes.size());
-        std::vector<std::set<std::uint32_t>> readers(network_.variables.size());   // instances
-        std::vector<std::set<std::uint32_t>> chart_of(network_.variables.size());  // charts that read it, or write it
+        std::vector<std::set<std::uint32_t>> readers(network_.variables.size());   // per variable: instances
+        std::vector<std::set<std::uint32_t>> chart_of(network_.variables.size());  // charts that read or write it
         for (const Id<Network::Process> id : network_.processes.ids()) {
             if (!controls_[id.index]) {
                 for (const Id<Network::Variable> variable : Slots(network_, id).used())
@@ -189,7 +191,8 @@ private:
         }
     }
 
-    /// Instances that talk to no chart: each with its first neighbour that is placed; else they are cells of their own.
+    /// Instances that communicate with no chart: each is added to the fragment of its first neighbour that has one; the
+    /// remaining ones form separate fragments.
     void place_the_rest() {
         for (bool more = !network_.controllers.empty(); more;) {
             more = false;
@@ -205,7 +208,7 @@ private:
                 cells_.of_process[id.index] = add(network_.processes[id].name);
     }
 
-    /// Variables that no process may leave as they are when time is to pass.
+    /// Finds the variables whose value is fixed whenever time can pass.
     void find_resting() {
         cells_.resting.resize(network_.variables.size());
         for (const Id<Network::Process> id : network_.processes.ids()) {
@@ -219,11 +222,11 @@ private:
     static constexpr std::uint32_t none = NetworkCells::none;
 
     const Network& network_;
-    std::vector<std::vector<std::uint32_t>> writers_;  // per variable, processes
-    std::vector<bool> controls_;                       // per process: a PLC
+    std::vector<std::vector<std::uint32_t>> writers_;  // per variable: processes
+    std::vector<bool> controls_;                       // per process: true for a PLC
     NetworkCells cells_ = {};
-    std::vector<std::set<std::uint32_t>> talks_to_ = {};    // per process, charts
-    std::vector<std::set<std::uint32_t>> neighbours_ = {};  // per process, instances
+    std::vector<std::set<std::uint32_t>> talks_to_ = {};    // per process: charts
+    std::vector<std::set<std::uint32_t>> neighbours_ = {};  // per process: instances
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Choices: the values that are free within an edge of a local network, one after the other.
+// Choices: enumerates the free values that an edge of a localized network reads.
 #pragma once
 
 #include <cstddef>
@@ -14,28 +14,28 @@ namespace grafverif {
 
 class Choices {
 public:
-    /// Between terms of `whole` and terms over choices in `to`.
+    /// Translates terms of `whole` to terms over choices in `to`.
     Choices(const Network& whole, Exprs& to) : whole_(whole), to_(to) {}
 
     void clear() { choices_.clear(); }
-    /// The choice of what some terms of the whole are, with `op` between them; `writes`: the last write of the edge to
-    /// what they read, before which they may be something else. A leaf Parameter.
+    /// The choice of the value of `terms`, connected by `op`, as a leaf Parameter. `writes`: number of the last write
+    /// of the edge to the variables that they read; a choice made before that write may differ.
     Id<Expr> leaf(std::vector<Id<Expr>> terms, Op op, std::size_t writes);
-    /// Whether there are few enough values of all choices to go through.
+    /// True if the value combinations of all choices are few enough to enumerate.
     bool few() const;
 
-    /// The first values of all choices, and the next; false: these were the last.
+    /// Selects the first combination of values, or the next one; `next` returns false after the last.
     void begin();
     bool next();
-    /// A term over choices, with the values at hand.
+    /// Substitutes the current values of the choices in a term.
     Id<Expr> chosen(Id<Expr> term) const;
     using Values = std::map<Id<Network::Variable>, std::int64_t>;
-    /// Whether some choice reads nothing but these, as the edge leaves them.
+    /// True if some choice reads only these variables, with the values before the edge.
     bool tell_of(const std::vector<Id<Network::Variable>>& variables) const;
-    /// All values that some variables may have in the state that the edge leaves, with the values at hand; nothing where
-    /// these say nothing of them, or there are too many.
+    /// All values that `variables` can have before the edge, given the current values of the choices; empty if these do
+    /// not constrain them or there are too many.
     std::optional<std::vector<Values>> possible_before(const std::vector<Id<Network::Variable>>& variables) const;
-    /// Whether the values at hand are those of the initial state.
+    /// True if the current values are those of the initial state.
     bool as_at_first() const;
 
 private:
@@ -58,7 +58,7 @@ private:
     const Network& whole_;
     Exprs& to_;
     std::vector<Choice> choices_ = {};
-    std::vector<std::int64_t> values_ = {};  // one per choice
+    std::vector<std::int64_t> values_ = {};  // per choice
 };
 
 }  // namespace grafverif

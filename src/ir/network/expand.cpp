@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// expand: each process gets a template of its own, its arguments written in place of the parameters. What an engine
-// reads, and what the emitters' tests compare with.
+// expand: gives each process a separate template in which the arguments are substituted for the parameters. This is the
+// input of the engines and the reference for the tests of the emitters.
 #include "grafverif/ir/network.hpp"
 #include "ir/network_terms.hpp"
 #include "ir/slots.hpp"

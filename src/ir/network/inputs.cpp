@@ -13,21 +13,21 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t most_valuations = 32;
-constexpr std::size_t most_states = 4096;  // of an instance, without clocks
+constexpr std::size_t most_states = 4096;  // per instance, clocks ignored
 
 using Variable = Id<Network::Variable>;
 using Process = Id<Network::Process>;
 
 Variable variable_of(const Exprs& exprs, Id<Expr> leaf) { return {static_cast<std::uint32_t>(exprs[leaf].value)}; }
 
-/// The variables that `term` reads.
+/// Calls `visit` for each variable that `term` reads.
 template <class Visit>
 void each_variable(const Exprs& exprs, Id<Expr> term, const Visit& visit) {
     for (const Id<Expr> leaf : leaves(exprs, term))
         if (exprs[leaf].op == Op::Variable) visit(variable_of(exprs, leaf));
 }
 
-/// Who writes and reads each variable.
+/// Writers and readers of each variable.
 struct Users {
     std::vector<std::set<Process>> writers, readers;
 
@@ -74,7 +74,7 @@ private:
         return network_.variables[variable].role == Network::Role::Flag && variable != network_.race;
     }
 
-    /// Flags are set only, and nothing is read but the outputs.
+    /// True if the instance reads only its outputs; flags are only set.
     bool reads_itself(const Slots& slots, const std::vector<Variable>& outputs) const {
         bool itself = true;
         const auto check = [&](Id<Expr> term) {
@@ -94,7 +94,7 @@ private:
         return itself;
     }
 
-    /// A condition of the PLC's cycle is evaluated outside of its sampling.
+    /// True if a condition of a PLC cycle is evaluated outside of its sampling.
     bool is_guard_of_plc(const std::vector<Variable>& outputs) const {
         for (const Process plc : plcs_)
             for (const Network::Edge& edge : network_.templates[network_.processes[plc].automaton].edges) {
@@ -107,7 +107,8 @@ private:
         return false;
     }
 
-    /// All locations and outputs that are reachable without clocks. False: too many, or a value out of range.
+    /// Enumerates the reachable combinations of locations and outputs, clocks ignored. False if there are too many or a
+    /// value is out of range.
     bool explore(const Slots& slots, AutonomousInstance& made) const {
         struct State {
             Id<Network::Location> location = {};
@@ -158,7 +159,7 @@ private:
     const Network& network_;
     Users users_;
     std::set<Process> plcs_ = {};
-    std::set<std::uint32_t> settling_ = {};  // processes whose location decides whether the loop is quiescent
+    std::set<std::uint32_t> settling_ = {};  // processes whose location determines if the loop is quiescent
 };
 
 class Abstracter {
@@ -205,7 +206,7 @@ private:
         const Network::Controller& controller = made_.network.controllers[id];
         Network::Template& plc = automaton(controller.process);
         read_inputs_for_samples(plc);
-        std::map<std::size_t, std::size_t> choice_of;  // of an instance
+        std::map<std::size_t, std::size_t> choice_of;  // per instance
         for (const Network::Edge& edge : plc.edges)
             each_read(controller.process, edge, [&](std::size_t instance) {
                 if (!choice_of.emplace(instance, made_.choices.size()).second) return;
@@ -232,7 +233,7 @@ private:
             });
     }
 
-    /// The set of possible valuations lives as long as a sample does: who reads the sample reads the input.
+    /// The set of possible valuations lives as long as a sample: readers of the sample read the input instead.
     void read_inputs_for_samples(Network::Template& plc) {
         std::map<Variable, Variable> input_of;
         const Exprs& exprs = made_.network.exprs;
@@ -250,7 +251,7 @@ private:
             }
         });
         if (input_of.empty()) return;
-        const Exprs from = exprs;  // the table grows
+        const Exprs from = exprs;  // a copy, because the table grows
         TermCopier copy(from, made_.network.exprs, [&](const Expr& leaf) {
             const auto found =
                 leaf.op == Op::Variable ? input_of.find({static_cast<std::uint32_t>(leaf.value)}) : input_of.end();
@@ -266,7 +267,7 @@ private:
         });
     }
 
-    /// Between which edges the set must be stored: from a sampling to the last edge that reads it.
+    /// Determines between which edges the set must be stored: from a sampling to the last edge that reads it.
     void keep(const Network::Controller& controller, InputChoice& choice) {
         const Network::Template& plc = automaton(controller.process);
         const auto samples = [&](const Network::Edge& edge) {
@@ -293,13 +294,14 @@ private:
             if (!live[plc.edges[id].to.index]) choice.widened.push_back(id);
     }
 
-    /// What set EVOL_PL may have happened at any time: a cycle may begin in W where nothing else calls for it.
+    /// Events that set EVOL_PL may occur at any time: a cycle may begin in W even if the rest of the loop does not
+    /// request it.
     void begin_cycles(const Network::Controller& controller, Network::Template& plc) {
         Exprs& exprs = made_.network.exprs;
         std::vector<Network::Edge> more;
         for (const Network::Edge& edge : plc.edges) {
             if (edge.from != controller.waiting || !edge.urgent) continue;
-            const Exprs from = exprs;  // the table grows
+            const Exprs from = exprs;  // a copy, because the table grows
             const Id<Expr> woken = translate(from, edge.guard, exprs, [&](const Expr& leaf) {
                 if (leaf.op == Op::Variable && woken_.contains({static_cast<std::uint32_t>(leaf.value)}))
                     return exprs.constant(true);

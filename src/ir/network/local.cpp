@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A local network. A term that reads what is free becomes a term over *choices*: each of its greatest subterms that read
-// nothing else is one choice, the free operands of an And or Or together (leaves Parameter while an edge is made). The
-// edge then stands once per value of its choices.
+// Builds a localized network. A term that reads free variables becomes a term over *choices*. Each of its maximal
+// subterms that read only free variables is one choice; the free operands of an And or Or form one choice together
+// (leaves Parameter while an edge is built). The edge is then instantiated for each combination of values of its
+// choices.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -19,7 +20,7 @@ namespace grafverif {
 
 namespace {
 
-/// What a term reads.
+/// Types of variables that a term reads.
 enum : std::uint8_t { Kept = 1, Free = 2 };
 
 class LocalBuilder {
@@ -63,7 +64,7 @@ private:
     bool kept(Id<Network::Process> id) const { return process_[id.index] != none; }
     bool kept(Id<Network::Variable> id) const { return variable_[id.index] != none; }
     bool chosen(std::uint32_t cell) const { return std::ranges::binary_search(chosen_, cell); }
-    /// Whether it is free, but has one value wherever time passes.
+    /// True if the variable is free, but its value is fixed whenever time passes.
     bool rests(Id<Network::Variable> id) const {
         const std::uint32_t process = cells_.resting[id.index].process;
         return !kept(id) && process != none && process_[process] == none;
@@ -101,26 +102,27 @@ private:
     const std::vector<Id<Expr>>& invariants_;
     LocalAblations ablations_;
     LocalNetwork made_ = {};
-    std::vector<std::uint32_t> process_ = {};       // of the whole -> here
-    std::vector<std::uint32_t> variable_ = {};      // likewise
-    std::vector<std::uint8_t> reads_ = {};          // per term of the whole
-    std::vector<std::uint8_t> reads_resting_ = {};  // the same where time passes: what rests is no longer free
+    std::vector<std::uint32_t> process_ = {};       // process of the complete network -> process of the result
+    std::vector<std::uint32_t> variable_ = {};      // the same for variables
+    std::vector<std::uint8_t> reads_ = {};          // per term of the complete network
+    std::vector<std::uint8_t> reads_resting_ = {};  // the same in states where time passes: fixed variables are not
+                                                    // free
     std::set<std::uint32_t> borders_ = {}, tied_ = {};
     std::vector<std::vector<Id<Network::Variable>>> free_in_ = {};  // per invariant
     std::set<std::size_t> known_ = {};
     TermCopier copy_;
 
-    // of the edge at hand
+    // state for the current edge
     Choices choices_{whole_, made_.network.exprs};
-    std::map<Id<Network::Variable>, std::size_t> written_ = {};  // free variables: by which of its writes last
-    std::size_t writes_ = 0;                                     // of free variables, up to here
-    bool loose_ = false;    // the term at hand is the value of a flag, or of the rest
-    bool at_rest_ = false;  // it is read as it is where time passes
+    std::map<Id<Network::Variable>, std::size_t> written_ = {};  // free variables: number of the last write
+    std::size_t writes_ = 0;                                     // number of writes to free variables so far
+    bool loose_ = false;    // the current term is a flag's value or belongs to `rest`
+    bool at_rest_ = false;  // the current term is evaluated in states where time passes
     using Copy = std::tuple<bool, Id<Expr>, std::vector<Id<Expr>>>;
-    std::set<Copy> copies_ = {};  // of it, made already
+    std::set<Copy> copies_ = {};  // copies of the edge that exist already
 };
 
-/// A PLC is kept where a chosen cell has a part of it.
+/// Keeps the processes of the chosen fragments, and a PLC if a chosen fragment contains a part of it.
 void LocalBuilder::choose_processes() {
     std::uint32_t count = 0;
     for (const Id<Network::Process> id : whole_.processes.ids()) {
@@ -133,10 +135,10 @@ void LocalBuilder::choose_processes() {
     }
 }
 
-/// Of the variables of the chosen cells and of those that are nobody's: what is read by what is kept; integers, which may
-/// leave their range; and `race`.
+/// Selects the variables to keep. Candidates are the variables of the chosen fragments and those without a fragment.
+/// Kept are those that a kept process or property reads, integers (which may leave their range), and `race`.
 void LocalBuilder::choose_variables(const std::vector<Property>& properties) {
-    std::vector<std::vector<Id<Expr>>> values(whole_.variables.size());  // assigned by what is kept
+    std::vector<std::vector<Id<Expr>>> values(whole_.variables.size());  // values assigned by kept processes
     std::vector<Id<Network::Variable>> todo;
     std::vector<bool> needed(whole_.variables.size(), false);
     const auto need = [&](Id<Network::Variable> variable) {
@@ -176,7 +178,7 @@ void LocalBuilder::choose_variables(const std::vector<Property>& properties) {
         if (needed[id.index]) variable_[id.index] = made_.network.variables.add(whole_.variables[id]).index;
 }
 
-/// Operands come before what they are operands of.
+/// Relies on the order of terms: operands precede their terms.
 std::vector<std::uint8_t> LocalBuilder::reads(bool resting) const {
     std::vector<std::uint8_t> all(whole_.exprs.size(), 0);
     for (std::uint32_t index = 0; index < all.size(); ++index) {
@@ -189,7 +191,7 @@ std::vector<std::uint8_t> LocalBuilder::reads(bool resting) const {
     return all;
 }
 
-/// Of a term that reads nothing free, or only what rests.
+/// Translates a leaf that reads no free variable, or only fixed ones.
 Id<Expr> LocalBuilder::leaf(const Expr& node) {
     Exprs& exprs = made_.network.exprs;
     if (node.op == Op::At) return exprs.at(process_[at_process(node)], at_location(node));
@@ -244,7 +246,8 @@ Id<Expr> LocalBuilder::choice(std::vector<Id<Expr>> terms, Op op) {
     return choices_.leaf(std::move(terms), op, writes);
 }
 
-/// Empty: nothing that is kept is written. A race of what is left out ends runs, so that there is none is allowed.
+/// Empty if no kept variable is written. Races of omitted variables may be assumed not to occur, because a race ends
+/// the run.
 std::optional<Network::Assignment> LocalBuilder::assignment(const Network::Assignment& written) {
     const Id<Network::Variable> target = variable_of(written.target);
     if (!kept(target)) {
@@ -265,7 +268,7 @@ std::optional<Network::Assignment> LocalBuilder::assignment(const Network::Assig
     return made.value == made.target ? std::nullopt : std::optional(made);
 }
 
-/// Where the guard holds for all values of the choices.
+/// The condition under which the guard holds for all values of the choices.
 Id<Expr> LocalBuilder::enabled_by_all(Id<Expr> guard) {
     std::vector<Id<Expr>> all;
     choices_.begin();
@@ -333,7 +336,7 @@ void LocalBuilder::add_copies(const Network::Edge& free, Id<Expr> always, Networ
     } while (choices_.next());
 }
 
-/// The variables that are left out of those that it reads.
+/// The omitted variables that the invariant reads.
 std::vector<Id<Network::Variable>> LocalBuilder::free_in(Id<Expr> invariant) const {
     std::vector<Id<Network::Variable>> free;
     for (const Id<Expr> leaf : leaves(whole_.exprs, invariant))
@@ -341,7 +344,7 @@ std::vector<Id<Network::Variable>> LocalBuilder::free_in(Id<Expr> invariant) con
     return free;
 }
 
-/// What these invariants say of what is kept, in the state that the edge leaves, where the choices have the values at hand.
+/// Constraints of these invariants on kept variables before the edge, under the current values of the choices.
 Id<Expr> LocalBuilder::known_of_choices(const std::vector<std::size_t>& telling) {
     Exprs& exprs = made_.network.exprs;
     std::vector<Id<Expr>> all;
@@ -379,7 +382,8 @@ void LocalBuilder::add_process(Id<Network::Process> id) {
     made_.network.processes.add(std::move(process));
 }
 
-/// What is left out, as far as it writes what is kept: at any moment, whatever its clocks and locations are.
+/// Adds a process for the writes of omitted processes to kept variables; they can occur at any time, because the clocks
+/// and locations of omitted processes are ignored.
 void LocalBuilder::add_rest() {
     Network::Template rest{.name = "rest", .initial = {0}};
     rest.locations.add({.name = "any"});
@@ -394,7 +398,7 @@ void LocalBuilder::add_rest() {
     made_.network.processes.add({.name = "rest", .automaton = automaton, .initial = {0}});
 }
 
-/// As much as names a part when it is told which states there are.
+/// Adds the data of the controller that statistics of states need to name it.
 void LocalBuilder::add_controller(const Network::Controller& controller) {
     if (!kept(controller.stable)) return;
     Network::Controller made{.process = {process_[controller.process.index]},
@@ -406,7 +410,7 @@ void LocalBuilder::add_controller(const Network::Controller& controller) {
     made_.network.controllers.add(std::move(made));
 }
 
-/// Settled is what is so as far as it is kept.
+/// Translates the properties; `settled` keeps its conjuncts over kept variables.
 void LocalBuilder::add_properties(const std::vector<Property>& properties) {
     std::vector<Id<Expr>> settled;
     if (whole_.settled.valid()) {

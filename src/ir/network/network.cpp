@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The invariants of a Network. Each check adds one sentence per fault; the sort of a term is found out once per template.
+// Invariants of a Network. Each check adds one sentence per fault; the sorts of terms are computed once per template.
 #include "grafverif/ir/network.hpp"
 
 #include <algorithm>
@@ -16,13 +16,13 @@ namespace {
 
 bool in_range(const Type& type, std::int64_t value) { return type.low <= value && value <= type.high; }
 
-/// Whether `constraint` excludes no clock value that `other` admits; both are upper bounds on one clock.
+/// True if `constraint` excludes no clock value that `other` admits. Both are upper bounds on one clock.
 bool implied(Op relation, std::int64_t bound, Op other_relation, std::int64_t other_bound) {
     if (other_bound != bound) return other_bound < bound;
     return relation == Op::LessEqual || other_relation == Op::Less;
 }
 
-/// Walks the terms of one network, and says what is wrong with them.
+/// Checks all terms of a network and reports faults.
 class Verifier {
 public:
     explicit Verifier(const Network& network) : network_(network) {}
@@ -209,7 +209,7 @@ private:
         return sorts_.check(term, sort, what, faults_);
     }
 
-    /// Terms are those of `automaton` from here on; none: those of properties.
+    /// Sets the template that the following terms belong to; null for terms of properties.
     void read_terms_of(const Network::Template* automaton) {
         here_ = automaton;
         sorts_ = Sorts(network_.exprs, [this](const Expr& leaf) { return leaf_sort(leaf); });
@@ -228,7 +228,7 @@ private:
     }
 
     const Network& network_;
-    const Network::Template* here_ = nullptr;  // the template whose parameters the terms read
+    const Network::Template* here_ = nullptr;  // template whose parameters the terms read
     Sorts sorts_{network_.exprs, [this](const Expr& leaf) { return leaf_sort(leaf); }};
     std::vector<std::string> faults_ = {};
 };

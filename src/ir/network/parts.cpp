@@ -12,7 +12,7 @@ namespace grafverif {
 
 namespace {
 
-/// Disjoint sets of processes.
+/// Union-find structure over processes.
 class Classes {
 public:
     explicit Classes(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
@@ -21,7 +21,7 @@ public:
         while (parent_[one] != one) one = parent_[one] = parent_[parent_[one]];
         return one;
     }
-    /// The least member stands for its class.
+    /// The least member represents its class.
     void join(std::uint32_t one, std::uint32_t other) {
         const auto [least, greatest] = std::minmax({of(one), of(other)});
         parent_[greatest] = least;
