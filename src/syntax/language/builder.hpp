@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Builder: what the actions of the grammar call. It puts expressions into the file's table, declarations into its list,
-// and remembers whether the declaration at hand has a syntax error within.
+// Builder: semantic actions of the grammar. Adds expressions to the table of the file and declarations to its list, and
+// records if the current declaration contains a syntax error.
 #pragma once
 
 #include <cstdint>
@@ -41,14 +41,14 @@ public:
     tree::Transition transition(tree::Transition links, Id<tree::Expr> condition,
                                 std::vector<tree::Assignment> assignments, Span where) const;
     tree::Property pattern(Pattern pattern, std::vector<Id<tree::Expr>> operands) const;
-    /// `plain` where there is no scope.
+    /// Pattern `plain` if there is no scope.
     tree::Property scoped(Pattern plain, Sentence::Kind kind, std::vector<Id<tree::Expr>> operands,
                           tree::Property scope) const;
     tree::Property scope(Sentence::Scope scope, std::vector<Id<tree::Expr>> operands) const;
-    /// With a duration or a count.
+    /// A sentence with a duration or a count.
     tree::Property bounded(Sentence::Kind kind, std::vector<Id<tree::Expr>> operands, Id<tree::Expr> bound,
                            tree::Property scope) const;
-    /// `times` stands where its number should.
+    /// Reports that `times` is not preceded by a number.
     tree::Property uncounted(std::vector<Id<tree::Expr>> operands, tree::Name times, tree::Property scope);
     tree::Property formula(Pattern pattern, std::string raw, Span where) const;
     tree::Property named(tree::Name name, std::string text, bool expected_violated, tree::Property pattern,
@@ -62,7 +62,8 @@ public:
     Id<tree::Expr> member(Id<tree::Expr> owner, tree::Name name, Span where);
     Id<tree::Expr> place(Id<tree::Expr> owner, tree::Name name, Span where);
     Id<tree::Expr> unary(tree::Op op, Id<tree::Expr> operand, Span where);
-    /// `&&` and `||` take in a left operand of their own kind that has no brackets: a conjunction is one node.
+    /// `&&` and `||` are flattened: a left operand with the same operator and without brackets is merged, so a
+    /// conjunction is one node.
     Id<tree::Expr> binary(tree::Op op, Id<tree::Expr> left, Id<tree::Expr> right, Span where);
     Id<tree::Expr> bracketed(Id<tree::Expr> expression, Span where);
 
@@ -73,7 +74,7 @@ private:
     tree::File* file_;
     Diagnostics* diagnostics_;
     bool broken_ = false;
-    Span too_deep_ = {};  ///< the last expression said to be so: its outer levels are no news
+    Span too_deep_ = {};  ///< the last expression reported as too deep; its outer levels are not reported again
 };
 
 }  // namespace grafverif::tree

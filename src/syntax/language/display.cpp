@@ -22,7 +22,7 @@ namespace grafverif {
 
 namespace {
 
-/// Characters that editors and terminals obey: where each is first, and how often it follows.
+/// Characters that control editors and terminals: first position and number of occurrences.
 class Controls {
 public:
     explicit Controls(Span part) : part_(part) {}
@@ -54,20 +54,20 @@ private:
     std::map<std::uint32_t, Seen> seen_ = {};
 };
 
-/// White space of ASCII; a carriage return only in front of a line feed.
+/// ASCII white space; a carriage return only before a line feed.
 bool is_blank(std::string_view text) {
     if (text.front() == '\r') return text.size() > 1 && text[1] == '\n';
     return std::string_view(" \t\n\f\v").find(text.front()) != std::string_view::npos;
 }
 
-/// What a name can be confused with.
+/// A text with which a name can be confused.
 struct Lookalike {
     std::string text = {};
     std::string_view what = {};
     Span where = {};
 };
 
-/// `name` with ASCII instead of fullwidth letters, digits and `_`.
+/// `name` with fullwidth letters, digits and `_` replaced by ASCII.
 std::string narrow(std::string_view name) {
     std::string text;
     for (std::size_t at = 0; at < name.size();) {
@@ -81,7 +81,7 @@ std::string narrow(std::string_view name) {
     return text;
 }
 
-/// `U+0430, U+0443`: the characters beyond ASCII.
+/// Lists the non-ASCII characters: `U+0430, U+0443`.
 std::string characters(std::string_view name) {
     std::string text;
     for (std::size_t at = 0; at < name.size();) {
@@ -104,13 +104,13 @@ public:
             add(file.words[word].text, "name", word.index < first_places.size() ? first_places[word.index] : Span{});
     }
 
-    /// The first declared one that `name` is not, but looks like.
+    /// The first declared text that differs from `name` but looks the same.
     const Lookalike* like(std::string_view name) const {
         const auto found = by_skeleton_.find(skeleton(name));
         if (found == by_skeleton_.end()) return nullptr;
         const Lookalike* best = nullptr;
         for (const Lookalike& each : found->second) {
-            if (each.text == name) break;  // a later name is reported instead
+            if (each.text == name) break;  // the later name is reported instead
             if (best == nullptr) best = &each;
         }
         for (const Lookalike& each : found->second)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the parser expected, in plain words.
+// Descriptions of expected tokens for syntax errors.
 #pragma once
 
 #include <array>
@@ -14,12 +14,13 @@ namespace grafverif::tree {
 
 using Symbol = Parser::symbol_kind_type;
 
-/// "`;` or an operator": the tokens that could have stood there, those of one kind under one name.
+/// Describes the tokens that are allowed here, grouped by type: "`;` or an operator".
 std::string expectation(std::span<const Symbol> expected);
 
-/// The pattern of properties that `word` means in CTL, LTL, UPPAAL or with a misspelling: `always` for `AG`; or empty.
+/// The property pattern to which `word` corresponds in CTL, LTL or UPPAAL, or as a misspelling: `always` for `AG`; or
+/// empty.
 std::string pattern_of(std::string_view word);
-/// The expected keyword that `word` means: `when` for `if`, `grafcet` for `graphcet`; or empty.
+/// The expected keyword to which `word` corresponds: `when` for `if`, `grafcet` for `graphcet`; or empty.
 std::string keyword_of(std::string_view word, std::span<const Symbol> expected);
 
 bool contains(std::span<const Symbol> symbols, Symbol symbol);

@@ -19,21 +19,22 @@ namespace grafverif {
 
 namespace {
 
-// Page: the lines of a text under way, and the comments and blank lines that go between them. Everything is placed by
-// position: before a thing is written, the comments that stand before it are.
+// Page: the output lines with the comments and blank lines between them. Placement is by source position: comments are
+// written before the first element that follows them.
 
 class Page {
 public:
     explicit Page(const tree::File& file) : file_(&file) {}
 
-    /// What was written at `begin` follows: its comments, and a blank line if there was one. `apart`: in any case.
+    /// Starts the element that begins at `begin` in the source: writes the comments before it, and a blank line if the
+    /// source has one or if the flag is set.
     void before(std::uint32_t begin, bool apart = false);
-    /// Comments that stand inside something without lines of its own.
+    /// Writes comments inside an element that is written in one piece.
     void within(std::uint32_t end);
     void line(std::string text);
-    /// The comments behind what ended at `end`, on its line; those at `limit` and after it belong to what follows.
+    /// Writes the comments at the end of the current line that precede `limit`; later ones belong to the next element.
     void behind(std::uint32_t limit);
-    /// Comments up to the end of a block or of the file.
+    /// Writes the comments up to the end of a block or of the file.
     void remaining(std::uint32_t end);
 
     void indent() {
@@ -60,7 +61,7 @@ private:
 
     const tree::File* file_;
     std::vector<Line> lines_ = {};
-    std::size_t next_ = 0;  ///< comment to be placed
+    std::size_t next_ = 0;  ///< next comment to be placed
     std::size_t depth_ = 0;
     bool fresh_ = true;  ///< at the start of a block or of the file: no blank line
 };
@@ -116,7 +117,7 @@ void Page::own_line(const tree::Comment& comment) {
     fresh_ = false;
 }
 
-/// Comments behind neighbouring lines stand in one column.
+/// Aligns the end-of-line comments of adjacent lines.
 void Page::write(std::ostream& out) const {
     for (std::size_t from = 0; from < lines_.size();) {
         std::size_t to = from, width = 0;

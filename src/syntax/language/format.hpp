@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// format: a tree in the canonical layout, which `fmt` prints and the documents show.
+// format: prints a tree in the canonical layout, as `fmt` does.
 //
-// One declaration a line, blocks indented by four blanks, operators in one spelling, brackets only where they are
-// needed or tell a mixture of `&&` and `||` apart. Comments are kept: those of their own line before what follows them,
-// those at the end of a line there, those inside a declaration before it. Single blank lines are kept; declarations of
-// a file stand apart. format(parse(format(t))) == format(t).
+// Layout: one declaration per line, blocks indented by four spaces, one spelling of each operator. Brackets appear only
+// where precedence requires them, or where `&&` and `||` are mixed. Comments are kept: those on separate lines before
+// the following element, end-of-line comments on their line, comments inside a declaration before it. Single blank
+// lines are kept; top-level declarations are separated by blank lines. Idempotent: format(parse(format(t))) ==
+// format(t).
 #pragma once
 
 #include <iosfwd>
@@ -14,10 +15,10 @@
 
 namespace grafverif {
 
-/// Requires a file that is not broken.
+/// Requires a file that is not `broken`.
 void format(const tree::File& file, std::ostream& out);
 std::string formatted(const tree::File& file);
-/// An expression as `format` prints it.
+/// An expression in the notation of `format`.
 std::string formatted(const tree::File& file, Id<tree::Expr> expression);
 
 }  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Expressions in canonical spelling.
+// Expressions in canonical notation.
 #include <string>
 
 #include "support/overloaded.hpp"
@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// How tightly an operator binds, as in the grammar.
+/// Binding strength of an operator, as in the grammar.
 int precedence(tree::Op op) {
     switch (op) {
     case tree::Op::Implies: return 0;
@@ -101,7 +101,8 @@ private:
     void infix(const tree::Expr& node) {
         const int own = precedence(node.op);
         const bool junction = node.op == tree::Op::And || node.op == tree::Op::Or;
-        const bool comparison = own == 3 || own == 0;  // an implication of one is bracketed, on either side
+        const bool comparison = own == 3 || own == 0;  // an implication as an operand of another one is bracketed on
+                                                       // either side
         const std::string sign(spelling(node.op));
         bool first = true;
         for (Id<tree::Expr> id = node.first; id.valid(); id = file_->exprs[id].next) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The expressions of a tree as canonical text.
+// Prints the expressions of a tree in canonical notation.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace grafverif {
 
-/// Brackets where the author put them and where the grammar asks for them.
+/// Brackets are printed if the source has them or the grammar requires them.
 std::string format_expr(const tree::File& file, Id<tree::Expr> expr);
 
 }  // namespace grafverif

@@ -13,8 +13,8 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t widest = 120;       ///< longer lines are broken where they can be
-constexpr std::size_t comfortable = 100;  ///< of what reads as well in several lines
+constexpr std::size_t widest = 120;       ///< longer lines are broken if possible
+constexpr std::size_t comfortable = 100;  ///< limit for elements that can also be written in several lines
 
 std::string text(const tree::File& file, tree::Name name) { return std::string(file.text(name)); }
 
@@ -30,7 +30,8 @@ std::string names(const tree::File& file, const std::vector<tree::Name>& written
     return joined(parts);
 }
 
-/// `head`, the parts with commas, `tail`; as many lines as it takes, the others indented like the first part.
+/// `head`, the comma-separated parts and `tail`, in as many lines as necessary; continuation lines are aligned with the
+/// first part.
 Lines filled(const std::string& head, const std::vector<std::string>& parts, const std::string& tail,
              std::size_t column) {
     Lines lines = {head};
@@ -75,7 +76,7 @@ std::string assignments(const tree::File& file, const std::vector<tree::Assignme
     return joined(parts);
 }
 
-/// `HEAD when CONDITION do ASSIGNMENTS;`, broken before `when`, and before `do` as well, where it is too long.
+/// `HEAD when CONDITION do ASSIGNMENTS;`. A long line is broken before `when` and, if necessary, before `do`.
 Lines guarded(const tree::File& file, const std::string& head, Id<tree::Expr> condition,
               const std::vector<tree::Assignment>& actions, std::size_t column) {
     std::vector<std::string> clauses;
@@ -102,7 +103,7 @@ Lines item_lines(const tree::File& file, const tree::Variables& written, std::si
     case tree::VariableKind::Output: word = "output "; break;
     case tree::VariableKind::Internal: word = "internal "; break;
     case tree::VariableKind::Own: word = "variable "; break;
-    case tree::VariableKind::Constant: word = "constant "; break;  // of a loop: heads of components have no word for it
+    case tree::VariableKind::Constant: word = "constant "; break;  // in a loop; component heads have no keyword for it
     }
     return filled(word, variables(file, written), ";", column);
 }
@@ -201,7 +202,7 @@ Lines item_lines(const tree::File& file, const tree::Edge& written, std::size_t 
 
 std::string component_head(const tree::File& file, const tree::Component& component) {
     const std::string head = "component " + text(file, component.name) + '(';
-    std::vector<std::string> parts;  // whole groups, or variables where a group is too long
+    std::vector<std::string> parts;  // complete groups, or single variables if a group is too long
     for (const tree::Variables& group : component.parameters) {
         const std::string word = group.kind == tree::VariableKind::Input    ? "input "
                                  : group.kind == tree::VariableKind::Output ? "output "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lines of each kind of declaration, without comments; `column` is where they will begin.
+// Prints each type of declaration as lines, without comments; `column` is the indentation.
 #pragma once
 
 #include <cstddef>
@@ -31,11 +31,11 @@ Lines item_lines(const tree::File& file, const tree::Instance& written, std::siz
 Lines item_lines(const tree::File& file, const tree::Property& written, std::size_t column);
 Lines item_lines(const tree::File& file, const tree::Accept& written, std::size_t column);
 
-/// `initial step 0`, without its actions.
+/// `initial step 0`, without actions.
 std::string step_head(const tree::File& file, const tree::Step& step);
-/// `step 1 { A; B; }` where that reads well: plain actions, or two at most, and not too long.
+/// `step 1 { A; B; }` if it is short and has only plain actions or at most two; otherwise empty.
 std::optional<std::string> step_in_one_line(const tree::File& file, const tree::Step& step, std::size_t column);
-/// `component NAME(...)`; several lines where one would be too long.
+/// `component NAME(...)`; several lines if one would be too long.
 std::string component_head(const tree::File& file, const tree::Component& component);
 
 }  // namespace grafverif

@@ -23,7 +23,7 @@ using Symbols = Parser::symbol_kind;
 
 constexpr std::size_t longest_name = 1000;
 
-/// The duration in milliseconds; empty when the unit is unknown.
+/// A duration in parts, converted to milliseconds; empty if the unit is unknown.
 struct Measure {
     std::string_view digits = {}, decimals = {}, unit = {};
 };
@@ -47,7 +47,7 @@ std::optional<std::int64_t> milliseconds_in(std::string_view unit) {
     return {};
 }
 
-/// Words before the name of a block.
+/// True for keywords that precede the name of a block.
 bool begins_block(Parser::symbol_kind_type kind) {
     switch (kind) {
     case Symbols::S_GRAFCET:
@@ -61,7 +61,7 @@ bool begins_block(Parser::symbol_kind_type kind) {
     }
 }
 
-/// `digits`.`decimals` times `factor`; empty when that is no whole number, or too large to be a duration.
+/// `digits`.`decimals` times `factor`; empty if the result is not an integer or exceeds the range of durations.
 std::optional<std::int64_t> scaled(std::string_view digits, std::string_view decimals, std::int64_t factor) {
     constexpr std::int64_t bound = std::int64_t{1} << 40U;
     std::int64_t whole = 0;
@@ -126,7 +126,7 @@ void Lexer::advance(std::string_view match) {
 
 void Lexer::lines() { line_ends_ += static_cast<std::uint32_t>(match_.size()); }
 
-/// Notes a blank line before the token or comment at hand.
+/// Records a blank line before the current token or comment.
 void Lexer::begin_thing() {
     if (line_ends_ > 1 && anything_) file_->gaps.push_back(here_.begin);
     line_ends_ = 0;
@@ -153,7 +153,7 @@ Token Lexer::word(Parser::token_kind_type kind) {
     return {kind, last_name_, here_};
 }
 
-/// An identifier that is not all ASCII, or characters that look like none.
+/// Reads an identifier with non-ASCII characters, or reports characters that cannot be part of one.
 Token Lexer::wide_name() {
     const std::size_t length = identifier_length(match_);
     if (length < match_.size()) {
@@ -196,8 +196,8 @@ Token Lexer::decimal_without_unit() {
     return broken(messages::decimal_number(here_, match_));
 }
 
-/// Where a path operator of CTL or UPPAAL with brackets (`A[]`, `<>`) begins a pattern: its letter, if any, and the
-/// brackets. Not valid anywhere else.
+/// Span of a path operator of CTL or UPPAAL with brackets (`A[]`, `<>`) that begins a pattern: its letter, if any, and
+/// the brackets. Invalid otherwise.
 Span Lexer::operator_of_ctl() const {
     const std::string_view brackets = std::string_view(source_->text).substr(here_.begin, 2);
     if (brackets != "[]" && brackets != "<>") return {};
@@ -235,7 +235,7 @@ Token Lexer::unexpected_character() {
     return broken(messages::unexpected_character(here_, match_));
 }
 
-/// An error that the parser is not asked about: it goes on with the next declaration.
+/// Reports a lexical error; the parser resumes at the next declaration.
 Token Lexer::broken(Diagnostic diagnostic) {
     const Span where = diagnostic.where;
     report(std::move(diagnostic));
@@ -243,7 +243,7 @@ Token Lexer::broken(Diagnostic diagnostic) {
     return Parser::make_YYerror(where);
 }
 
-/// One fault, one error: what is skipped is not judged.
+/// Nothing is reported while tokens are skipped, so that each fault causes one error.
 void Lexer::report(Diagnostic diagnostic) {
     if (!recovering_) diagnostics_->add(std::move(diagnostic));
 }
@@ -262,7 +262,7 @@ bool Lexer::nests_too_deep(Kind next) const {
     }
 }
 
-/// The token last handed out has been taken in by the parser.
+/// The parser has accepted the last token.
 void Lexer::consumed() {
     switch (last_) {
     case Symbols::S_NOT:

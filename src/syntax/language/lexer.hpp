@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Lexer: the words of a text for the parser, with their places, and the way back after an error.
+// Lexer: tokens of a text with their positions for the parser, and error recovery.
 //
-// Comments and blank lines are put aside in the file. After an error the lexer skips to where the next declaration
-// begins and says RESUME there: past a `;`, before the `}` that ends the block at hand, or at a word that begins a
-// declaration and a line. A declaration of a file (`grafcet`, ...) at the start of a line ends every open block, a
-// declaration of a chart ends the actions of a step: a missing `}` costs one error. A text that ends in a
-// block says CUT_OFF first, for a parser of Bison gives up where it cannot throw away what it stumbled over.
+// Comments and blank lines are stored in the file, outside the tree. After an error the lexer skips to the next
+// declaration and returns the token RESUME there. It resumes after a `;`, before the `}` that ends the current block,
+// or at a keyword that begins a declaration and a line.
+// A top-level declaration (`grafcet`, ...) at the start of a line ends every open block. A declaration of a chart ends
+// the actions of a step. A missing `}` therefore causes only one error. A text that ends inside a block first returns
+// CUT_OFF, because a Bison parser aborts if it cannot discard the offending token.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +26,7 @@ namespace grafverif::tree {
 /// From the beginning of `first` to the end of `last`.
 inline Span spanning(Span first, Span last) { return {first.source, first.begin, last.end}; }
 
-/// What the generated scanner keeps.
+/// State of the generated scanner.
 class Scanner {
 public:
     explicit Scanner(std::string_view text);
@@ -47,14 +48,14 @@ public:
     /// Reads `part` of `source`.
     Lexer(const Source& source, Span part, tree::File& file, Diagnostics& diagnostics);
 
-    /// Where each word of the file is first written.
+    /// First occurrence of each word of the file.
     std::span<const Span> first_places() const { return first_places_; }
     /// The next token for the parser.
     Token next();
-    /// Reports the token last handed out, and goes on with the next declaration.
+    /// Reports the last token as unexpected and resumes at the next declaration.
     void report_unexpected(Kind seen, Span where, std::span<const Kind> expected);
 
-    // What the rules of the scanner call.
+    // Called by the rules of the scanner.
     void advance(std::string_view match);
     void lines();
     void comment();
@@ -73,7 +74,7 @@ private:
     enum class BlockKind { Body, Actions, Set };
     struct Block {
         BlockKind kind = BlockKind::Body;
-        Span heading = {};  ///< `grafcet press`: the word and the name that the block belongs to
+        Span heading = {};  ///< `grafcet press`: keyword and name of the block
     };
 
     Token broken(Diagnostic diagnostic);
@@ -97,25 +98,26 @@ private:
     std::vector<Span> first_places_ = {};
     Diagnostics* diagnostics_;
 
-    std::string_view match_ = {};  ///< what the scanner has just found
-    Span here_ = {};               ///< where
-    std::uint32_t line_ends_ = 0;  ///< since the last token or comment
-    bool anything_ = false;        ///< some token or comment has been seen
+    std::string_view match_ = {};  ///< current match of the scanner
+    Span here_ = {};               ///< its position
+    std::uint32_t line_ends_ = 0;  ///< line ends since the last token or comment
+    bool anything_ = false;        ///< a token or comment has been seen
 
-    std::deque<Token> pending_ = {};  ///< to be handed out before anything new
+    std::deque<Token> pending_ = {};  ///< tokens to be returned before scanning continues
     bool recovering_ = false;
-    bool cut_off_ = false;                        ///< the text has ended within a block, and the parser has been told
-    Span reported_ = {};                          ///< the token last reported: not a second time
-    std::uint32_t handed_back_ = 0;               ///< end of the last token handed out a second time: there is no third
-    Kind last_ = Parser::symbol_kind::S_YYEMPTY;  ///< the token last handed out
+    bool cut_off_ = false;                        ///< the text ended within a block, and CUT_OFF was returned
+    Span reported_ = {};                          ///< the last reported token; not reported twice
+    std::uint32_t handed_back_ = 0;               ///< end of the last token that was returned twice; it is not returned
+                                                  ///< again
+    Kind last_ = Parser::symbol_kind::S_YYEMPTY;  ///< the last returned token
     Span last_where_ = {};
     tree::Name last_name_ = {};
-    Kind before_ = Parser::symbol_kind::S_YYEMPTY;  ///< the one before it, consumed
+    Kind before_ = Parser::symbol_kind::S_YYEMPTY;  ///< the previous token, accepted
     Span before_where_ = {};
-    Kind earlier_ = Parser::symbol_kind::S_YYEMPTY;    ///< the one before that
-    Kind declaring_ = Parser::symbol_kind::S_YYEMPTY;  ///< the last word that begins a block
-    Span heading_ = {};                                ///< that word and the name after it
-    std::vector<Block> blocks_ = {};                   ///< open ones
+    Kind earlier_ = Parser::symbol_kind::S_YYEMPTY;    ///< the token before that one
+    Kind declaring_ = Parser::symbol_kind::S_YYEMPTY;  ///< the last keyword that begins a block
+    Span heading_ = {};                                ///< that keyword and the following name
+    std::vector<Block> blocks_ = {};                   ///< open blocks
     Span less_indented_ = {};  ///< heading of the first block whose `}` is indented less than its heading
     std::size_t brackets_ = 0, prefixes_ = 0;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the lexer reports a token that the parser cannot use, and where it goes on: see lexer.hpp.
+// Error recovery of the lexer: reports a token that the parser cannot accept and finds the position to resume; see
+// lexer.hpp.
 #include <algorithm>
 #include <ranges>
 #include <string>
@@ -16,7 +17,7 @@ namespace {
 
 using Symbols = Parser::symbol_kind;
 
-/// Words that begin a declaration of a file.
+/// True for keywords that begin a top-level declaration.
 bool declares_in_file(Symbol kind) {
     switch (kind) {
     case Symbols::S_GRAFCET:
@@ -27,7 +28,7 @@ bool declares_in_file(Symbol kind) {
     }
 }
 
-/// Reserved words that begin a declaration of a chart: they can be no action of a step.
+/// True for reserved words that begin a declaration of a chart; they cannot be an action of a step.
 bool declares_in_chart(Symbol kind) {
     switch (kind) {
     case Symbols::S_INPUT:
@@ -39,7 +40,7 @@ bool declares_in_chart(Symbol kind) {
     }
 }
 
-/// Words that begin a declaration of a block.
+/// True for keywords that begin a declaration in a block.
 bool declares_in_block(Symbol kind) {
     switch (kind) {
     case Symbols::S_CONSTRAINT:
@@ -85,14 +86,15 @@ bool Lexer::begins_line(Span where) const {
     return true;
 }
 
-/// Width of the white space before the first word of the line of `place`.
+/// Width of the white space at the beginning of the line of `place`.
 std::size_t Lexer::indentation(std::uint32_t place) const {
     const std::string_view before = std::string_view(source_->text).substr(0, place);
     const std::string_view line = before.substr(before.rfind('\n') + 1);
     return std::min(line.find_first_not_of(" \t"), line.size());
 }
 
-/// A declaration that cannot be in the block at hand, or the end of the text, where `}` could be.
+/// Reports a missing `}` if a declaration is not allowed in the current block, or at the end of the text, and `}` is
+/// expected.
 bool Lexer::report_missing_brace(Kind seen, Span where, std::span<const Kind> expected) {
     if (blocks_.empty() || !contains(expected, Symbols::S_CLOSE)) return false;
     const bool at_end = seen == Symbols::S_YYEOF, in_file = declares_in_file(seen);
@@ -105,7 +107,7 @@ bool Lexer::report_missing_brace(Kind seen, Span where, std::span<const Kind> ex
     return true;
 }
 
-/// Words of other languages, and of this one in the wrong place.
+/// Reports keywords of other languages, and keywords of this one in the wrong place.
 bool Lexer::report_other_notation(Kind seen, Span where, std::span<const Kind> expected) {
     const std::string_view text = seen_text(where), before = seen_text(before_where_);
     const bool in_pattern = contains(expected, Symbols::S_PRECEDES);
@@ -151,12 +153,12 @@ void Lexer::report_unexpected(Kind seen, Span where, std::span<const Kind> expec
     diagnostics_->add(messages::unexpected(where, text, words));
 }
 
-/// Hands out the `}` that `count` open blocks lack.
+/// Returns the `}` that `count` open blocks lack.
 void Lexer::close_blocks(std::size_t count) {
     for (; count > 0; --count) pending_.emplace_back(Parser::token::CLOSE, here_);
 }
 
-/// Skips from the token last handed out, itself included, to where the parser can go on.
+/// Skips tokens, from the last returned one on, up to one at which the parser can resume.
 void Lexer::resynchronise() {
     if (diagnostics_->full()) {
         pending_.clear();
@@ -182,7 +184,8 @@ void Lexer::resynchronise() {
         kind = token.kind();
         first = false;
     };
-    const bool stuck = last_where_.end == handed_back_ && kind != Symbols::S_YYEOF;  // it was of no use there either
+    const bool stuck = last_where_.end == handed_back_ && kind != Symbols::S_YYEOF;  // the parser could not resume at
+                                                                                     // it
     const auto hand_back = [&] {
         handed_back_ = first ? last_where_.end : token.location.end;
         if (!first) pending_.push_back(token);

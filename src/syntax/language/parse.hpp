@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// parse: text -> tree. The grammar is grammars/grafcet.yy, the words are those of grammars/grafcet.ll.
+// parse: text -> tree. The grammar is grammars/grafcet.yy, the tokens are defined in grammars/grafcet.ll.
 //
-// A declaration with a syntax error is marked `broken` and the parser goes on with the next one, so that one run
-// reports every error. What is reported here: bytes that are no text, words that are none, syntax, and limits.
+// A declaration with a syntax error is marked `broken` and the parser resumes at the next one, so that one run reports
+// every error. Reported are: invalid bytes, invalid tokens, syntax errors and exceeded limits.
 #pragma once
 
 #include "grafverif/support/diagnostic.hpp"
@@ -11,7 +11,8 @@
 
 namespace grafverif {
 
-/// The declarations of `source`; those in `broken` ones are incomplete. `diagnostics` holds an error iff something was.
+/// The declarations of `source`; `broken` ones are incomplete. `diagnostics` gets an error if and only if the file or a
+/// declaration is broken.
 tree::File parse_file(Id<Source> source, const Sources& sources, Diagnostics& diagnostics);
 
 }  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What both grammars say of the places of their words, and how deep terms may nest.
+// Source positions and nesting limits, shared by both grammars.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +8,13 @@
 
 namespace grafverif {
 
-/// Levels of brackets and operators in one expression.
+/// Maximal nesting of brackets and operators in one expression.
 inline constexpr std::size_t deepest_expression = 1000;
 
-/// The empty place right after `span`.
+/// The empty span right after `span`.
 inline Span after(Span span) { return {span.source, span.end, span.end}; }
 
-/// From the first to the last of `count` places, those left out (empty ones) not counted.
+/// Span from the first to the last of `count` places; empty places are ignored.
 template <class Place>
 Span across(std::size_t count, const Place& place) {
     Span first = place(1);

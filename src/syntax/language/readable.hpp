@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether bytes are text at all.
+// Checks that a source is text, and converts other encodings to UTF-8.
 #pragma once
 
 #include <string_view>
@@ -11,13 +11,14 @@ namespace grafverif {
 
 inline constexpr std::size_t largest_text = std::size_t{256} << 20U;  ///< bytes
 
-/// Rewrites a text in UTF-16 as UTF-8, and one that can only be Latin-1 (or Windows-1252), which is warned of.
+/// Converts UTF-16 to UTF-8, and also Latin-1 (or Windows-1252) if the text cannot be anything else; the latter with a
+/// warning.
 void make_utf8(Id<Source> source, Sources& sources, Diagnostics& diagnostics);
 
-/// Reports text in UTF-16, the first byte of `part` that is not UTF-8, and parts above `largest_text`.
+/// True if `part` is valid; otherwise reports UTF-16, the first byte that is not UTF-8, or a size above `largest_text`.
 bool is_readable(Span part, const Sources& sources, Diagnostics& diagnostics);
 
-/// `part` without a byte order mark at its beginning.
+/// `part` without a leading byte order mark.
 Span without_mark(Span part, const Sources& sources);
 
 }  // namespace grafverif

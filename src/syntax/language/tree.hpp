@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// tree: a file as it is written, before any name is looked up. It lives between the parser and name resolution, and is
-// what `fmt` prints; nothing after `read` knows of it.
+// tree: abstract syntax of a file before name resolution. It is passed from the parser to name resolution, and is the
+// input of `fmt`; later stages do not use it.
 //
-// Names are interned: two names of one file are equal iff their words are. Expressions lie in one flat table, operands
-// chained as siblings, so that a term of any width costs no allocation of its own. Every node and every declaration
-// knows its span; comments and blank lines are kept beside the tree, ordered by position, and are put back by it.
+// Names are interned: two names of one file are equal iff their words are. Expressions are stored in one flat table
+// with operands linked as siblings, so a term of any width needs no separate allocation. Every node and declaration has
+// a span. Comments and blank lines are stored outside the tree, ordered by position.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ struct Word {
     std::string text = {};
 };
 
-/// A name where it is used; not valid where an optional name is missing.
+/// An occurrence of a name; invalid if an optional name is missing.
 struct Name {
     Id<Word> word = {};
     Span where = {};
@@ -62,19 +62,19 @@ enum class Op : std::uint8_t {
 
 struct Expr {
     Op op = Op::False;
-    bool bracketed = false;  ///< the author put it in brackets
+    bool bracketed = false;  ///< written in brackets in the source
     std::uint16_t depth = 1;
-    Id<Word> word = {};                         ///< Name, Member, In
-    std::int64_t value = 0;                     ///< Number; Duration: milliseconds
+    Id<Word> word = {};                         ///< for Name, Member, In
+    std::int64_t value = 0;                     ///< for Number; for Duration in milliseconds
     Id<Expr> first = {}, last = {}, next = {};  ///< first and last operand, next sibling
     Span where = {};
 };
 
-/// `// ...` or `/* ... */`, both ends included, the line end not.
+/// `// ...` or `/* ... */` including the delimiters, without the line end.
 struct Comment {
     std::string text = {};
     Span where = {};
-    bool own_line = false;  ///< nothing but blanks before it on its line
+    bool own_line = false;  ///< only white space precedes it on its line
 };
 
 struct Range {
@@ -141,15 +141,15 @@ struct Step {
     bool initial = false, linked = false, entry = false, exit = false;
     StepKind kind = StepKind::Ordinary;
     Name name = {};
-    std::vector<Name> contents = {};  ///< the expansion of a macro-step, the charts that an enclosing step encloses
+    std::vector<Name> contents = {};  ///< the expansion of a macro-step, or the charts enclosed by an enclosing step
     std::vector<Action> actions = {};
     Span where = {};
 };
 
 struct Transition {
-    Name name = {};  ///< not valid: none written
+    Name name = {};  ///< invalid if omitted
     std::vector<Name> from = {}, to = {};
-    Id<Expr> condition = {};  ///< not valid: none written
+    Id<Expr> condition = {};  ///< invalid if omitted
     std::vector<Assignment> assignments = {};
     Span where = {};
 };
@@ -157,7 +157,7 @@ struct Transition {
 /// `accept CODE SUBJECT "reason";`
 struct Accept {
     std::string code = {};
-    std::string subject = {};  ///< empty: none is written
+    std::string subject = {};  ///< empty if omitted
     std::string reason = {};
     Span where = {};
 };
@@ -177,7 +177,7 @@ struct Chart {
     Name name = {};
     std::vector<ChartItem> items = {};
     Span where = {};
-    bool broken = false;  ///< a syntax error lies within
+    bool broken = false;  ///< contains a syntax error
 };
 
 // -- components -------------------------------------------------------------------------------------------------------
@@ -245,10 +245,10 @@ struct Property {
     bool expected_violated = false;
     Pattern pattern = Pattern::Always;
     std::vector<Id<Expr>> operands = {};
-    Sentence watch = {};  ///< of Pattern::Watched; its duration or count is `bound`
-    Id<Expr> bound = {};  ///< not valid: it has none
+    Sentence watch = {};  ///< for Pattern::Watched; its duration or count is `bound`
+    Id<Expr> bound = {};  ///< invalid if there is none
     std::string raw = {};
-    Span raw_where = {};  ///< with its quotes
+    Span raw_where = {};  ///< with the quotes
     bool at_stable = false;
     Span where = {};
 };
@@ -259,7 +259,7 @@ struct Schedule {
 struct ObserverEdge {
     Name from = {}, to = {};
     Id<Expr> condition = {};
-    std::vector<Assignment> assignments = {};  ///< refused by the reader
+    std::vector<Assignment> assignments = {};  ///< rejected by name resolution
     Span where = {};
 };
 using ObserverItem = std::variant<Location, ObserverEdge>;
@@ -293,9 +293,9 @@ struct File {
     Table<Expr> exprs = {};
     std::vector<Declaration> declarations = {};
     std::vector<Comment> comments = {};    ///< in order of position
-    std::vector<std::uint32_t> gaps = {};  ///< where the first thing after a blank line begins; in order
-    bool broken = false;                   ///< a syntax error lies within some declaration, or between them
-    bool lost = false;                     ///< a declaration is missing altogether, for an error in its head
+    std::vector<std::uint32_t> gaps = {};  ///< begin of the first element after a blank line, increasing
+    bool broken = false;                   ///< a syntax error is in a declaration or between declarations
+    bool lost = false;                     ///< a declaration is missing because of an error in its head
 
     std::string_view text(Name name) const { return words[name.word].text; }
     std::string_view text(Id<Word> word) const { return words[word].text; }
@@ -303,7 +303,8 @@ struct File {
 
 Span where(const Declaration& declaration);
 
-/// Interns words into the table of a file that has none yet: the parser's, and that of printers, which build trees.
+/// Interns words into the table of a file; the table must be empty. Used by the parser, and by printers that build
+/// trees.
 class Words {
 public:
     explicit Words(Table<Word>& words) : words_(&words) {}
@@ -313,8 +314,8 @@ private:
     void grow();
 
     Table<Word>* words_;
-    std::vector<std::size_t> hashes_ = {};   ///< of each word
-    std::vector<std::uint32_t> slots_ = {};  ///< open addressing: index into words_ plus one, 0 is free
+    std::vector<std::size_t> hashes_ = {};   ///< hash of each word
+    std::vector<std::uint32_t> slots_ = {};  ///< open addressing: index into words_ plus one; 0 is free
 };
 
 /// Appends `operand` to the operands of `node`.

@@ -75,7 +75,7 @@ Json instability_json(const Automaton& automaton, const Automaton::Instability& 
             {"cycle", cycle}};
 }
 
-/// A table of the JSON, an entry a line, never held as a whole.
+/// Writes a JSON table with one entry per line, without storing it.
 template <class Entries, class Write>
 void print_table(std::ostream& out, const char* name, const Entries& entries, Write write) {
     out << ",\n  \"" << name << "\": [";
@@ -87,7 +87,7 @@ void print_table(std::ostream& out, const char* name, const Entries& entries, Wr
     out << "\n  ]";
 }
 
-/// The members of `object`, the outer brackets left out.
+/// The members of `object` without the outer brackets.
 void print_members(std::ostream& out, const Json& object) {
     bool first = true;
     for (const auto& [name, value] : object.items()) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Location automata, Mealy machines and test sequences as text to read and as JSON; sequences as CSV: see test_csv.hpp.
+// Prints location automata, Mealy machines and test sequences as plain text and JSON; for sequences as CSV see
+// test_csv.hpp.
 //
-// Counts include INIT and what leaves it. `unstable` counts the pairs of a location and a combination of inputs from which
-// no stable situation is reached; those of INIT are counted apart.
+// Counts include INIT and its outgoing evolutions. `unstable` counts the pairs of a location and an input combination
+// from which no stable situation is reached; those of INIT are counted separately.
 #pragma once
 
 #include <iosfwd>
@@ -18,23 +19,23 @@ namespace grafverif {
 
 struct AutomatonCounts {
     std::size_t locations = 0, evolutions = 0, evolutions_from_init = 0;
-    std::optional<std::uint64_t> unstable = 0, unstable_from_init = 0;  ///< empty: too many to count
+    std::optional<std::uint64_t> unstable = 0, unstable_from_init = 0;  ///< empty if too large to count
 };
 AutomatonCounts counts(const LocationAutomaton& automaton);
 
-/// States times combinations of inputs; empty: too many to count.
+/// States times input combinations; empty if too large to count.
 std::optional<std::uint64_t> transition_count(const MealyMachine& machine);
 
-/// A condition of the automaton, of the machine: `s and not h1`.
+/// A condition of the automaton or machine: `s and not h1`.
 std::string condition_text(const LocationAutomaton& automaton, Id<Expr> condition);
 std::string condition_text(const MealyMachine& machine, Id<Expr> condition);
 
 /// `V1 if s and not h1`, `SPEED = 2`.
 std::string emission_text(const LocationAutomaton& automaton, const LocationAutomaton::Emission& emission);
-/// `V1, SPEED = 2`: the outputs that are not 0; `none` where all are.
+/// `V1, SPEED = 2`: the nonzero outputs; `none` if all are zero.
 std::string answer_text(const MealyMachine& machine, Id<MealyMachine::Answer> answer, std::string_view none);
 
-/// `details`: also each location and evolution, each state and transition.
+/// `details`: also each location and evolution, or each state and transition.
 void print_automaton(std::ostream& out, const LocationAutomaton& automaton, bool details);
 void print_mealy(std::ostream& out, const MealyMachine& machine, bool details);
 
@@ -53,7 +54,7 @@ void print_mealy_json(std::ostream& out, const MealyMachine& machine, bool detai
 /// "sequences": [[{"step", "wait_ms", "cycles", "inputs": {}, "outputs": {}, "situation"}]]}`; step 0 is the activation.
 void print_test_json(std::ostream& out, const TestSequence& test);
 
-/// One sentence: how long the test is, what it covers, and whether anything shorter would do.
+/// One sentence: length of the test, its coverage, and if its length is proved to be minimal.
 std::string summary(const TestSequence& test);
 
 }  // namespace grafverif

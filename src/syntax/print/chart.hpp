@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The terms of a chart as the file would write them: `a && X2`, `3s/X2`.
+// Prints the terms of a chart in the notation of the input language: `a && X2`, `3s/X2`.
 #pragma once
 
 #include <cstdint>
@@ -13,23 +13,25 @@
 
 namespace grafverif {
 
-/// Writes the leaves of the chart's terms; the chart outlives it.
+/// Prints the leaves of the chart's terms; `chart` must outlive the result.
 LeafPrinter leaf_printer(const Chart& chart);
 
 std::string term_text(const Chart& chart, Id<Expr> term);
 
-/// `3s/X2`, `2s/(a && b)/1s`: a time condition (IEC 60848, 4.4); `text` writes what it watches.
+/// `3s/X2`, `2s/(a && b)/1s`: a time condition (IEC 60848, 4.4); `text` prints the observed term.
 std::string time_text(const Chart& chart, const Chart::TimeCondition& time,
                       const std::function<std::string(Id<Expr>)>& text);
-/// The same of a timer, `watched` as conditions write it.
+/// The same for a timer; `watched`: the observed term in the notation of conditions.
 std::string time_text(std::int64_t rise_ms, const std::string& watched, std::int64_t fall_ms);
-/// What stands before the names of a controller's own things, where there are several: `press.`.
+/// Qualifier of the names of a controller, `press.`; empty if there is only one controller.
 std::string prefix_of(const Network& network, const Network::Controller& controller);
-/// A timer as conditions write it, index in `controller.timers`; of what is no name empty.
+/// The timer with index `timer` in `controller.timers` in the notation of conditions; empty if it observes a term
+/// without a name.
 std::string time_text(const Network& network, const Network::Controller& controller, std::size_t timer);
-/// Per process of the network what it is called: a timer as conditions write it, where that is a name; else its own name.
+/// Displayed name of each process of the network: for a timer its condition, if the observed term has a name; otherwise
+/// the name of the process.
 std::vector<std::string> told_names(const Network& network);
-/// The same of what a property reads.
+/// The same for a time condition that a property reads.
 std::string time_text(const Chart& chart, const ClosedLoop::TimeSymbol& symbol);
 
 }  // namespace grafverif

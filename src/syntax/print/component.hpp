@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The terms of a component as the file would write them.
+// Prints the terms of a component in the notation of the input language.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 namespace grafverif {
 
 std::string term_text(const Component& component, Id<Expr> term);
-/// `t <= STEP && u < 3s`; empty: there are none.
+/// `t <= STEP && u < 3s`; empty if there are no constraints.
 std::string clocks_text(const Component& component, const std::vector<Component::ClockConstraint>& constraints);
-/// What must hold for the edge, clocks included; empty: nothing.
+/// Guard of the edge including clock constraints; empty if it is always true.
 std::string guard_text(const Component& component, const Component::Edge& edge);
-/// `X := X + 1, t := 0`; empty: the edge changes nothing.
+/// `X := X + 1, t := 0`; empty if the edge has no assignments and resets.
 std::string effect_text(const Component& component, const Component::Edge& edge);
 
 }  // namespace grafverif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Dialects and the printer of expressions (see the header). Precedence levels, loosest first: conditional, or, and,
-// comparison, sum, product, prefix, atom. Each dialect takes the levels of its own language.
+// Dialects and the expression printer (see the header). Precedence levels, loosest first: conditional, or, and,
+// comparison, sum, product, prefix, atom. Each dialect assigns the levels of its language.
 #include "syntax/print/dialect.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ constexpr int sum_level = 5;
 constexpr int product_level = 6;
 constexpr int prefix_level = 7;
 
-/// What the languages with the operators of C have in common: the chart language and UPPAAL.
+/// Common part of the languages with C operators: the chart language and UPPAAL.
 Spelling c_spelling(Op op) {
     switch (op) {
     case Op::False: return {"false", atom_precedence};
@@ -63,7 +63,7 @@ Spelling chart_spelling(Op op) { return c_spelling(op); }
 
 Spelling uppaal_spelling(Op op) { return c_spelling(op); }
 
-// `not` stands on the level of comparisons, so that neither `not (a == b)` nor `(not a) == b` can be misread.
+// `not` has the precedence of comparisons, so that both `not (a == b)` and `(not a) == b` are printed with brackets.
 Spelling plain_spelling(Op op) {
     switch (op) {
     case Op::Not: return {"not", comparison_level};
@@ -129,7 +129,7 @@ struct Printer {
     Dialect dialect;
     const LeafPrinter& leaf;
 
-    /// A negative number reads like a prefixed term.
+    /// A negative number has the precedence of a prefix operator.
     int precedence(Id<Expr> id) const {
         const Expr& node = exprs[id];
         if (node.op == Op::Integer && node.value < 0) return prefix_level;
@@ -137,7 +137,7 @@ struct Printer {
         return spelling.open.empty() ? spelling.precedence : atom_precedence;
     }
 
-    /// `id`, in brackets where it binds looser than `least`.
+    /// Prints `id`, in brackets if it binds looser than `least`.
     void operand(Id<Expr> id, int least) const {
         if (precedence(id) >= least) {
             term(id);
@@ -148,7 +148,7 @@ struct Printer {
         out << ')';
     }
 
-    /// All operators of two or more operands group to the left, as far as they group at all.
+    /// All operators with two or more operands are left-associative, if they associate at all.
     void infix(Id<Expr> id, Spelling spelling) const {
         const Op op = exprs[id].op;
         const std::span<const Id<Expr>> operands = exprs.operands(id);
@@ -173,7 +173,7 @@ struct Printer {
         if (bracketed) out << ')';
     }
 
-    /// As a function whose second argument is taken where the first is false.
+    /// Prints a conditional as a function, with the value for `false` as second argument.
     void selection(std::span<const Id<Expr>> operands, Spelling spelling) const {
         out << spelling.token << '(';
         term(operands[0]);
@@ -190,7 +190,7 @@ struct Printer {
         operand(exprs.operands(id)[0], spelling.precedence + 1);
     }
 
-    /// A function, or a sign before what needs no brackets.
+    /// Prints an edge as a function, or as a sign before an operand without brackets.
     void edge(Id<Expr> id, Spelling spelling) const {
         const Id<Expr> watched = exprs.operands(id)[0];
         out << spelling.token;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The one printer of expressions, and the dialects it speaks. A dialect is a function from operator to spelling: its
-// token and how tightly it binds. Adding an operator breaks each dialect at compile time, as it should.
+// Expression printer for all dialects. A dialect is a function from operators to spellings: token and binding strength.
+// A new operator causes a compile error in each dialect until it is added there.
 //
-// Brackets stand where precedence asks for them, and around an `and` below an `or`, which people misread. The grouping
-// of arithmetic is kept as written: `a - (b - c)` and `a + (b + c)` keep their brackets, `(a - b) - c` loses them.
-// Comparisons do not associate, so a comparison of comparisons is always bracketed.
+// Brackets are printed where precedence requires them, and around an `and` below an `or`, for readability. The grouping
+// of arithmetic is kept: `a - (b - c)` and `a + (b + c)` keep their brackets, `(a - b) - c` loses them. Comparisons do
+// not associate, so a comparison of comparisons is always bracketed.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,9 @@
 
 namespace grafverif {
 
-/// How a dialect writes an operator. Leaves and numbers have no token; their precedence says whether they need brackets
-/// below an operator (`3s/X2` does). A Conditional of precedence `atom_precedence` is always bracketed. What is enclosed,
-/// from `open` to `close`, needs no brackets around it; `precedence` is then that of its inside.
+/// Spelling of an operator in a dialect. Leaves and numbers have no token; their precedence determines if they need
+/// brackets below an operator (`3s/X2` does). A Conditional of precedence `atom_precedence` is always bracketed. An
+/// operand enclosed by `open` and `close` needs no outer brackets; `precedence` is then that of the inside.
 struct Spelling {
     std::string_view token = {};
     int precedence = 0;
@@ -31,25 +31,25 @@ inline constexpr int atom_precedence = 10;
 
 using Dialect = Spelling (*)(Op);
 
-Spelling chart_spelling(Op op);            ///< our own language: `a && !b`
-Spelling plain_spelling(Op op);            ///< equations to read: `a and not b`
-Spelling latex_spelling(Op op);            ///< equations to print: `a \wedge \neg b`
+Spelling chart_spelling(Op op);            ///< input language: `a && !b`
+Spelling plain_spelling(Op op);            ///< plain text equations: `a and not b`
+Spelling latex_spelling(Op op);            ///< LaTeX equations: `a \wedge \neg b`
 Spelling uppaal_spelling(Op op);           ///< UPPAAL: `a && !b`, `c ? a : b`
 Spelling nusmv_spelling(Op op);            ///< NuSMV: `a & !b`, `(c ? a : b)`
 Spelling structured_text_spelling(Op op);  ///< IEC 61131-3: `a AND NOT b`, `SEL(c, b, a)`
 
-/// Writes one leaf: Variable, Step, Timed, Parameter or At.
+/// Prints one leaf: Variable, Step, Timed, Parameter or At.
 using LeafPrinter = std::function<void(std::ostream&, const Expr&)>;
 
-/// Writes the term `root` in `dialect`. Recurses over the term, whose depth the reader bounds.
+/// Prints the term `root` in `dialect`. Recursive; the reader limits the depth of terms.
 void print_expr(std::ostream& out, const Exprs& exprs, Id<Expr> root, Dialect dialect, const LeafPrinter& leaf);
 
-/// The same as a string.
+/// Returns the same as a string.
 std::string expr_text(const Exprs& exprs, Id<Expr> root, Dialect dialect, const LeafPrinter& leaf);
 
-/// A duration as it is written everywhere: `3s` for whole seconds, else `250ms`.
+/// A duration in the uniform notation: `3s` for whole seconds, otherwise `250ms`.
 std::string duration_text(std::int64_t milliseconds);
-/// The milliseconds of `3s`, `250 ms` or `2min`; empty where `text` is no positive duration, or one beyond all reason.
+/// Converts `3s`, `250 ms` or `2min` to milliseconds; empty if `text` is not a positive duration or exceeds the limit.
 std::optional<std::int64_t> duration_ms(std::string_view text);
 
 }  // namespace grafverif

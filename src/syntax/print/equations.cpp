@@ -25,14 +25,14 @@ const std::string& name(const Equations& equations, Id<Equations::Variable> vari
     return equations.variables[variable].name;
 }
 
-/// Whether the first evolution stores a value in some variable.
+/// True if the first evolution assigns a value to a stored variable.
 bool starts_with_actions(const Equations& equations, const Equations::Stored& stored) {
     const Expr& first = equations.exprs[stored.first];
     return first.op != Op::Variable || first.value != static_cast<std::int64_t>(stored.variable.index);
 }
 
-/// The sections of the plain and the LaTeX text: `title(text)` opens one, `line(name, term)` writes one equation,
-/// `timer(timer)` the one that launches a timer, `close()` ends the section.
+/// Writes the sections of the plain and LaTeX text: `title(text)` opens a section, `line(name, term)` writes one
+/// equation, `timer(timer)` the equation that starts a timer, `close()` ends the section.
 template <class Writer>
 void write_sections(const Equations& equations, Writer& writer) {
     if (!equations.firings.empty()) {
@@ -106,10 +106,10 @@ std::string escaped(std::string_view text) {
     return result;
 }
 
-/// In italics, which keep the letters of a word together.
+/// In italics, with the letter spacing of a word.
 std::string italic(std::string_view text) { return "\\mathit{" + escaped(text) + "}"; }
 
-/// `X_{10}`, `\mathit{CF}_{\mathit{T0}}` as in Fig. 19; any other name as it is.
+/// `X_{10}`, `\mathit{CF}_{\mathit{T0}}` as in Fig. 19; other names unchanged.
 std::string latex_name(const Equations::Variable& variable) {
     using Role = Equations::Role;
     const std::string_view text = variable.name;

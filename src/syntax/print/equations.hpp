@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Equations as text: plain, in the order and sections of CEP13 Fig. 19; LaTeX (`align*` of amsmath); JSON.
+// Prints equations: plain text, in the order and sections of CEP13 Fig. 19; LaTeX (`align*` of amsmath); JSON.
 //
-// Sections: (a) firing conditions, (b) steps activities, (s) stored actions with their value after the first evolution
-// and their race conditions, where there are any, (c) outputs, timers first.
+// Sections: (a) firing conditions, (b) step activities, (s) stored actions, if any, with their value after the first
+// evolution and their race conditions, (c) outputs, timers first.
 #pragma once
 
 #include <iosfwd>

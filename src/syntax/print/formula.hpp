@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Formulas that properties pass through to a tool (`ctl "..."`, `ltl "..."`, `uppaal "..."`): each is written into a model
-// as it stands, so it must be exactly one formula of that tool's language. A reader of those languages says where a
-// text is none.
+// Syntax check of formulas that properties pass to an external tool (`ctl "..."`, `ltl "..."`, `uppaal "..."`). Each is
+// copied unchanged into a model, so it must be exactly one formula of the language of that tool. The check reports the
+// first error in an invalid text.
 //
-// ctl, ltl: what NuSMV 2.6 reads as a formula over conditions, numbers and named values; not its words of bits, arrays
-// and `case` (which has a condition: `c ? a : b`). Its types are checked as it checks them, since NuSMV refuses a whole
-// model for one ill-typed formula. uppaal: `A[] p`, `A<> p`, `E<> p`, `E[] p`, `p --> q` over expressions without side
+// ctl, ltl: formulas of NuSMV 2.6 over conditions, numbers and named values, without its bit vectors, arrays and `case`
+// (instead of which conditions allow `c ? a : b`). Types are checked as NuSMV does, because it rejects a complete model
+// for one ill-typed formula. uppaal: `A[] p`, `A<> p`, `E<> p`, `E[] p`, `p --> q` over expressions without side
 // effects.
 #pragma once
 
@@ -22,23 +22,23 @@ namespace grafverif {
 enum class FormulaLanguage { Ctl, Ltl, Uppaal };
 /// `CTL`, `LTL`, `UPPAAL`.
 std::string_view word(FormulaLanguage language);
-/// Of the properties of a pattern; nothing: they have operands of our own language.
+/// Formula language of a pattern; empty if its operands are in the input language of grafverif.
 std::optional<FormulaLanguage> formula_language(Pattern pattern);
 
-/// What a name stands for in a model.
+/// Meaning of a name in a model.
 struct FormulaName {
     enum class Type { Any, Boolean, Number, Value } type = Type::Any;
-    bool of_steps = false;  ///< chosen anew in each step: CTL, which speaks of states, cannot read it
+    bool of_steps = false;  ///< chosen in each step: not allowed in CTL, which describes states
 };
-/// Nothing: the model has no such name. Names of parts come whole: `press.X_2`.
+/// Empty result: the model has no such name. Qualified names are passed as one name: `press.X_2`.
 using FormulaNames = std::function<std::optional<FormulaName>(std::string_view)>;
 
 struct FormulaFault {
-    std::size_t begin = 0, end = 0;  ///< bytes of the text
+    std::size_t begin = 0, end = 0;  ///< byte range in the text
     std::string what = {};           ///< `expected `)`, got `&``
 };
 
-/// Why `text` is no formula; nothing: it is one. Without `names` every name is taken for one of the right kind.
+/// The first error in `text`; empty if it is a formula. Without `names`, each name is assumed to have a suitable type.
 std::optional<FormulaFault> formula_fault(FormulaLanguage language, std::string_view text,
                                           const FormulaNames& names = {});
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// CTL and LTL as NuSMV 2.6 reads them, loosest first: `->`, `<->`, `? :`, `| xor xnor`, `&`, `U S V T` (LTL), operators of
-// paths, relations, `in`, sums, products, `!` and `-`. So `AG x -> y` is `(AG x) -> y`, and `!a = b` is `(!a) = b`. Between
-// `A [` and `]` the language is CTL's own, without `? :`.
+// CTL and LTL in the syntax of NuSMV 2.6, loosest first: `->`, `<->`, `? :`, `| xor xnor`, `&`, `U S V T` (LTL), path
+// operators, relations, `in`, sums, products, `!` and `-`. So `AG x -> y` is `(AG x) -> y`, and `!a = b` is `(!a) = b`.
+// Between `A [` and `]` the language is pure CTL, without `? :`.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 26> smv_symbols{"<->", "->", "!=", "<=", 
 struct Part {
     std::size_t begin = 0, end = 0;
     Type type = Type::Any;
-    bool temporal = false;  ///< an operator of paths stands in it
+    bool temporal = false;  ///< contains a path operator
 };
 
 std::string_view described(Type type) {
@@ -139,7 +139,7 @@ private:
         return {begin, operand.end, Type::Boolean, operand.temporal || op != "!"};
     }
 
-    /// Whether behind all the `!` that stand here an operator of paths comes.
+    /// True if a path operator follows the `!` operators at the current position.
     bool path_follows() {
         SmvReader ahead = *this;
         while (ahead.accept("!")) {
@@ -207,7 +207,7 @@ private:
         return {left.begin, set.end, Type::Boolean, false};
     }
 
-    /// `{a, b}` or `1..3`, of the type of `one`.
+    /// `{a, b}` or `1..3`, with members of the type of `one`.
     Part members(const Part& one) {
         const std::size_t begin = begin_;
         if (!accept("{")) {
@@ -320,7 +320,7 @@ private:
         return {begin, before_, known ? known->type : Type::Any, false};
     }
 
-    /// What is no name of a model, though it looks like one.
+    /// Rejects words that look like names but are not allowed as such.
     void refuse_word() {
         const std::string_view word = here();
         static constexpr std::array<std::string_view, 12> of_ctl{"EX", "AX", "EF",  "AF",  "EG",  "AG",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The symbolic queries of UPPAAL over its expressions. Which operator binds tighter is UPPAAL's business: here an
-// expression is a row of operands and operators, each operand with its signs before and its indices behind.
+// The symbolic queries of UPPAAL over its expressions. Operator precedence is left to UPPAAL: here an expression is a
+// sequence of operands and operators; an operand has prefix operators before it and indices after it.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The reserved words of the targets, and names that avoid them.
+// Reserved words of the targets, and names that avoid them.
 //
-// UPPAAL: the keywords of its declarations and of its queries (a variable called as a query keyword can be declared but
-// not asked about), its mathematical functions, its built-in constants and types. NuSMV: the keywords of NuSMV 2.6 and
-// of nuXmv, which reads the same files; single capital letters are operators of its temporal logics. Structured Text: the
-// keywords, elementary types, standard functions and function blocks of IEC 61131-3.
+// UPPAAL: the keywords of its declarations and of its queries, its mathematical functions, its built-in constants and
+// types. A variable named like a query keyword can be declared but not used in queries.
+// NuSMV: the keywords of NuSMV 2.6 and of nuXmv, which reads the same files; single capital letters are operators of
+// its temporal logics.
+// Structured Text: the keywords, elementary types, standard functions and function blocks of IEC 61131-3.
 #include "syntax/print/legal_names.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@
 namespace grafverif {
 namespace {
 
-// Words stand in lines, not one each.
+// Several words per line.
 // clang-format off
 constexpr auto uppaal_words = std::to_array<std::string_view>({
     "DBL_MAX", "DBL_MIN", "FLT_MAX", "FLT_MIN", "INT16_MAX", "INT16_MIN", "INT32_MAX", "INT32_MIN", "INT8_MAX",
@@ -77,7 +78,7 @@ constexpr auto structured_text_words = std::to_array<std::string_view>({
     "WSTRING", "XOR",
 });
 
-/// A set of words that tells most other names by their first letter and length.
+/// A set of words that rejects most other names by first letter and length.
 class Words {
 public:
     explicit Words(std::span<const std::string_view> list) : set_(list.begin(), list.end()) {
@@ -100,7 +101,7 @@ private:
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// What two names have in common that are one to the target.
+/// Equal for names that the target does not distinguish.
 std::string key_of(Target target, std::string_view name) {
     std::string key(name);
     if (target == Target::StructuredText)
@@ -108,12 +109,12 @@ std::string key_of(Target target, std::string_view name) {
     return key;
 }
 
-/// Whether each `_` of `name` stands before a letter or digit, as IEC 61131-3 wants it.
+/// True if each `_` of `name` precedes a letter or digit, as IEC 61131-3 requires.
 bool has_single_underscores(std::string_view name) {
     return !name.ends_with('_') && name.find("__") == std::string_view::npos;
 }
 
-/// `name` with nothing left in it that no identifier may hold.
+/// `name` with all characters replaced that are not allowed in identifiers.
 std::string spelled(Target target, std::string_view name) {
     const std::string ascii = in_ascii(name);
     std::string text;
@@ -126,13 +127,13 @@ std::string spelled(Target target, std::string_view name) {
     return single.ends_with('_') ? single + "0" : single;
 }
 
-/// The first of `base`, `base_`, `base_2`, `base_3`, ... that `free` accepts; `next` remembers where the search for
-/// each base stopped, so that many entities of one name cost no more than their number.
+/// The first of `base`, `base_`, `base_2`, `base_3`, ... that `free` accepts. `next` stores the position of the search
+/// per base, so the total cost is linear in the number of entities.
 template <class Free>
 std::string first_free(const std::string& base, std::unordered_map<std::string, std::size_t>& next, const Free& free) {
     for (std::size_t& tried = next[base];; ++tried) {
         std::string name = base;
-        if (tried == 1) name += '_';  // never free in Structured Text
+        if (tried == 1) name += '_';  // always rejected for Structured Text
         if (tried >= 2) name += '_' + std::to_string(tried);
         if (free(name)) return name;
     }

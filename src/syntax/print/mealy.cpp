@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mealy machines and test sequences.
+// Prints Mealy machines and test sequences.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -162,7 +162,7 @@ void print_test_json(std::ostream& out, const TestSequence& test) {
 
 namespace {
 
-/// Situations by number, and to which of them one step of a test leads from each, or back.
+/// Per situation: the situations that are successors (or predecessors) in one step of a test.
 using Ways = std::vector<std::set<std::uint32_t>>;
 
 Ways ways(const TestSequence& test, bool back) {
@@ -186,9 +186,9 @@ std::set<std::uint32_t> led_to(const Ways& next, std::uint32_t from) {
     return found;
 }
 
-/// Where a tester stays: of each set of situations that nothing leads out of, the first that is entered. All that can be
-/// crossed is crossed, so where the steps do not lead from there nothing does; and of several sequences one at least
-/// begins where nothing leads back to, or one would do.
+/// The first entered situations of the terminal strongly connected components that the test reaches. The test takes all
+/// transitions that can be taken, so a component that no step leaves cannot be left at all. Several sequences are
+/// needed only if some situations cannot be left.
 std::vector<std::string> traps(const TestSequence& test) {
     if (test.sequences.size() < 2 || test.cover == TestCover::Locations) return {};
     const Ways next = ways(test, false), before = ways(test, true);
@@ -198,7 +198,7 @@ std::vector<std::string> traps(const TestSequence& test) {
         const std::uint32_t end = sequence.steps.back().situation.index;
         if (known.contains(end)) continue;
         const std::set<std::uint32_t> stays = led_to(next, end);
-        if (!std::ranges::includes(led_to(before, end), stays)) continue;  // it could go on from here
+        if (!std::ranges::includes(led_to(before, end), stays)) continue;  // the test could continue from here
         known.insert(stays.begin(), stays.end());
         const auto entered = std::ranges::find_if(
             sequence.steps, [&](const TestSequence::Step& step) { return stays.contains(step.situation.index); });

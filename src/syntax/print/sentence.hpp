@@ -8,19 +8,19 @@
 
 namespace grafverif {
 
-/// What a property claims, as the language writes it: `never a && b`. `operands`: as written; `raw`: of a formula in
+/// Text of a property in the input language: `never a && b`. `operands`: as written; `raw`: text of a formula in
 /// another language.
 std::string claim(Pattern pattern, const std::vector<std::string>& operands, const std::string& raw);
-/// The same of a sentence that an observer judges. `bound`: its duration or count as written, where it has one.
+/// The same for a property with an observer. `bound`: its duration or count as written, if any.
 std::string claim(const Sentence& watch, const std::vector<std::string>& operands, const std::string& bound);
 
-/// The duration or the count of a sentence; empty: it has none.
+/// The duration or count of a sentence; empty if it has none.
 std::string bound_text(const Sentence& watch);
 
-/// What is to prove of a constraint beside a plant, in words: `!(IN && OUT)` holds of it.
+/// Text of the proof obligation of a constraint if there is a plant: `!(IN && OUT)` holds.
 std::string sentence(const ClosedLoop& loop, const ClosedLoop::Constraint& constraint);
 
-/// The constraints of `loop` as properties of it, under names that no property has.
+/// The constraints of `loop` as properties, with names different from those of its properties.
 std::vector<Property> constraints_to_prove(const ClosedLoop& loop);
 
 }  // namespace grafverif

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// TestSequence as a table that an engineer reads and a spreadsheet opens (CSV, RFC 4180):
+// Prints a TestSequence as a table for engineers and spreadsheets (CSV, RFC 4180):
 //
 //   sequence,step,wait,cycles,s,h1,h2,l1,l2,V1,V2,W1,W2,situation
 //   1,1,,2,0,0,0,0,0,0,0,0,0,{1}
 //
 // `sequence` and `step` count from 1; each sequence starts at power-on. Step 0 is the scan that activates the initial
-// steps (TestSequence::Sequence::activation), which is compared but is no test step. `wait`: the time to let pass before the
-// step with the inputs of the step before, `5s` or `250ms`; empty: none. `cycles`: the scans to apply the inputs for.
-// Then one column per input, one per output; Booleans are 0 and 1. The last column is the situation to expect.
+// steps (TestSequence::Sequence::activation); it is compared but does not count as a test step.
+// `wait`: time that passes before the step, with the inputs of the previous step, `5s` or `250ms`; empty: none.
+// `cycles`: number of scans with these inputs. Then one column per input and one per output; Booleans are 0 and 1. The
+// last column is the expected situation.
 #pragma once
 
 #include <iosfwd>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The actions of the steps of a chart: continuous, stored, and forcing orders.
+// Resolves the actions of the steps of a chart: continuous, stored, and forcing orders.
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/resolve/chart_scope.hpp"
@@ -9,7 +9,7 @@ namespace grafverif {
 
 namespace {
 
-/// The variable that is acted on; reports an unknown one.
+/// The variable of an action; reports an unknown one.
 Id<Chart::Variable> target_of(ChartScope& scope, tree::Name name) {
     const auto found = scope.variables.find(name.word);
     if (found != scope.variables.end()) return found->second;
@@ -21,7 +21,7 @@ Id<Chart::Variable> target_of(ChartScope& scope, tree::Name name) {
     return {};
 }
 
-/// Reports the first meeting of continuous and stored actions on one output.
+/// Reports the first conflict of continuous and stored actions on one output.
 void note_kind(ChartScope& scope, Id<Chart::Variable> variable, std::vector<Span>& mine, const std::vector<Span>& other,
                Span where) {
     if (mine[variable.index].source.valid()) return;
@@ -31,7 +31,7 @@ void note_kind(ChartScope& scope, Id<Chart::Variable> variable, std::vector<Span
             messages::continuous_and_stored(where, scope.chart.variables[variable].name, other[variable.index]));
 }
 
-/// Milliseconds; 0 where none is written, or after an error.
+/// In milliseconds; 0 if omitted or after an error.
 std::int64_t duration_of(ChartScope& scope, Id<tree::Expr> node) {
     if (!node.valid()) return 0;
     Terms terms = terms_of(scope);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A chart: its variables first, then its steps, then what names both.
+// Resolves a chart: variables first, then steps, then the declarations that refer to both.
 #include <algorithm>
 
 #include "grafverif/ir/finding.hpp"
@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// Whether `condition` is about inputs and present values alone; else the first that is not is reported.
+/// True if `condition` reads only inputs and current values; otherwise reports the first violation.
 bool reads_inputs_only(ChartScope& scope, Id<Expr> condition, Span where) {
     const Chart& chart = scope.chart;
     std::vector<Id<Expr>> open{condition};

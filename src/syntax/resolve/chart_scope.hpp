@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ChartScope: a chart while it is resolved, and what its names mean. Names are found by their words, that is by number.
+// ChartScope: symbol tables of a chart during name resolution. Names are looked up by their word id.
 #pragma once
 
 #include <cstdint>
@@ -23,19 +23,19 @@ struct ChartScope {
 
     std::unordered_map<Id<tree::Word>, Id<Chart::Variable>> variables = {};
     std::unordered_map<Id<tree::Word>, Id<Chart::PartialChart>> partials = {};
-    /// Of each partial chart.
+    /// Per partial chart.
     std::vector<std::unordered_map<Id<tree::Word>, Id<Chart::Step>>> steps = {};
-    /// The steps of any name, in order of declaration.
+    /// All steps with a name, in order of declaration.
     std::unordered_map<std::string_view, std::vector<Id<Chart::Step>>> steps_by_name = {};
     std::unordered_map<std::string, Id<Chart::TimeCondition>> times = {};
     std::unordered_map<std::uint64_t, Term> known_names = {};  ///< by partial chart and word
-    std::vector<Span> continuous = {}, stored = {};            ///< by variable: its first action of that kind
-    Id<Chart::PartialChart> here = {};                         ///< where the term at hand stands
+    std::vector<Span> continuous = {}, stored = {};            ///< per variable: its first action of that type
+    Id<Chart::PartialChart> here = {};                         ///< partial chart of the current term
 
     std::string_view text(tree::Name name) const { return file.text(name); }
 };
 
-/// A step or transition as written, with its partial chart.
+/// A step or transition of the tree, with its partial chart.
 struct WrittenStep {
     const tree::Step* step = nullptr;
     Id<Chart::Step> id = {};
@@ -49,27 +49,27 @@ struct WrittenChart {
     std::vector<WrittenTransition> transitions = {};
 };
 
-// -- resolve_variables.cpp
+// -- variables.cpp
 void resolve_variables(ChartScope& scope, const tree::Variables& written);
-/// A step-like name is one that reads as the step variable of some step, or could.
+/// Warns about a name that equals, or looks like, the step variable of a step.
 void check_step_like(ChartScope& scope);
 
-// -- resolve_steps.cpp: steps, partial charts, and who owns them
+// -- steps.cpp: steps, partial charts and their owners
 WrittenChart declare_steps(ChartScope& scope, const tree::Chart& written);
 void resolve_owners(ChartScope& scope, const WrittenChart& written);
 
-// -- resolve_links.cpp: transitions
+// -- links.cpp: transitions
 void resolve_transitions(ChartScope& scope, const WrittenChart& written);
-// -- resolve_actions.cpp
+// -- actions.cpp
 void resolve_actions(ChartScope& scope, const WrittenChart& written);
 void resolve_stored(ChartScope& scope, const tree::Assignment& written, Chart::StoredAction action);
 
-// -- resolve_condition.cpp
-/// The rules of terms, with the names of `scope`; lives no longer than it.
+// -- condition.cpp
+/// Resolves terms with the names of `scope`, which must outlive the result.
 Terms terms_of(ChartScope& scope);
-/// Not valid after an error.
+/// Invalid after an error.
 Id<Expr> resolve_condition(ChartScope& scope, Id<tree::Expr> node, Id<Chart::PartialChart> here, std::string_view user);
-/// The step that `label` names in `here`; reports one that is not there.
+/// The step named `label` in `here`; reports an unknown one.
 Id<Chart::Step> step_in(ChartScope& scope, Id<Chart::PartialChart> here, tree::Name label);
 Id<Chart::PartialChart> partial_named(ChartScope& scope, tree::Name name);
 

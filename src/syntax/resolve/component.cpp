@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A component: its head first, then its own variables and clocks, then its locations and edges.
+// Resolves a component: its head first, then its variables and clocks, then its locations and edges.
 #include <algorithm>
 #include <iterator>
 
@@ -13,7 +13,7 @@ namespace {
 
 bool is_blank(char byte) { return byte == ' ' || byte == '\t' || byte == '\r' || byte == '\n'; }
 
-/// The first line of a comment, without its marks.
+/// The first line of a comment, without comment delimiters.
 std::string first_line(std::string_view comment) {
     comment.remove_prefix(2);
     if (comment.ends_with("*/")) comment.remove_suffix(2);
@@ -23,7 +23,7 @@ std::string first_line(std::string_view comment) {
     return std::string(comment);
 }
 
-/// The first line of the comment lines right above the component: no blank line between them.
+/// The first line of the comment directly above the component, without a blank line between them.
 std::string summary(const tree::File& file, const tree::Component& written) {
     const auto after = std::ranges::lower_bound(file.comments, written.where.begin, {},
                                                 [](const tree::Comment& comment) { return comment.where.begin; });
@@ -43,7 +43,8 @@ std::string summary(const tree::File& file, const tree::Component& written) {
     return first == after ? std::string() : first_line(first->text);
 }
 
-/// What a component promises of its outputs; it reads nothing else, so that it can be assumed where they are free.
+/// A constraint guarantees a property of the component's outputs. It reads only outputs, so that it can be assumed if
+/// they are free.
 void resolve_constraint(ComponentScope& scope, const tree::Constraint& written) {
     const Id<Expr> condition = all_terms(scope).resolve(written.condition, Kind::Boolean, "a constraint");
     if (!condition.valid()) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ComponentScope: a component while it is resolved, and what its names mean.
+// ComponentScope: symbol tables of a component during name resolution.
 #pragma once
 
 #include <string_view>
@@ -29,16 +29,16 @@ struct ComponentScope {
 Span origin(const Component& component, const ComponentScope::Symbol& symbol);
 Kind kind_of(Component::ValueKind kind);
 
-// -- resolve_parameters.cpp
+// -- parameters.cpp
 void resolve_parameters(ComponentScope& scope, const tree::Component& written);
 void resolve_own_variables(ComponentScope& scope, const tree::Variables& written);
 void declare(ComponentScope& scope, tree::Name name, ComponentScope::Symbol symbol);
-/// Every name: of guards and assignments.
+/// Terms with all names: guards and assignments.
 Terms all_terms(ComponentScope& scope);
-/// Constants only: of ranges, defaults, bounds and values at power-on; `user` is named in errors.
+/// Terms with constants only: ranges, defaults, bounds and values at power-on; `user` is named in errors.
 Terms constant_terms(ComponentScope& scope, std::string_view user);
 
-// -- resolve_edges.cpp
+// -- edges.cpp
 void declare_location(ComponentScope& scope, const tree::Location& written);
 void resolve_location(ComponentScope& scope, const tree::Location& written);
 void resolve_edge(ComponentScope& scope, const tree::Edge& written);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What names and time mean in the conditions of a chart: variables, step variables (IEC 60848, 4.3), time conditions
-// (4.4).
+// Resolves names and time conditions in the conditions of a chart: variables, step variables (IEC 60848, 4.3), time
+// conditions (4.4).
 #include <array>
 #include <string>
 
@@ -31,7 +31,7 @@ Term unknown_name(ChartScope& scope, Span where, std::string_view name) {
     return {};
 }
 
-/// `X2` in the partial chart at hand, else anywhere in the chart if there is one only.
+/// `X2` in the current partial chart; otherwise anywhere in the chart if it is unique.
 Term step_variable_term(ChartScope& scope, Span where, std::string_view name) {
     if (name.size() < 2 || name[0] != 'X') return unknown_name(scope, where, name);
     const auto found = scope.steps_by_name.find(name.substr(1));
@@ -63,7 +63,7 @@ Term name_term(ChartScope& scope, const tree::Expr& node) {
     return term;
 }
 
-/// `Fill.T`, `X2.T`, `Fill.X` of IEC 61131-3, where `Fill` and `2` are steps.
+/// Reports `Fill.T`, `X2.T`, `Fill.X` of IEC 61131-3 if `Fill` and `2` are steps.
 bool report_step_member(ChartScope& scope, const tree::Expr& node) {
     const std::string_view owner = scope.text({scope.file.exprs[node.first].word, {}}),
                            member = scope.file.text(node.word);
@@ -74,7 +74,7 @@ bool report_step_member(ChartScope& scope, const tree::Expr& node) {
     return true;
 }
 
-/// `G2.X2`; the name of the chart stands for the steps written directly in it.
+/// `G2.X2`; the name of the chart denotes the steps written directly in it.
 Term member_term(ChartScope& scope, const tree::Expr& node) {
     const tree::Expr& owner = scope.file.exprs[node.first];
     const std::string_view name = scope.file.text(node.word);
@@ -116,7 +116,7 @@ Term time_term(ChartScope& scope, const tree::Expr& node, const WrittenTime& wri
     return {scope.chart.exprs.leaf(Op::Timed, known->second.index), Kind::Boolean};
 }
 
-/// What `3` is divided by in `3/X2`, where the unit of the time is missing; Integer where nothing is.
+/// Type of the divisor in `3/X2`, a time condition without unit; Integer for any other division.
 Kind timed_without_unit(ChartScope& scope, const tree::Expr& node) {
     const tree::Expr& left = scope.file.exprs[node.first];
     const tree::Expr& right = scope.file.exprs[node.last];

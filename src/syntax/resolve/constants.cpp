@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The named constants of a closed loop. Each has a value, which may read those above it and which may be set from outside;
-// terms get the value in the place of the name, so that nothing behind knows of constants.
+// Resolves the named constants of a closed loop. Each has a value, which may read earlier constants and can be set by
+// the user. Terms contain the value instead of the name, so later stages have no constants.
 #include <charconv>
 #include <string>
 #include <vector>
@@ -25,7 +25,7 @@ Kind kind_of(Named::Kind kind) {
     unreachable();
 }
 
-/// The value that `text` is on a command line; empty: none of that kind.
+/// Parses a value from the command line; empty if it does not have this type.
 std::optional<std::int64_t> value_of(Named::Kind kind, const std::string& text) {
     if (kind == Named::Kind::Boolean) {
         if (text == "true" || text == "false") return text == "true";
@@ -39,7 +39,7 @@ std::optional<std::int64_t> value_of(Named::Kind kind, const std::string& text) 
     return duration_ms(text);
 }
 
-/// What is written, or the kind of the value where no type is; empty after an error.
+/// The declared type, or that of the value if none is declared; empty after an error.
 std::optional<Named::Kind> written_kind(const tree::Variable& written, Kind value) {
     switch (written.type) {
     case tree::TypeWord::Bool: return Named::Kind::Boolean;
@@ -58,7 +58,7 @@ struct Bounds {
     bool contain(std::int64_t value) const { return low <= value && value <= high; }
 };
 
-/// The range that is written; empty: none, or an error.
+/// The declared range; empty if there is none or after an error.
 std::optional<Bounds> bounds_of(LoopScope& scope, const tree::Variable& written) {
     if (!written.range) return {};
     Terms terms = constant_terms(scope, "a range");
@@ -70,7 +70,7 @@ std::optional<Bounds> bounds_of(LoopScope& scope, const tree::Variable& written)
     return {};
 }
 
-/// The value given from outside in the place of the one written.
+/// Replaces the declared value by the one set by the user.
 void set_from_outside(LoopScope& scope, const std::optional<Bounds>& bounds, Named& constant) {
     const auto given = scope.context.constants.find(constant.name);
     if (given == scope.context.constants.end()) return;
@@ -100,7 +100,7 @@ void declare_constant(LoopScope& scope, const tree::Variable& written) {
     auto bounds = bounds_of(scope, written);
     if (!kind || scope.diagnostics.errors() != errors) return;
     constant.kind = *kind;
-    if (*kind == Named::Kind::Integer) {  // no more than variables have
+    if (*kind == Named::Kind::Integer) {  // the same limits as for variables
         if (!bounds) bounds = {least_integer, greatest_integer};
         bounds = {std::max(bounds->low, least_integer), std::min(bounds->high, greatest_integer)};
     }

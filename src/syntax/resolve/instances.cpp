@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The instances of a closed loop: each binds the parameters of a component. First all constants and outputs, which
-// declare the variables of the plant, then the inputs, which read them.
+// Resolves the instances of a closed loop: each binds the parameters of a component. Constants and outputs come first,
+// because outputs declare the variables of the plant, then the inputs, which read them.
 #include <string>
 
 #include "support/messages.hpp"
@@ -21,7 +21,7 @@ struct Binding {
     const tree::Instance* written = nullptr;
     const Component* component = nullptr;
     ClosedLoop::Instance instance = {};
-    std::vector<const tree::Argument*> given = {};  ///< by parameter
+    std::vector<const tree::Argument*> given = {};  ///< per parameter
     bool wrong = false;
 };
 
@@ -112,7 +112,8 @@ void bind_given_constant(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     binding.instance.arguments[id.index] = value.value_or(0);
 }
 
-/// Defaults in order of need: one that reads others waits for them. The reader has excluded cycles.
+/// Binds defaults in order of dependency: a default that reads other constants is bound after them. Cycles have been
+/// rejected before.
 void bind_defaults(LoopScope& scope, Binding& binding) {
     const Component& component = *binding.component;
     std::vector<bool> bound(component.parameters.size());
@@ -141,7 +142,7 @@ void bind_defaults(LoopScope& scope, Binding& binding) {
 
 // -- variables --------------------------------------------------------------------------------------------------------
 
-/// The name that an output is bound to; reports anything but a name.
+/// The name to which an output is bound; reports any other expression.
 std::optional<std::string_view> bound_name(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     const tree::Expr& value = scope.file.exprs[binding.given[id.index]->value];
     if (value.op == tree::Op::Name) return scope.file.text(value.word);
@@ -186,7 +187,7 @@ void bind_output(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     binding.instance.arguments[id.index] = shared;
 }
 
-/// A variable, where one is named, or a term over variables.
+/// Binds an input to a variable or to a term over variables.
 void bind_input(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     const Id<tree::Expr> written = binding.given[id.index]->value;
     const tree::Expr& value = scope.file.exprs[written];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The transitions of a chart.
+// Resolves the transitions of a chart.
 #include <unordered_map>
 #include <unordered_set>
 
@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// The names of transitions: those written, and `t1`, `t2`, ... by position for the others.
+/// Names of transitions: the declared ones, and `t1`, `t2`, ... by position for the others.
 class TransitionNames {
 public:
     explicit TransitionNames(ChartScope& scope, const WrittenChart& written) : scope_(&scope) {
@@ -34,7 +34,7 @@ public:
 
 private:
     ChartScope* scope_;
-    std::unordered_map<std::string, Span> written_ = {};  ///< where each name is first written
+    std::unordered_map<std::string, Span> written_ = {};  ///< first occurrence of each name
     UniqueNames names_ = {};
 };
 

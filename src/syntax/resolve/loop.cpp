@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A closed loop: its controllers declare the shared variables, its instances bind them, its properties read them.
+// Resolves a closed loop: its controllers declare the shared variables, its instances bind them, its properties read
+// them.
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/formula.hpp"
@@ -22,7 +23,7 @@ namespace {
 
 std::string_view described(const Type& type) { return type.boolean ? "Boolean" : "an integer"; }
 
-/// One word of two, or an error with the likelier one.
+/// One of two allowed words; otherwise reports an error that suggests the more similar one.
 template <class Value>
 std::optional<Value> choice(LoopScope& scope, tree::Name name, std::string_view kind,
                             std::initializer_list<std::pair<std::string_view, Value>> choices) {
@@ -106,7 +107,7 @@ void share_output(LoopScope& scope, Id<ClosedLoop::Controller> controller, Id<Ch
     known.variable = id;
 }
 
-/// Outputs first: the writer of a variable says what values it has.
+/// Outputs first: the writer of a variable determines its range.
 void share_variables(LoopScope& scope) {
     for (const Chart::VariableKind kind : {Chart::VariableKind::Output, Chart::VariableKind::Input}) {
         for (const Id<ClosedLoop::Controller> controller : scope.loop.controllers.ids()) {
@@ -159,7 +160,7 @@ void resolve_schedule(LoopScope& scope, const tree::Schedule& written) {
                                             {"sequenced", Schedule::Sequenced}});
 }
 
-/// A formula is written into models as it stands: it must be one, whole, and judged wherever it looks.
+/// Checks a formula for an external tool, which is copied unchanged into models.
 void check_formula(LoopScope& scope, const tree::Property& written) {
     const auto language = formula_language(written.pattern);
     if (!language) return;
@@ -167,7 +168,7 @@ void check_formula(LoopScope& scope, const tree::Property& written) {
     if (written.at_stable) scope.diagnostics.add(messages::formula_at_stable(where));
     const auto fault = formula_fault(*language, written.raw);
     if (!fault) return;
-    const auto inner = static_cast<std::uint32_t>(where.begin + 1);  // behind the quote
+    const auto inner = static_cast<std::uint32_t>(where.begin + 1);  // after the quote
     const Span there{where.source, inner + static_cast<std::uint32_t>(fault->begin),
                      inner + static_cast<std::uint32_t>(fault->end)};
     scope.diagnostics.add(messages::bad_formula(there, word(*language), fault->what));
@@ -242,7 +243,7 @@ void resolve_questions(LoopScope& scope, const tree::ClosedLoop& written) {
     resolve_constraints(scope, written);
 }
 
-/// Every input of a controller is driven: by another controller, or by an instance.
+/// Checks that every input of a controller is driven by another controller or an instance.
 void check_driven(LoopScope& scope, Span loop) {
     for (const Id<ClosedLoop::Shared> id : scope.loop.shared.ids()) {
         const ClosedLoop::Shared& shared = scope.loop.shared[id];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What names mean in the properties of a closed loop: shared variables, internal variables and steps of its
-// controllers, locations of its instances.
+// Resolves names in the properties of a closed loop: shared variables, internal variables and steps of its controllers,
+// locations of its instances.
 #include <optional>
 
 #include "support/messages.hpp"
@@ -51,7 +51,7 @@ Term internal_term(LoopScope& scope, Id<Controller> controller, Id<Chart::Variab
                        scope.chart(controller).variables[variable].type.boolean);
 }
 
-/// As a property would have to write it to say which one is meant.
+/// The unambiguous name in a property.
 std::string qualified(const LoopScope& scope, Id<Controller> controller, std::string_view name) {
     return scope.loop.controllers[controller].name + '.' + std::string(name);
 }
@@ -73,7 +73,7 @@ Term unknown_name(LoopScope& scope, Span where, std::string_view name) {
     return {};
 }
 
-/// A step `X2` or an internal variable of one controller, in one of its partial charts if that is said.
+/// A step `X2` or an internal variable of one controller, optionally in one of its partial charts.
 std::optional<Term> inside(LoopScope& scope, Id<Controller> controller, std::string_view name,
                            std::optional<Id<Chart::PartialChart>> partial, Span where) {
     const LoopScope::Inside& known = scope.inside[controller.index];
@@ -98,7 +98,7 @@ Term own_term(LoopScope& scope, Id<ClosedLoop::Instance> instance, Id<Component:
                        component.variables[variable].value == Component::ValueKind::Boolean);
 }
 
-/// `Gate_X`, as traces and models call the variable `X` of `Gate`.
+/// `Gate_X`, the name of the variable `X` of `Gate` in traces and models.
 std::optional<Term> told_name(LoopScope& scope, std::string_view name) {
     for (const Id<ClosedLoop::Instance> id : scope.loop.instances.ids()) {
         const ClosedLoop::Instance& instance = scope.loop.instances[id];
@@ -133,13 +133,13 @@ Term simple_name(LoopScope& scope, Span where, std::string_view name) {
     }
     if (found) return *found;
     if (const auto own = told_name(scope, name)) return *own;
-    if (scope.excused.contains(name)) return {};  // declared by an instance with an error
+    if (scope.excused.contains(name)) return {};  // declared by an instance that has an error
     return unknown_name(scope, where, name);
 }
 
 // -- `owner.name` -----------------------------------------------------------------------------------------------------
 
-/// A variable of the instance's own, or what its output or input `name` is bound to.
+/// An internal variable of the instance, or the variable bound to its output or input `name`.
 std::optional<Term> variable_of(LoopScope& scope, Id<ClosedLoop::Instance> instance, const Component& component,
                                 std::string_view name) {
     for (const Id<Component::Variable> variable : component.variables.ids())
@@ -156,7 +156,7 @@ std::optional<Term> variable_of(LoopScope& scope, Id<ClosedLoop::Instance> insta
     return {};
 }
 
-/// `Gate.open`, `Gate in open`: a location; `Gate.X`: a variable, where no location has the name.
+/// `Gate.open`, `Gate in open`: a location; `Gate.X`: a variable, unless a location has this name.
 Term state_of(LoopScope& scope, Id<ClosedLoop::Instance> instance, std::string_view name, const tree::Expr& node) {
     const Span where = node.where;
     const Id<Component> id = scope.loop.instances[instance].component;
@@ -199,7 +199,7 @@ Term inside_or_unknown(LoopScope& scope, Id<Controller> controller, std::string_
     return unknown_name(scope, where, name);
 }
 
-/// `X2.T`, `Fill.T`, `Fill.X` of IEC 61131-3, where a controller has the steps `2` and `Fill`.
+/// Reports `X2.T`, `Fill.T`, `Fill.X` of IEC 61131-3 if a controller has the steps `2` and `Fill`.
 bool report_step_member(LoopScope& scope, std::string_view owner, std::string_view member, Span where) {
     if (!is_step_member(member)) return false;
     for (const LoopScope::Inside& inside : scope.inside) {
@@ -211,7 +211,7 @@ bool report_step_member(LoopScope& scope, std::string_view owner, std::string_vi
     return false;
 }
 
-/// `G2.X2` where one controller has a partial chart `G2`.
+/// `G2.X2` if one controller has a partial chart `G2`.
 Term in_partial_chart(LoopScope& scope, const tree::Expr& owner, std::string_view name, Span where) {
     const std::string_view partial = scope.file.text(owner.word);
     std::optional<Id<Controller>> found;
@@ -254,7 +254,7 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
         if (node.op == tree::Op::In) return no_such_instance(scope, owner);
         const auto controller = scope.controllers.find(scope.file.text(owner.word));
         if (controller != scope.controllers.end()) {
-            // Where names repeat, `chart.X2` is the step written directly in the grafcet.
+            // If names are ambiguous, `chart.X2` is the step written directly in the grafcet.
             const auto& steps = scope.inside[controller->second.index].steps;
             const auto same = name.size() > 1 ? steps.find(name.substr(1)) : steps.end();
             const bool repeated = name[0] == 'X' && same != steps.end() && same->second.size() > 1;
@@ -289,7 +289,7 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
     return inside_or_unknown(scope, controller->second, name, partial->second, node.where);
 }
 
-/// In the term of an input: what is inside a controller or an instance, or nowhere.
+/// Reports a name in the term of an input that is internal to a controller or an instance, or unknown.
 Term no_signal(LoopScope& scope, const tree::Expr& node, std::string_view name) {
     if (node.op != tree::Op::Name) {
         const std::string_view owner = scope.file.text(scope.file.exprs[node.first].word);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// LoopScope: a closed loop while it is resolved, and what its names mean.
+// LoopScope: symbol tables of a closed loop during name resolution.
 #pragma once
 
 #include <cstdint>
@@ -30,13 +30,14 @@ struct LoopScope {
     std::unordered_map<std::string, Id<ClosedLoop::Shared>> shared = {};
     std::unordered_map<std::string_view, Id<ClosedLoop::Instance>> instances = {};
     std::unordered_map<std::string_view, Id<ClosedLoop::Observer>> observers = {};
-    std::vector<std::string> instance_writers = {};     ///< by shared variable: the instance that writes it, or empty
-    std::unordered_set<std::string_view> excused = {};  ///< names bound in instances with errors: perhaps driven there
-    std::unordered_set<std::string_view> below = {};    ///< constants not declared yet
+    std::vector<std::string> instance_writers = {};     ///< per shared variable: the instance that writes it, or empty
+    std::unordered_set<std::string_view> excused = {};  ///< names bound in instances with errors; they may be driven
+                                                        ///< there
+    std::unordered_set<std::string_view> below = {};    ///< constants that are declared later
     std::unordered_set<std::string_view> valueless = {};  ///< constants with an error
-    bool incomplete = false;                              ///< something the loop names is in error itself
+    bool incomplete = false;                              ///< an element named by the loop contains an error
 
-    /// Of each controller: its steps by name, its internal variables.
+    /// Per controller: its steps by name and its internal variables.
     struct Inside {
         std::unordered_map<std::string_view, std::vector<Id<Chart::Step>>> steps = {};
         std::unordered_map<std::string_view, Id<Chart::Variable>> internals = {};
@@ -52,31 +53,33 @@ struct LoopScope {
 };
 
 // -- constants.cpp
-/// Before anything that reads them; then, once all other names are known, that none is one of them.
+/// `resolve_constants` runs before everything that reads constants; `check_constant_names` runs when all other names
+/// are known and reports conflicts with them.
 void resolve_constants(LoopScope& scope, const tree::ClosedLoop& written);
 void check_constant_names(LoopScope& scope);
-/// The value of the constant of that name, as a term; empty: there is none.
+/// The value of a constant as a term; empty if there is no such constant.
 std::optional<Term> constant_named(LoopScope& scope, std::string_view name);
-/// Terms that read constants alone, for `user`.
+/// Terms that read only constants; `user` is named in errors.
 Terms constant_terms(LoopScope& scope, std::string_view user);
-// -- resolve_instances.cpp
+// -- instances.cpp
 void resolve_instances(LoopScope& scope, const tree::ClosedLoop& written);
-// -- resolve_observers.cpp
-/// Their names and locations, which properties read; then their edges and all constraints.
+// -- observers.cpp
+/// Declares names and locations first, because properties read them; the second function resolves edges and all
+/// constraints.
 void declare_observers(LoopScope& scope, const tree::ClosedLoop& written);
 void resolve_observers(LoopScope& scope, const tree::ClosedLoop& written);
 void resolve_constraints(LoopScope& scope, const tree::ClosedLoop& written);
-// -- loop_names.cpp: what names mean in properties and constraints
+// -- loop_names.cpp: names in properties and constraints
 Terms property_terms(LoopScope& scope);
-/// The same in what an input of an instance is bound to: shared variables and constants.
+/// The same for terms bound to inputs of an instance: shared variables and constants.
 Terms port_terms(LoopScope& scope);
 // -- loop_times.cpp
-/// `t1/v/t2` in a property, as the controller that waits for it reads it; empty: `node` is no time condition.
+/// `t1/v/t2` in a property, read from the controller that has this timer; empty if `node` is not a time condition.
 std::optional<Term> time_term(LoopScope& scope, const tree::Expr& node);
-/// The leaf of an expression of the loop that stands for `symbol`.
+/// The leaf for `symbol` in expressions of the loop.
 Id<Expr> symbol_leaf(LoopScope& scope, const ClosedLoop::Symbol& symbol);
-// -- resolve_loop.cpp
-/// The shared variable of that name, declared where there is none yet.
+// -- loop.cpp
+/// The shared variable of this name; declares it if necessary.
 Id<ClosedLoop::Shared> shared_named(LoopScope& scope, std::string_view name, const Type& type, Span where);
 
 }  // namespace grafverif

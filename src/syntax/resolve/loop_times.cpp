@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Time conditions in properties. A property has no timers of its own (one with a duration has an observer instead): it
-// reads those that a chart of the loop reads and that runs tell of, `3s/X2` of a transition or of a delayed action.
+// Time conditions in properties. A property does not create timers (one with a duration has an observer instead). It
+// reads the timers of the charts of the loop, which traces show: `3s/X2` of a transition or of a delayed action.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -24,7 +24,7 @@ struct Times {
 
 std::string text_of(const Times& times) { return '`' + time_text(times.rise_ms, "...", times.fall_ms) + '`'; }
 
-/// Whether a leaf of the chart of `controller` is what `symbol` stands for.
+/// True if the leaf of the chart of `controller` denotes `symbol`.
 bool is(const LoopScope& scope, Id<Controller> controller, const Expr& leaf, const ClosedLoop::Symbol& symbol) {
     const auto index = static_cast<std::uint32_t>(leaf.value);
     const Chart& chart = scope.chart(controller);
@@ -38,7 +38,7 @@ bool is(const LoopScope& scope, Id<Controller> controller, const Expr& leaf, con
            scope.loop.shared[shared->shared].name == chart.variables[{index}].name;
 }
 
-/// Whether a term of the chart and one of the loop are the same.
+/// True if a term of the chart equals a term of the loop.
 bool same(const LoopScope& scope, Id<Controller> controller, Id<Expr> theirs, Id<Expr> ours) {
     const Exprs& of_chart = scope.chart(controller).exprs;
     const Expr &left = of_chart[theirs], &right = scope.loop.exprs[ours];
@@ -49,13 +49,13 @@ bool same(const LoopScope& scope, Id<Controller> controller, Id<Expr> theirs, Id
                               [&](Id<Expr> one, Id<Expr> other) { return same(scope, controller, one, other); });
 }
 
-/// A timer over what a property asks for.
+/// A timer with the term that it observes.
 struct Timer {
     ClosedLoop::TimeSymbol symbol = {};
     Times times = {};
 };
 
-/// The timers of the loop that watch the term, each once per chart.
+/// The timers of the loop that observe the term, each once per chart.
 std::vector<Timer> timers_over(const LoopScope& scope, Id<Expr> watched) {
     std::vector<Timer> found;
     for (const Id<Controller> controller : scope.loop.controllers.ids()) {

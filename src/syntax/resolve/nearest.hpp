@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Nearest: the name that a misspelt one may have meant. Distance: insertions, deletions, replacements and swaps of
-// neighbours, at most two of them, so that a comparison costs little more than comparing lengths. The case of letters
-// decides between equal distances only.
+// Nearest: finds the name that was probably misspelt. Distance: number of insertions, deletions, replacements and swaps
+// of neighbours, at most two; most candidates are excluded by their length alone. Case is compared only for equal
+// distances.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,9 @@ public:
     explicit Nearest(std::string_view name);
 
     void offer(std::string_view candidate);
-    /// `X` and the name of a step: its variable.
+    /// Offers a step variable: `X` and the name of a step.
     void offer(char prefix, std::string_view candidate);
-    /// The first of the nearest candidates; empty when none is near.
+    /// The first of the nearest candidates; empty if none is near enough.
     const std::string& best() const { return best_; }
 
 private:
@@ -25,7 +25,7 @@ private:
     std::string best_ = {};
     std::string prefixed_ = {};
     std::size_t
-        distance_;  ///< only a lower rank is of interest: twice the distance without case, plus 1 if case differs
+        distance_;  ///< only lower ranks are considered: twice the distance ignoring case, plus 1 if the case differs
 };
 
 }  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The nearest of names that are at hand.
+// Finds the nearest name in a list.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace grafverif {
 
-/// The one of `candidates` that a misspelt `name` may have meant; empty: none is near.
+/// The element of `candidates` that the misspelt `name` probably means; empty if none is near enough.
 template <class Names>
 std::string nearest_of(std::string_view name, const Names& candidates) {
     Nearest nearest(name);

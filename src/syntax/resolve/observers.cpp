@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Observers, which watch a closed loop, and constraints, which are promised of its inputs.
+// Resolves observers, which monitor a closed loop, and constraints, which are assumptions about its inputs.
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/chart.hpp"
@@ -73,7 +73,7 @@ void resolve_edge(LoopScope& scope, Id<Observer> observer, const tree::ObserverE
 
 // -- constraints ------------------------------------------------------------------------------------------------------
 
-/// What the term reads that is no input of a controller; reports it.
+/// True if the term reads only inputs of controllers; otherwise reports the first violation.
 bool reads_inputs_only(LoopScope& scope, Id<Expr> condition, Span where) {
     bool only = true;
     const auto refuse = [&](const std::string& name) {
@@ -106,7 +106,7 @@ void add_constraint(LoopScope& scope, ClosedLoop::Constraint constraint, const s
     scope.loop.constraints.add(std::move(constraint));
 }
 
-/// What the charts of the controllers say of their inputs; they read nothing else.
+/// Adds the constraints of the charts on their inputs.
 void take_chart_constraints(LoopScope& scope) {
     for (const Id<ClosedLoop::Controller> id : scope.loop.controllers.ids()) {
         const Chart& chart = scope.chart(id);
@@ -123,7 +123,7 @@ void take_chart_constraints(LoopScope& scope) {
     }
 }
 
-/// What the components of the instances say of their outputs: variables for outputs, arguments for constants.
+/// Adds the constraints of components on their outputs, instantiated: variables for outputs, arguments for constants.
 void take_component_constraints(LoopScope& scope) {
     for (const Id<ClosedLoop::Instance> id : scope.loop.instances.ids()) {
         const ClosedLoop::Instance& instance = scope.loop.instances[id];

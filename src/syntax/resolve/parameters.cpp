@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The parameters and variables of a component. A constant has the type that is written, else that of its default, else
-// it is an integer; the head may name a constant before it declares it, so defaults are looked at in order of need.
+// Resolves the parameters and variables of a component. A constant has the declared type, otherwise the type of its
+// default, otherwise it is an integer. A default can name constants that are declared later, so defaults are resolved
+// in order of dependency.
 #include <algorithm>
 #include <deque>
 #include <vector>
@@ -111,10 +112,10 @@ struct Constant {
     const tree::Variable* written = nullptr;
     Id<Component::Parameter> id = {};
     std::vector<std::size_t> users = {};  ///< constants whose defaults name this one
-    std::size_t needs = 0;                ///< defaults still to be looked at before its own
+    std::size_t needs = 0;                ///< number of defaults that must be resolved first
 };
 
-/// The names in a term; its depth is bounded, its width is not.
+/// Collects the names in a term; its depth is limited, its width is not.
 void names_in(const tree::File& file, Id<tree::Expr> node, std::vector<Id<tree::Word>>& names) {
     const tree::Expr& written = file.exprs[node];
     if (written.op == tree::Op::Name) names.push_back(written.word);
@@ -194,7 +195,7 @@ ValueKind value_kind(ComponentScope& scope, const tree::Variable& written) {
     unreachable();
 }
 
-/// Range and value at power-on, for outputs and variables.
+/// Resolves range and value at power-on of outputs and variables.
 template <class Declared>
 void resolve_range(ComponentScope& scope, const tree::Variable& written, Declared& declared) {
     Terms range = constant_terms(scope, "a range");

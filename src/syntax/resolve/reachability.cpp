@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which steps of a chart can ever be active, as far as the links alone tell: conditions are taken as satisfiable. A
-// step that cannot is a mistake of the author. Steps are activated at power-on (initial), by a transition all of whose
-// upstream steps can be active, by a source transition, by a forcing order, by an activation link, or by their
-// macro-step.
+// Steps that can become active according to the links alone, with all conditions assumed satisfiable. A step that
+// cannot is an error of the chart.
+//
+// Steps are activated at power-on (initial), by a transition if all its upstream steps can be active, by a source
+// transition, by a forcing order, by an activation link, or by their macro-step.
 #include <numeric>
 #include <vector>
 
@@ -58,13 +59,13 @@ private:
 
     const Chart* chart_;
     std::vector<bool> active_;
-    std::vector<std::size_t> waits_;  ///< upstream steps that are not active yet
+    std::vector<std::size_t> waits_;  ///< per transition: number of upstream steps that are not yet active
     std::vector<std::vector<Id<Chart::Transition>>> downstream_ = {};
-    std::vector<std::vector<Id<Chart::Step>>> links_ = {};  ///< what an owner activates
+    std::vector<std::vector<Id<Chart::Step>>> links_ = {};  ///< steps that an owner activates
     std::vector<Id<Chart::Step>> work_ = {};
 };
 
-/// The inactive steps that are linked to each other form one group: one mistake.
+/// Union-find structure: connected inactive steps form one group and are reported once.
 class Groups {
 public:
     explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
@@ -81,7 +82,7 @@ private:
     std::vector<std::size_t> parent_;
 };
 
-/// Reports partial charts without any start, and returns them.
+/// Reports partial charts that are never started, and returns them.
 std::vector<bool> never_started(const Chart& chart, const std::vector<bool>& active, Diagnostics& diagnostics) {
     std::vector<bool> some(chart.partial_charts.size()), alive(some.size()), owner_active(some.size(), true);
     for (const Id<Chart::Step> id : chart.steps.ids()) {

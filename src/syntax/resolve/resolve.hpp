@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// resolve: tree -> Chart, Component, ClosedLoop. Names become ids, expressions get types, and the rules of GRAFCET and
-// of the language that an author can break are checked, each with a diagnostic of its own.
+// resolve: tree -> Chart, Component, ClosedLoop. Replaces names by ids, computes types of expressions, and checks the
+// rules of GRAFCET and of the language, each with a separate diagnostic.
 //
-// Charts and components stand alone; a closed loop is resolved against the charts and components of its model, which
-// it names by strings, so that they may come from other files.
+// Charts and components are resolved independently. A closed loop is resolved against the charts and components of its
+// model, which it refers to by strings, so that they may come from other files.
 #pragma once
 
 #include <functional>
@@ -21,23 +21,24 @@
 
 namespace grafverif {
 
-/// Empty after at least one error. Constructs that a later stage refuses are held, not refused.
+/// Empty after at least one error. Constructs that a later stage rejects are represented, not rejected.
 std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics);
 
 std::optional<Component> resolve_component(const tree::File& file, const tree::Component& written,
                                            Diagnostics& diagnostics);
 
-/// What a closed loop may name. Charts and components in error are known, so that the loop says nothing more of them.
+/// Charts and components that a closed loop can refer to. Those with errors are known by name, so that the loop causes
+/// no further errors about them.
 struct LoopContext {
     const Model& model;
     std::unordered_set<std::string> charts_in_error = {};
     std::unordered_set<std::string> components_in_error = {};
-    std::vector<std::string> component_names = {};  ///< all that could be written, for hints
-    /// Values of constants, from outside: in the place of what the loop says.
+    std::vector<std::string> component_names = {};  ///< all available names, for suggestions
+    /// Values of constants set by the user; they override those of the loop.
     std::map<std::string, std::string, std::less<>> constants = {};
 };
 
-/// Empty after at least one error, which may be one of a chart or component that the loop names.
+/// Empty after at least one error, possibly in a chart or component that the loop refers to.
 std::optional<ClosedLoop> resolve_loop(const tree::File& file, const tree::ClosedLoop& written,
                                        const LoopContext& context, Diagnostics& diagnostics);
 

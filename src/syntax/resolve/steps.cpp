@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The steps and partial charts of a chart, and which macro-step or enclosing step owns which partial chart.
+// Resolves the steps and partial charts of a chart, and which macro-step or enclosing step owns which partial chart.
 #include <algorithm>
 
 #include "support/messages.hpp"
@@ -113,7 +113,7 @@ void resolve_contents(ChartScope& scope, const WrittenStep& written) {
     }
 }
 
-/// `entry`, `exit` and `linked` stand where they mean something.
+/// Reports `entry`, `exit` and `linked` in places where they have no meaning.
 void check_marks(ChartScope& scope, const WrittenStep& written) {
     const Chart::Step& step = scope.chart.steps[written.id];
     const Chart::PartialKind kind = scope.chart.partial_charts[step.chart].kind;

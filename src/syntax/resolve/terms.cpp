@@ -37,7 +37,7 @@ Op ir_op(tree::Op op) {
     case tree::Op::Negate: return Op::Negate;
     case tree::Op::And: return Op::And;
     case tree::Op::Or: return Op::Or;
-    case tree::Op::Implies: return Op::Or;  // of the negated left side: Terms::implication
+    case tree::Op::Implies: return Op::Or;  // of the negated premise: Terms::implication
     case tree::Op::Equal: return Op::Equal;
     case tree::Op::NotEqual: return Op::NotEqual;
     case tree::Op::Less: return Op::Less;
@@ -174,7 +174,7 @@ Term Terms::mismatch(const tree::Expr& operand, Kind found, std::string_view use
     return {};
 }
 
-/// Reports a term of another kind.
+/// Checks the type of an operand; reports another type.
 bool Terms::is(const tree::Expr& operand, const Term& term, Kind kind, std::string_view user) {
     if (term.kind == kind) return true;
     mismatch(operand, term.kind, user, described(kind));
@@ -210,7 +210,7 @@ Term Terms::junction(const tree::Expr& written) {
     return {written.op == tree::Op::And ? exprs_->conjunction(operands) : exprs_->disjunction(operands), Kind::Boolean};
 }
 
-/// Only of the loop's owner there are places to be at.
+/// Resolves a location test; allowed only in properties.
 Term Terms::place(const tree::Expr& written) {
     if (places_allowed) return name(written);
     diagnostics_->add(messages::place_outside_property(written.where));

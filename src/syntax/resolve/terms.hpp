@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Terms: the tree's expressions as typed terms of an IR. What names mean is the owner's affair: it is asked for each
-// name (and may take whole operators for itself); the rules about types are the same for charts, components and
-// properties.
+// Terms: translates expressions of the tree to typed terms of an IR. A callback of the owner resolves names (and may
+// handle complete operators); the typing rules are the same for charts, components and properties.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +14,7 @@
 
 namespace grafverif {
 
-/// Wrong: an error about the term, or a part of it, has been reported.
+/// Wrong: an error about the term or a subterm has been reported.
 enum class Kind { Wrong, Boolean, Integer, Duration, Clock };
 
 struct Term {
@@ -31,17 +30,17 @@ public:
     Terms(const tree::File& file, Exprs& exprs, Diagnostics& diagnostics)
         : file_(&file), exprs_(&exprs), diagnostics_(&diagnostics) {}
 
-    /// The meaning of a Name or Member node.
+    /// Resolves a Name or Member node.
     std::function<Term(const tree::Expr&)> name = {};
-    /// What the owner takes for itself; empty: the common rules apply.
+    /// Handles operators of the owner; empty result: the common rules apply.
     std::function<std::optional<Term>(const tree::Expr&)> special = {};
     bool edges_allowed = false;
-    bool places_allowed = false;  ///< `Gate in open`: given to `name`
+    bool places_allowed = false;  ///< `Gate in open`; resolved by `name`
 
     Term resolve(Id<tree::Expr> node);
-    /// A term of `kind`, or an error that says that `user` wants one; not valid after an error.
+    /// Resolves to a term of type `kind`. Invalid after an error; the message names `user`.
     Id<Expr> resolve(Id<tree::Expr> node, Kind kind, std::string_view user);
-    /// The value of a term without variables.
+    /// Value of a term without variables.
     std::optional<std::int64_t> constant(Id<tree::Expr> node, Kind kind, std::string_view user);
 
     const tree::Expr& node(Id<tree::Expr> id) const { return file_->exprs[id]; }
@@ -63,20 +62,20 @@ private:
     Diagnostics* diagnostics_;
 };
 
-/// A division about time (IEC 60848, 4.4): `t1/v/t2`, `t1/v`, `v/t2`.
+/// A time condition written as divisions (IEC 60848, 4.4): `t1/v/t2`, `t1/v`, `v/t2`.
 struct WrittenTime {
     Id<tree::Expr> rise = {}, watched = {},
-                   fall = {};  ///< `watched` is not valid where the division is none about time
+                   fall = {};  ///< `watched` is invalid if the division is not a time condition
 };
 WrittenTime written_time(const tree::File& file, const tree::Expr& node);
-/// Of a duration; 0 of none. One of nothing is reported.
+/// Value of a duration in milliseconds; 0 if it is omitted. A zero duration is reported.
 std::int64_t milliseconds(const tree::File& file, Id<tree::Expr> duration, Diagnostics& diagnostics);
 
-/// The time and the flag of a step in IEC 61131-3: `Fill.T`, `Fill.X`.
+/// Elapsed time and activity of a step in IEC 61131-3: `Fill.T`, `Fill.X`.
 inline bool is_step_member(std::string_view name) { return name == "T" || name == "t" || name == "X" || name == "x"; }
 
 Op ir_op(tree::Op op);
-/// `&&`, `rise`, ... as messages show them.
+/// Spelling of operators in messages: `&&`, `rise`, ...
 std::string_view spelling(tree::Op op);
 
 }  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The variables of a chart: inputs, outputs, internal variables.
+// Resolves the variables of a chart: inputs, outputs, internal variables.
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/resolve/chart_scope.hpp"
@@ -19,7 +19,7 @@ Chart::VariableKind kind_of(tree::VariableKind kind) {
     unreachable();
 }
 
-/// Constants only: a name is an error.
+/// Terms of constants only: a name is an error.
 Terms constants(ChartScope& scope) {
     Terms terms(scope.file, scope.chart.exprs, scope.diagnostics);
     terms.name = [&scope](const tree::Expr& node) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// parse_st: Structured Text and textual Sequential Function Charts -> st tree. The grammar is grammars/st.yy, the words
-// are those of grammars/st.ll. What is read is added to a file, so that all texts of one XML document share their names.
+// parse_st: Structured Text and textual Sequential Function Charts -> st tree. The grammar is grammars/st.yy, the
+// tokens are defined in grammars/st.ll. The results are added to a file, so that all texts of one XML document share
+// their names.
 #pragma once
 
 #include <optional>
@@ -12,15 +13,15 @@
 
 namespace grafverif::st {
 
-/// A part of a source. `escaped`: text of XML, where `&lt;` and its like stand for characters.
+/// A part of a source. `escaped`: XML text with character references such as `&lt;`.
 struct Piece {
     Span where = {};
     bool escaped = false;
 };
-/// A text in pieces: the paragraphs of an XML element, say.
+/// A text in pieces, for example the paragraphs of an XML element.
 using Text = std::vector<Piece>;
 
-/// Each adds at least one error where it returns nothing.
+/// Empty after at least one error.
 std::optional<Id<Expr>> parse_expression(const Text& text, File& file, const Sources& sources,
                                          Diagnostics& diagnostics);
 std::optional<Block> parse_statements(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);

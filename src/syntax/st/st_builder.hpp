@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// st::Builder: what the actions of grammars/st.yy call. It puts expressions and statements into the tables of the file
-// and units into its list.
+// st::Builder: semantic actions of grammars/st.yy. Adds expressions and statements to the tables of the file and units
+// to its list.
 #pragma once
 
 #include <cstdint>
@@ -49,7 +49,8 @@ public:
     Id<Expr> word(Op op, Name word);
     Id<Expr> other(Span where);
     Id<Expr> unary(Op op, Id<Expr> operand, Span where);
-    /// `AND`, `OR` and `XOR` take in a left operand of their own kind: a conjunction is one node.
+    /// `AND`, `OR` and `XOR` are flattened: a left operand with the same operator is merged, so a conjunction is one
+    /// node.
     Id<Expr> binary(Op op, Id<Expr> left, Id<Expr> right, Span where);
     Id<Expr> bracketed(Id<Expr> expression, Span where);
     Id<Expr> member(Id<Expr> owner, Name name, Span where);

@@ -18,7 +18,7 @@ namespace grafverif::st {
 
 namespace {
 
-// The values of the literals of IEC 61131-3.
+// Values of the literals of IEC 61131-3.
 
 constexpr std::int64_t longest = std::int64_t{1} << 40U;  ///< milliseconds
 
@@ -38,7 +38,7 @@ std::string without_underscores(std::string_view digits) {
     return kept;
 }
 
-/// `1_000`; empty where it is too large.
+/// `1_000`; empty if it is too large.
 std::optional<std::int64_t> integer_of(std::string_view digits, int base) {
     const std::string kept = without_underscores(digits);
     std::int64_t value = 0;
@@ -47,7 +47,7 @@ std::optional<std::int64_t> integer_of(std::string_view digits, int base) {
     return value;
 }
 
-/// One part, `30m`, taken off the front of `rest`; microseconds.
+/// Removes one part, such as `30m`, from the front of `rest`; its value in microseconds.
 std::optional<std::int64_t> part_of(std::string_view& rest) {
     std::size_t end = 0;
     while (end < rest.size() && is_digit(rest[end])) ++end;
@@ -78,7 +78,7 @@ std::optional<std::int64_t> part_of(std::string_view& rest) {
     return {};
 }
 
-/// `1h30m`, `2.5s`, `-250ms`: whole milliseconds; empty where it is none of these, or too long to be a duration.
+/// `1h30m`, `2.5s`, `-250ms`: an integer number of milliseconds; empty if the text is invalid or the duration too long.
 std::optional<std::int64_t> milliseconds_of(std::string_view duration) {
     const std::string kept = capitals(without_underscores(duration));
     std::string_view rest = kept;
@@ -112,7 +112,7 @@ bool is_operator(Parser::symbol_kind_type symbol) {
            symbol == Symbols::S_DOT || symbol == Symbols::S_OPEN;
 }
 
-/// The tokens that could have stood there, those of one kind under one name.
+/// Describes the tokens that are allowed here, grouped by type.
 std::string expectation(std::span<const Parser::symbol_kind_type> expected) {
     const auto has = [&](Parser::symbol_kind_type symbol) {
         return std::ranges::find(expected, symbol) != expected.end();
@@ -150,7 +150,7 @@ Token Lexer::next() {
         return {goal_, here_};
     }
     if (too_deep_ || ended_ || !scanner_) return {Parser::token::END, Span{here_.source, here_.end, here_.end}};
-    auto passing = Symbols::S_YYEMPTY;  // until this word: what charts do not need
+    auto passing = Symbols::S_YYEMPTY;  // end of a skipped section that charts do not need
     for (;;) {
         Token token = scanner_->next(*this);
         const auto kind = token.kind();
@@ -196,7 +196,7 @@ void Lexer::advance(std::size_t length) {
 
 void Lexer::comment(std::string_view match) { file_->comments.push_back({std::string(match), here_}); }
 
-/// Counts what is open; true where that is beyond all reason.
+/// Counts open brackets and statements; true if the nesting exceeds the limit.
 bool Lexer::nests_too_deep(Kind kind) {
     switch (kind) {
     case Parser::token::LEFT:
@@ -223,7 +223,7 @@ bool Lexer::nests_too_deep(Kind kind) {
     return true;
 }
 
-/// The rest of the text is not looked at.
+/// The rest of the text is skipped.
 Token Lexer::failed() {
     too_deep_ = true;
     return Parser::make_YYerror(here_);
@@ -258,7 +258,7 @@ Token Lexer::integer(std::string_view digits, int base) {
     return {Parser::token::INTEGER, value.value_or(0), here_};
 }
 
-/// `INT#5`, `BYTE#-1`; of any other type it is a literal that means nothing here.
+/// `INT#5`, `BYTE#-1`; with any other type it is an unsupported literal.
 Token Lexer::typed_integer(std::string_view match) {
     const std::size_t hash = match.find('#');
     const std::string type = capitals(match.substr(0, hash));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// st::Lexer: the words of a text in pieces for the parser, with their places in the source. In a piece of XML the
-// references to characters (`&lt;`, `&#10;`) are replaced first; places stay those of the source.
+// st::Lexer: tokens of a text in pieces with their source positions for the parser. In an XML piece, character
+// references (`&lt;`, `&#10;`) are replaced first; positions remain those of the source.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@
 
 namespace grafverif::st {
 
-/// What the generated scanner keeps.
+/// State of the generated scanner.
 class Scanner {
 public:
     explicit Scanner(std::string_view text);
@@ -37,13 +37,14 @@ public:
     using Token = Parser::symbol_type;
     using Kind = Parser::token_kind_type;
 
-    /// `goal` is the token that tells the parser what to expect. The words of units and charts are names elsewhere.
+    /// `goal`: first token, which selects the start symbol of the parser. Keywords of units and charts are names in the
+    /// other start symbols.
     Lexer(const Text& text, Kind goal, File& file, const Sources& sources, Diagnostics& diagnostics);
 
     Token next();
     void report_unexpected(Span where, std::span<const Parser::symbol_kind_type> expected);
 
-    // What the rules of the scanner call.
+    // Called by the rules of the scanner.
     void advance(std::size_t length);
     void comment(std::string_view match);
     Token sign(Kind kind);
@@ -63,12 +64,13 @@ private:
     Token failed();
 
     const Text* text_;
-    std::size_t piece_ = 0;  ///< the one to be opened next
+    std::size_t piece_ = 0;  ///< the next piece to open
     std::optional<Scanner> scanner_ = {};
     std::string decoded_ = {};
-    std::vector<std::uint32_t> origins_ = {};  ///< of each byte of `decoded_`; empty: they follow each other
-    std::uint32_t base_ = 0;                   ///< of the piece, where `origins_` is empty
-    std::uint32_t at_ = 0;                     ///< within the piece, behind the last match
+    std::vector<std::uint32_t> origins_ = {};  ///< source position of each byte of `decoded_`; empty if they are
+                                               ///< consecutive
+    std::uint32_t base_ = 0;                   ///< position of the piece, if `origins_` is empty
+    std::uint32_t at_ = 0;                     ///< offset in the piece after the last match
     bool units_ = false;
     bool started_ = false, ended_ = false;
     Kind goal_;

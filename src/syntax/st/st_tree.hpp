@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// st_tree: what is written in Structured Text and in the textual form of Sequential Function Charts (IEC 61131-3),
-// before any name is looked up. Importers read it, exporters can be read back into it.
+// st_tree: abstract syntax of Structured Text and of the textual form of Sequential Function Charts (IEC 61131-3),
+// before name resolution. It is the input of the importers, and the tests read exported text back into it.
 //
-// Names do not tell upper from lower case: two names of one file are equal iff their words are, and a word is shown as
-// it was first written. Expressions lie in one flat table, operands chained as siblings, statements in another.
+// Names are case-insensitive: two names of one file are equal iff their words are, and a word is displayed as in its
+// first occurrence. Expressions and statements are stored in flat tables, operands linked as siblings.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ enum class Op : std::uint8_t {
     True,
     Integer,
     Time,   // Integer, Time (milliseconds): `value`
-    Other,  // a literal of any other type: `word`
+    Other,  // literal of any other type: `word`
     Name,
     Member,
     Address,  // Member: operand `.` word; Address: `%IX0.0`
@@ -41,7 +41,7 @@ enum class Op : std::uint8_t {
     Call,
     Argument,
     Result,  // Call: callee, then arguments; `formal := value`, `formal => variable`
-    Range,   // `1..4`, of a label of CASE
+    Range,   // `1..4` in a label of CASE
     Not,
     Negate,
     Power,
@@ -64,7 +64,7 @@ enum class Op : std::uint8_t {
 struct Expr {
     Op op = Op::False;
     std::uint16_t depth = 1;
-    Id<Word> word = {};  ///< Name, Member, Address, Other, Argument, Result
+    Id<Word> word = {};  ///< for Name, Member, Address, Other, Argument, Result
     std::int64_t value = 0;
     Id<Expr> first = {}, last = {}, next = {};  ///< first and last operand, next sibling
     Span where = {};
@@ -73,7 +73,7 @@ struct Expr {
 struct Statement;
 using Block = std::vector<Id<Statement>>;
 
-/// `IF`, `ELSIF` or a label of `CASE` with what it guards; no conditions: `ELSE`.
+/// `IF`, `ELSIF` or a label of `CASE` with its statements; `ELSE` has no conditions.
 struct Branch {
     std::vector<Id<Expr>> conditions = {};
     Block body = {};
@@ -84,14 +84,14 @@ enum class StatementKind : std::uint8_t { Assign, Call, If, Case, For, While, Re
 
 struct Statement {
     StatementKind kind = StatementKind::Return;
-    Id<Expr> target = {};               ///< Assign
+    Id<Expr> target = {};               ///< for Assign
     Id<Expr> value = {};                ///< Assign; Call: the call; Case: the selector; While, Repeat: the condition
-    std::vector<Branch> branches = {};  ///< If, Case; the body of a loop
+    std::vector<Branch> branches = {};  ///< for If, Case; the body of a loop
     Span where = {};
 };
 
 struct Comment {
-    std::string text = {};  ///< with its marks
+    std::string text = {};  ///< with its delimiters
     Span where = {};
 };
 
@@ -119,7 +119,7 @@ struct Variable {
 
 /// An action block: `NAME (QUALIFIER, TIME);` in a step.
 struct Association {
-    Name action = {};             ///< an action, or a Boolean variable; not valid: `body` says what is done
+    Name action = {};             ///< an action or a Boolean variable; invalid if `body` contains the statements
     std::string qualifier = "N";  ///< in capitals
     Id<Expr> time = {};
     Block body = {};
@@ -134,12 +134,12 @@ struct Step {
     Span where = {};
 };
 
-/// Several transitions that leave one step are tried in order of `priority`, then of where they stand.
+/// If several transitions leave one step, they are evaluated in order of `priority`, then of position.
 struct Transition {
-    Name name = {};             ///< not valid: none written
-    std::int64_t priority = 0;  ///< 0: none written
+    Name name = {};             ///< invalid if omitted
+    std::int64_t priority = 0;  ///< 0 if omitted
     std::vector<Name> from = {}, to = {};
-    Id<Expr> condition = {};  ///< not valid: none, or one that could not be read
+    Id<Expr> condition = {};  ///< invalid if omitted or unreadable
     std::string comment = {};
     Span where = {};
 };
@@ -151,9 +151,9 @@ struct Action {
     Span where = {};
 };
 
-/// The steps and transitions of a chart, or of what a macro-step stands for.
+/// The steps and transitions of a chart, or of the expansion of a macro-step.
 struct Network {
-    Name macro_step = {};  ///< valid: the expansion of that step
+    Name macro_step = {};  ///< valid for the expansion of that step
     std::vector<Step> steps = {};
     std::vector<Transition> transitions = {};
     Span where = {};
@@ -165,7 +165,7 @@ struct Unit {
     UnitKind kind = UnitKind::Program;
     Name name = {};
     std::vector<Variable> variables = {};
-    std::vector<Network> networks = {};  ///< the chart, then expansions; empty: no chart
+    std::vector<Network> networks = {};  ///< the chart, then expansions; empty: not a chart
     std::vector<Action> actions = {};
     Block body = {};  ///< Structured Text outside a chart
     std::string comment = {};
@@ -175,7 +175,7 @@ struct Unit {
 struct File {
     Id<Source> source = {};
     Table<Word> words = {};
-    std::unordered_map<std::string, Id<Word>> index = {};  ///< words by their capitals
+    std::unordered_map<std::string, Id<Word>> index = {};  ///< words by their upper-case form
     Table<Expr> exprs = {};
     Table<Statement> statements = {};
     std::vector<Variable> globals = {};
@@ -187,7 +187,7 @@ struct File {
     std::string_view text(Name name) const { return words[name.word].text; }
 };
 
-/// In capitals, as names and keywords are compared.
+/// Upper-case form, in which names and keywords are compared.
 std::string capitals(std::string_view text);
 
 void append(Table<Expr>& exprs, Id<Expr> node, Id<Expr> operand);
