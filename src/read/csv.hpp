@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Tables in CSV by RFC 4180: fields in quotes where they hold a separator or a quote, which is doubled. Fields are
-// separated by commas, or by semicolons as spreadsheets write them where the comma is the decimal sign; the first row
-// tells. Rows without any text are none, and a byte order mark, blanks around fields and Excel's `sep=;` go unnoticed.
+// CSV reader (RFC 4180): fields that contain a separator or a quote are quoted, with quotes doubled. The separator is
+// the comma, or the semicolon as written by spreadsheets with a decimal comma; it is determined from the first row.
+// Empty rows, a byte order mark, spaces around fields and Excel's `sep=;` are ignored.
 #pragma once
 
 #include <string>
@@ -19,14 +19,14 @@ struct CsvField {
 };
 using CsvRow = std::vector<CsvField>;
 
-/// The rows of a table, one after the other.
+/// Reads the rows of a table sequentially.
 class CsvRows {
 public:
-    /// No rows, after an error, of a file that is not UTF-8 text. Rows that begin with `comment` are none; '\0': none
-    /// does.
+    /// If the file is not UTF-8 text, reports an error and has no rows. Rows that begin with `comment` are ignored;
+    /// '\0' disables this.
     CsvRows(Id<Source> source, const Sources& sources, char comment, Diagnostics& diagnostics);
 
-    /// False at the end.
+    /// False at the end of the table.
     bool next(CsvRow& row);
 
     Span here() const { return {source_, static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_)}; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Draft: the tree of a chart that another format describes, under construction. Everything in it keeps its place in the
-// file it comes from, so that name resolution and type checks of the language report faults there. Names are made legal
-// once; comments are hung on places of that file, and find their lines when the tree is laid out as text.
+// Draft: builder for the tree of a chart imported from another format. All elements keep their positions in the
+// imported file, so that later stages report errors there. Names are made legal once. Comments are attached to
+// positions of that file; their lines are determined when the tree is laid out as text.
 #pragma once
 
 #include <initializer_list>
@@ -29,25 +29,26 @@ public:
     Id<tree::Expr> duration(std::int64_t milliseconds, Span where);
     Id<tree::Expr> variable(std::string_view name, Span where);
     Id<tree::Expr> member(std::string_view owner, std::string_view name, Span where);
-    /// Not valid, after an error, where it would be deeper than any expression may be. `And` and `Or` take any number of
-    /// operands, and those of an operand of their own kind.
+    /// Creates a node. Invalid after an error: the term exceeds the maximal depth. `And` and `Or` have any number of
+    /// operands; nested operands with the same operator are flattened.
     Id<tree::Expr> node(tree::Op op, const std::vector<Id<tree::Expr>>& operands, Span where);
-    /// A second copy of a term: operands belong to one node.
+    /// A copy of a term: operands belong to exactly one node.
     Id<tree::Expr> copy(Id<tree::Expr> term);
     const tree::Expr& operator[](Id<tree::Expr> id) const { return file_.exprs[id]; }
     std::vector<Id<tree::Expr>> operands(Id<tree::Expr> id) const;
 
-    /// Lines (`// ...`) before what was written at `where`; `behind`: at the end of its line.
+    /// Adds a comment line (`// ...`) before the element at the given position; if the flag is set, at the end of its
+    /// line.
     void comment(Span where, std::string line, bool behind = false);
 
-    /// What cannot be taken over: an error, or a warning and a line in the text where losses are allowed. `hint`: what
-    /// to do about it.
+    /// Reports a construct that cannot be imported: an error, or with `lossy` a warning and a comment in the text.
+    /// `hint`: the remedy.
     void refuse(Span where, std::string_view what, std::string_view hint);
     bool lossy() const { return lossy_; }
     Diagnostics& diagnostics() { return *diagnostics_; }
 
     const tree::File& file() const { return file_; }
-    /// Inputs first, then outputs, then internal variables; Booleans without a comment of their own share a line.
+    /// Inputs first, then outputs, then internal variables; Booleans without a comment share one line.
     void group_variables(tree::Chart& chart) const;
     void declare(tree::Chart chart) { file_.declarations.emplace_back(std::move(chart)); }
     tree::File take();
@@ -59,21 +60,21 @@ private:
     tree::Words words_;
     Diagnostics* diagnostics_;
     bool lossy_ = false;
-    std::size_t errors_ = 0;  ///< said before this draft
+    std::size_t errors_ = 0;  ///< number of errors before this draft
 };
 
-/// Names of one scope, legal in the language and different from each other. A name that has to change is warned of.
+/// Unique legal names of one scope. A name that has to be changed causes a warning.
 class LegalNames {
 public:
     enum class Kind { Variable, Label, Chart };
 
     LegalNames(Kind kind, Draft& draft) : kind_(kind), draft_(&draft) {}
 
-    /// A legal name for what is called `wish`, none that was given out before.
+    /// A legal unused name, as similar to `wish` as possible.
     std::string make(std::string_view wish, Span where);
-    /// The same for a name that nobody wrote, of which there is nothing to warn.
+    /// The same for a generated name, without a warning.
     std::string invent(std::string_view wish);
-    /// Keeps a name free that is legal as it stands.
+    /// Reserves a legal name.
     void reserve(std::string_view name) { taken_.take(std::string(name)); }
 
 private:

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A table of pairs of inputs that are never true together, as engineers keep it beside a chart:
+// Exclusion tables: pairs of inputs that are never true simultaneously.
 //
 //   variable1,variable2,reason
 //   V_IN,V_OUT,"one cylinder, two ends"
 //
-// CSV by RFC 4180, with commas or semicolons. The first row is the header; empty rows and rows that begin with `#` are
-// left out.
+// CSV (RFC 4180) with commas or semicolons. The first row is the header; empty rows and rows that begin with `#` are
+// ignored.
 #pragma once
 
 #include <optional>
@@ -19,14 +19,14 @@
 namespace grafverif {
 
 struct ExclusionRow {
-    Id<Chart::Variable> first = {}, second = {};  ///< Boolean inputs of the chart, not the same
+    Id<Chart::Variable> first = {}, second = {};  ///< different Boolean inputs of the chart
     std::string reason = {};
     Span origin = {};
 
     bool operator==(const ExclusionRow&) const = default;
 };
 
-/// The rows of `file`, or nothing after adding at least one error to `diagnostics`.
+/// The rows of `file`; empty after at least one error.
 std::optional<std::vector<ExclusionRow>> read_exclusions(Id<Source> file, const Sources& sources, const Chart& chart,
                                                          Diagnostics& diagnostics);
 

@@ -31,7 +31,7 @@ std::string_view without_marks(std::string_view comment) {
     return comment.substr(2, comment.size() - 4);
 }
 
-/// A comment stands before what follows it, or behind what stands before it on its line.
+/// A comment is attached to the element that follows it, or to the one that precedes it on its line.
 void keep_comments(const st::File& file, std::string_view text, Draft& draft) {
     std::vector<Span> places;
     for (const st::Unit& unit : file.units) {
@@ -55,7 +55,7 @@ void keep_comments(const st::File& file, std::string_view text, Draft& draft) {
     }
 }
 
-/// The charts of `source`. Broken after an error.
+/// The charts of `source`. The file is `broken` after an error.
 tree::File read_sfc_text(Id<Source> source, const Sources& sources, bool lossy, Diagnostics& diagnostics) {
     Draft draft(source, lossy, diagnostics);
     const Span whole = without_mark({source, 0, static_cast<std::uint32_t>(sources[source].text.size())}, sources);
@@ -68,13 +68,13 @@ tree::File read_sfc_text(Id<Source> source, const Sources& sources, bool lossy, 
     return draft.take();
 }
 
-/// What a file of IEC 61131-3 can begin with, and one of ours cannot.
+/// First words of files in IEC 61131-3 that cannot begin a .grafcet file.
 constexpr std::array first_words = {"PROGRAM", "FUNCTION_BLOCK", "FUNCTION",   "VAR_GLOBAL",  "TYPE", "CONFIGURATION",
                                     "VAR",     "VAR_INPUT",      "VAR_OUTPUT", "INITIAL_STEP"};
 
 constexpr std::array our_first_words = {"grafcet", "component", "closed_loop", "include"};
 
-/// Behind blanks, comments of either language and pragmas.
+/// Removes leading white space, comments of both languages and pragmas.
 std::string_view without_comments(std::string_view text) {
     for (;;) {
         text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n\f\v"), text.size()));
@@ -89,7 +89,7 @@ std::string_view without_comments(std::string_view text) {
     }
 }
 
-/// `station` of `charts/station.xml`.
+/// `station` for `charts/station.xml`.
 std::string stem_of(std::string_view path) {
     path.remove_prefix(std::min(path.find_last_of('/') + 1, path.size()));
     return std::string(path.substr(0, path.find('.')));

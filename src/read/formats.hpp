@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// formats: a file of any known format -> tree. The format is told from what is written, never from the file's name, so
-// that every verb takes every format and a .grafcet file may include any.
+// formats: a file of any supported format -> tree. The format is detected from the contents, never from the file name,
+// so every command accepts every format and a .grafcet file can include any.
 //
-// Trees from other formats keep the places of their file: name resolution and type checks report faults there. What a
-// format says and our language cannot is an error, or, with `lossy`, a warning and a comment in the text.
+// Trees from other formats keep the positions of their file, so later stages report errors there. A construct that
+// cannot be represented in the input language is an error, or with `lossy` a warning and a comment in the text.
 #pragma once
 
 #include <string_view>
@@ -15,9 +15,9 @@
 namespace grafverif {
 
 enum class FileFormat {
-    Unknown,         ///< what begins like none of those below, an empty file too; read as our own language
-    Grafcet,         ///< our own language
-    Xml,             ///< AGRAFE GRAFCET or PLCopen TC6 XML: its root tells
+    Unknown,         ///< matches none of the formats below, or empty; read as the input language
+    Grafcet,         ///< input language
+    Xml,             ///< AGRAFE GRAFCET or PLCopen TC6 XML, according to the root element
     StructuredText,  ///< IEC 61131-3: the textual form of Sequential Function Charts
 };
 
@@ -27,11 +27,11 @@ struct ImportOptions {
     bool lossy = false;
 };
 
-/// The declarations of `source`; broken after an error. A source in another encoding is rewritten as UTF-8.
+/// The declarations of `source`; `broken` after an error. A source in another encoding is converted to UTF-8.
 tree::File read_any(Id<Source> source, Sources& sources, const ImportOptions& options, Diagnostics& diagnostics);
 
-/// The tree of a file of another format in the order of our text, its comments between the declarations they are about:
-/// what `format` prints.
+/// The tree of an imported file in the order of the input language, with its comments between the related declarations:
+/// the input of `format`.
 tree::File laid_out(tree::File file);
 
 }  // namespace grafverif

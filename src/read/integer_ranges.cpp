@@ -99,7 +99,7 @@ private:
         if (!value) term(one.value);
     }
 
-    /// Variables outside comparisons with constants are open.
+    /// Marks variables outside of comparisons with constants as unbounded.
     void term(Id<tree::Expr> root) {
         if (!root.valid()) return;
         std::vector<Id<tree::Expr>> work = {root};

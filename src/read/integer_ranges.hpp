@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The ranges of integers that another format leaves open. A variable that is only compared with constants, and assigned
-// constants only, needs no other values than these and, for an input, one below and one above: nothing in the chart can
-// tell the difference. Any other variable takes all that the language has.
+// Ranges of integers that an imported file does not specify. For a variable that is only compared with constants and
+// assigned constants, these values suffice, and for an input also one value below and one above: the chart cannot
+// distinguish others. Any other variable has the complete range of its type.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@ struct OpenInteger {
     Id<tree::Word> variable = {};
     bool input = false;
     std::int64_t initial = 0;
-    std::int64_t least = 0, greatest = 0;  ///< of its type
+    std::int64_t least = 0, greatest = 0;  ///< range of its type
 };
 
 struct FoundRange {
     std::int64_t low = 0, high = 0;
-    bool exact = false;  ///< no other value makes a difference
+    bool exact = false;  ///< other values are indistinguishable
 };
 
 /// The range of each of `integers`, in order.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A tree from another format gets places in the order of our text: what is printed first stands first. Comments hang on
-// the place, in the other file, of what they are about; those about nothing that is left go to the head.
+// Assigns positions to an imported tree in the order of the input language: elements that are printed first have
+// smaller positions. Comments are attached to the position, in the imported file, of the element that they describe;
+// those of elements that no longer exist are placed at the head.
 #include <map>
 #include <utility>
 
@@ -14,7 +15,7 @@ namespace {
 class Layout {
 public:
     explicit Layout(tree::File& file) : file_(file) {
-        position_ += static_cast<std::uint32_t>(file.comments.size());  // room for those of the head
+        position_ += static_cast<std::uint32_t>(file.comments.size());  // space for the comments of the head
         for (tree::Comment& comment : file.comments) hung_[comment.where.begin].push_back(std::move(comment));
         file.comments.clear();
         file.gaps.clear();
@@ -41,7 +42,7 @@ public:
 private:
     Span next() { return {{}, std::exchange(position_, position_ + 2), position_ - 1}; }
 
-    /// The place of the next thing, its comments put around it.
+    /// Assigns a position to the next element, and to its comments around it.
     void begin(Span& where, bool gap) {
         std::vector<tree::Comment> behind;
         const auto hung = hung_.extract(where.begin);
@@ -82,7 +83,7 @@ private:
                            },
                            [&](tree::Partial& partial) {
                                begin(partial.where, gap);
-                               items(partial.items);  // there are no partial charts in partial charts
+                               items(partial.items);  // partial charts cannot be nested
                                end(partial.where);
                            },
                        },

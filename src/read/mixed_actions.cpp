@@ -14,7 +14,7 @@ namespace grafverif {
 
 namespace {
 
-/// The steps and transitions of the chart and its partial charts.
+/// Visits the steps and transitions of the chart and its partial charts.
 template <class OnStep, class OnTransition>
 void each(std::vector<tree::ChartItem>& items, const OnStep& on_step, const OnTransition& on_transition) {
     for (tree::ChartItem& item : items) {

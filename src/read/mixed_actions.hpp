@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Outputs that have continuous and stored actions: IEC 60848 forbids it, other formats do not. What is stored goes to a
-// variable of its own, and the output is true where a continuous action says so or that variable is true: in Sequential
-// Function Charts that is what N and S together mean; elsewhere it is a reading that is warned of.
+// Splits outputs that have both continuous and stored actions, which IEC 60848 forbids and other formats allow. The
+// stored actions act on a new variable, and the output is true if a continuous action or this variable is true. In
+// Sequential Function Charts this is the meaning of N together with S; for other formats it is an interpretation,
+// reported by a warning.
 #pragma once
 
 #include "read/draft.hpp"

@@ -22,7 +22,7 @@ enum class TestWord : std::uint8_t { Sequence, Step, Wait, Cycles, Situation, In
 
 struct TestColumn {
     TestWord word = TestWord::Input;
-    std::size_t index = 0;  ///< of the input or output
+    std::size_t index = 0;  ///< index of the input or output
 };
 
 std::optional<TestWord> test_word(std::string_view text) {
@@ -161,7 +161,7 @@ private:
     std::unordered_map<std::string, Id<TestSequence::Situation>> situations_ = {};
 };
 
-/// The inputs and outputs of `chart`, in order of declaration, and no steps.
+/// The inputs and outputs of `chart` in order of declaration, without steps.
 TestSequence test_without_steps(const Chart& chart, ExecutionMode mode) {
     TestSequence test;
     test.chart = chart.name;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // read/test_csv: a table of inputs and expected outputs (CSV, RFC 4180) -> TestSequence of one chart.
 //
-// The first row names the columns: every input and every output of the chart, and as far as wanted `sequence` (default:
-// one), `step`, `wait`, `cycles` (default: 1) and `situation`, as syntax/test_csv writes them. A name that is a variable of
-// the chart is that variable, unless the row begins as syntax/test_csv begins it. A new value of `sequence` begins a
-// sequence at power-on; `step` 0 is its activation.
+// The first row contains the column names: every input and every output of the chart, and optionally `sequence`
+// (default: one), `step`, `wait`, `cycles` (default: 1) and `situation`, as written by syntax/print/test_csv. A name of
+// a variable of the chart denotes this variable, unless the row begins like one written by syntax/print/test_csv. A new
+// value of `sequence` begins a sequence at power-on; `step` 0 is its activation.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace grafverif {
 
-/// Empty after at least one error. Guarantees verify(test).empty(). Nothing is known of what it covers.
+/// Empty after at least one error. Guarantees verify(test).empty(). The coverage of the result is unknown.
 std::optional<TestSequence> read_test_csv(Id<Source> file, const Sources& sources, const Chart& chart,
                                           ExecutionMode mode, Diagnostics& diagnostics);
 

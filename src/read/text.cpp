@@ -22,13 +22,13 @@ namespace grafverif {
 
 namespace {
 
-// The files of one input: the first and all it includes, parsed, included ones first.
+// Parses the input file and all files that it includes, included ones first.
 
 std::string identity(const std::string& path, const ReadContext& context) {
     return context.identity ? context.identity(path) : path;
 }
 
-/// `folder`/`written`, without detours where that leads to the same file: `link/../a` need not be `a`.
+/// `folder`/`written`, normalized if this leads to the same file: `link/../a` need not be `a`.
 std::string joined(const std::filesystem::path& folder, const std::string& written, const ReadContext& context) {
     const std::filesystem::path path = folder / written;
     const std::string shorter = path.lexically_normal().generic_string();
@@ -39,14 +39,15 @@ std::string joined(const std::filesystem::path& folder, const std::string& writt
 
 enum class State { Open, Done };
 
-/// A file whose includes are being followed; the chain of open files is explicit, so that its length is no matter.
+/// A file whose includes are being processed. The stack of open files is explicit, so nesting is not limited by the
+/// native stack.
 struct Open {
     tree::File file = {};
     std::string identity = {};
-    std::size_t next = 0;  ///< declaration to look at
+    std::size_t next = 0;  ///< next declaration to process
 };
 
-/// Each file once; cycles and files that cannot be had (then `missing`) are reported at the line that asks for them.
+/// Parses each file once; cycles and unreadable files (then sets `missing`) are reported at the include line.
 std::vector<tree::File> parse_with_includes(Id<Source> file, Sources& sources, const ReadContext& context,
                                             bool& missing, Diagnostics& diagnostics) {
     std::vector<tree::File> files;
@@ -94,11 +95,12 @@ struct Reading {
     const ReadContext& context;
     Diagnostics& diagnostics;
     Model model = {};
-    std::unordered_map<std::string, Span> charts = {}, components = {}, loops = {};  ///< names seen, and where
+    std::unordered_map<std::string, Span> charts = {}, components = {}, loops = {};  ///< known names with their
+                                                                                     ///< positions
     std::unordered_set<std::string> charts_in_error = {}, components_in_error = {};
 };
 
-/// Whether the name is new among its kind; reports one that is not.
+/// True if the name is new in `seen`; otherwise reports a duplicate.
 bool is_new(Reading& reading, std::unordered_map<std::string, Span>& seen, std::string_view kind, std::string_view name,
             Span where) {
     const auto [known, fresh] = seen.try_emplace(std::string(name), where);
@@ -114,7 +116,7 @@ void read_chart(Reading& reading, const tree::File& file, const tree::Chart& wri
     else reading.charts_in_error.insert(name);
 }
 
-/// The component of that name in the library; null: there is none.
+/// The component of this name in the library; null if there is none.
 const LibraryEntry* library_entry(const Reading& reading, std::string_view name) {
     const auto entry = std::ranges::find(reading.context.library, name, &LibraryEntry::name);
     return entry == reading.context.library.end() ? nullptr : &*entry;
@@ -130,7 +132,7 @@ void read_component(Reading& reading, const tree::File& file, const tree::Compon
     else reading.components_in_error.insert(name);
 }
 
-/// Charts and components first: loops name them, wherever they stand.
+/// Charts and components first, because loops refer to them independently of the order of declaration.
 void read_parts(Reading& reading, const tree::File& file) {
     for (const tree::Declaration& declaration : file.declarations) {
         std::visit(overloaded{
@@ -143,7 +145,7 @@ void read_parts(Reading& reading, const tree::File& file) {
     }
 }
 
-/// The component of that name from the library, if the input has none and the library has it.
+/// Takes a component from the library, if the input does not define it and the library does.
 void take_from_library(Reading& reading, const std::string& name) {
     const LibraryEntry* const entry = library_entry(reading, name);
     if (entry == nullptr || reading.components.contains(name)) return;
@@ -169,7 +171,7 @@ void take_components(Reading& reading, const tree::File& file) {
     }
 }
 
-/// Every constant that is set from outside is one of some loop.
+/// Checks that every constant set by the user is one of some loop.
 void check_settings(Reading& reading) {
     std::vector<std::string> known;
     for (const ClosedLoop& loop : reading.model.loops)
@@ -228,7 +230,7 @@ std::optional<Model> model_of(std::span<const tree::File> files, bool files_miss
     Reading reading{sources, context, diagnostics};
     for (const tree::File& parsed : files) read_parts(reading, parsed);
     for (const tree::File& parsed : files) take_components(reading, parsed);
-    // What loops lack could be in a declaration that was lost to an error.
+    // Declarations omitted because of an error may define the missing names.
     const bool hidden = std::ranges::any_of(files, &tree::File::lost) || files_missing;
     const LoopContext loops = loop_context(reading);
     if (!hidden)

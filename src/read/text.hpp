@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// read/text: a file of any format (see formats) with its includes -> Model. Files are read through `load` alone, each once; components of
-// the library are taken in where a closed loop names them and the input has none of that name.
+// read/text: a file of any format (see formats) with its includes -> Model. Files are read only through `load`, each
+// once. Components of the library are added if a closed loop refers to them and the input does not define them.
 #pragma once
 
 #include <functional>
@@ -24,27 +24,29 @@ struct LibraryEntry {
 };
 
 struct ReadContext {
-    /// The text of the file at `path` (the including file's folder, or one of `folders`, joined with what is written
-    /// there), or empty with `why`: not found, out of reach, too large.
+    /// The text of the file at `path` (`written` relative to the folder of the including file, or to one of `folders`).
+    /// Empty after an error, with the reason in `why`: not found, not permitted, too large.
     std::function<std::optional<std::string>(const std::string& path, std::string& why)> load = {};
     std::span<const LibraryEntry> library = {};
-    bool lossy = false;  ///< what a file of another format says and a chart cannot is left out, with a warning
-    /// What tells the file at `path` from others, the same for every path to it; empty: nothing is there. Without this
-    /// function every path is a file of its own.
+    bool lossy = false;  ///< constructs of other formats that a chart cannot represent are omitted with a warning
+    /// Identity of the file at `path`: equal for all paths to one file; empty if there is no file. Without this
+    /// function every path is a separate file.
     std::function<std::string(const std::string& path)> identity = {};
-    std::span<const std::string> folders = {};  ///< looked in for includes, after the folder of the including file
-    std::map<std::string, std::string, std::less<>> constants = {};  ///< of closed loops, set from outside: name, value
+    std::span<const std::string> folders = {};  ///< search path for includes, after the folder of the including file
+    std::map<std::string, std::string, std::less<>> constants = {};  ///< constants of closed loops set by the user:
+                                                                     ///< name, value
 };
 
-/// The file that `written` means in the file named `from`: the first that is there, or else the first looked for.
+/// The file that an include of `written` in the file `from` refers to: the first existing candidate, otherwise the
+/// first candidate.
 std::string path_of_include(const std::string& from, const std::string& written, const ReadContext& context);
 
-/// Charts, components and loops of `file` and what it includes, in order; empty after at least one error.
-/// Guarantees verify(model).empty().
+/// Charts, components and loops of `file` and its includes, in order; empty after at least one error. Guarantees
+/// verify(model).empty().
 std::optional<Model> read_text(Id<Source> file, Sources& sources, const ReadContext& context, Diagnostics& diagnostics);
 
-/// The same of files that are parsed already, whatever they include; empty also where one of them is broken.
-/// `files_missing`: some could not be read.
+/// The same for parsed files, without following includes; also empty if one of them is `broken`. `files_missing`: some
+/// files could not be read.
 std::optional<Model> model_of(std::span<const tree::File> files, bool files_missing, Sources& sources,
                               const ReadContext& context, Diagnostics& diagnostics);
 

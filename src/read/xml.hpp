@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Xml: a document with the place of everything in it. Nothing is replaced or normalised while it is parsed, so that a
-// text read later has the places of the file.
+// Xml: a parsed document with source positions. Text is not replaced or normalized during parsing, so that texts parsed
+// later have positions of the file.
 //
-// Elements and attributes are known by their local names: prefixes differ from tool to tool.
+// Elements and attributes are identified by their local names, because prefixes differ between tools.
 #pragma once
 
 #include <optional>
@@ -19,24 +19,24 @@ namespace grafverif {
 
 class Xml {
 public:
-    /// Empty after an error: no text, not well-formed, entities, nested deeper than 1,000 levels. A document in Latin-1
-    /// or UTF-16 is rewritten in `sources` as UTF-8, so that places are those of what is shown.
+    /// Empty after an error: not text, not well-formed, declared entities, or nested deeper than 1,000 levels. A
+    /// document in Latin-1 or UTF-16 is converted to UTF-8 in `sources`; positions refer to the converted text.
     static std::optional<Xml> read(Id<Source> source, Sources& sources, Diagnostics& diagnostics);
 
     pugi::xml_node root() const { return root_; }
     Id<Source> source() const { return source_; }
 
-    /// The name in the start tag of an element; the text of anything else.
+    /// Span of the name in the start tag of an element; for other nodes, of their text.
     Span where(pugi::xml_node node) const;
-    /// The value of the attribute, or where(node) without it.
+    /// Span of the attribute's value, or where(node) if it is missing.
     Span where(pugi::xml_node node, std::string_view attribute) const;
-    /// The texts within an element, in order.
+    /// The texts in an element, in order.
     st::Text text(pugi::xml_node node) const;
     /// The value of an attribute as a text.
     st::Text text(pugi::xml_node node, std::string_view attribute) const;
-    /// The value of an xsd:boolean, false where there is none, or after an error.
+    /// Value of an xsd:boolean; false if it is missing or after an error.
     bool flag(pugi::xml_node node, std::string_view attribute, Diagnostics& diagnostics) const;
-    /// What text() stands for.
+    /// The characters denoted by text().
     std::string content(pugi::xml_node node) const;
 
 private:
@@ -45,22 +45,22 @@ private:
     }
 
     Id<Source> source_ = {};
-    std::uint32_t begin_ = 0;  ///< of the buffer in the source
+    std::uint32_t begin_ = 0;  ///< start of the buffer in the source
     std::vector<char> buffer_ = {};
     pugi::xml_document document_ = {};
     pugi::xml_node root_ = {};
 };
 
-/// `Grafcet` of `grafcet:Grafcet`.
+/// `Grafcet` for `grafcet:Grafcet`.
 std::string_view local_name(const char* name);
 bool is(pugi::xml_node node, std::string_view name);
-/// The first child element of that name.
+/// The first child element with this name.
 pugi::xml_node child(pugi::xml_node node, std::string_view name);
 std::vector<pugi::xml_node> children(pugi::xml_node node, std::string_view name);
 pugi::xml_attribute attribute(pugi::xml_node node, std::string_view name);
-/// Empty where there is none.
+/// Empty if it is missing.
 std::string value(pugi::xml_node node, std::string_view attribute);
-/// The text of a comment of XML as lines of ours, `// ...`.
+/// The text of an XML comment as comment lines `// ...`.
 std::vector<std::string> comment_lines(std::string_view text);
 
 }  // namespace grafverif

@@ -65,7 +65,8 @@ bool is_enclosing(Kind kind) { return kind == Kind::Enclosing; }
 
 // -- names ------------------------------------------------------------------------------------------------------------
 
-/// `2`, `M2` for a macro-step, `E2` and `S2` for the entry and exit step of an expansion, as IEC 60848 numbers them.
+/// Preferred name of a step: `2`, `M2` for a macro-step, `E2` and `S2` for the entry and exit step of an expansion,
+/// according to the numbering of IEC 60848.
 std::string wish_for(const AgrafeEntity& step) {
     const std::string id = attribute(step.node, "id") ? value(step.node, "id") : "0";
     switch (step.kind) {
@@ -106,7 +107,7 @@ void name_steps(AgrafeReader& reader) {
     }
 }
 
-/// `t7` after its id; after its partial chart as well where another one has a `t7`.
+/// Names transitions after their id, `t7`, qualified by the partial chart if another one also has a `t7`.
 void name_transitions(AgrafeReader& reader) {
     std::unordered_map<std::string, std::size_t> taken;
     LegalNames names(LegalNames::Kind::Chart, reader.draft);
@@ -133,7 +134,7 @@ tree::VariableKind kind_of(AgrafeReader& reader, pugi::xml_node declaration) {
     return tree::VariableKind::Input;
 }
 
-/// The variables that are none of steps, each in an item of its own.
+/// Declarations of the variables that are not step variables, one item each.
 std::vector<tree::ChartItem> declarations(AgrafeReader& reader) {
     std::vector<tree::ChartItem> items;
     LegalNames names(LegalNames::Kind::Variable, reader.draft);
@@ -196,7 +197,7 @@ tree::Step step_of(AgrafeReader& reader, std::size_t entity, std::vector<tree::A
     return step;
 }
 
-/// Empty for one that links nothing: it cannot do anything.
+/// Empty for a transition without links, which has no effect.
 std::optional<tree::Transition> transition_of(AgrafeReader& reader, std::size_t entity) {
     const AgrafeEntity& one = reader.index[entity];
     tree::Transition transition;
@@ -216,7 +217,7 @@ std::optional<tree::Transition> transition_of(AgrafeReader& reader, std::size_t 
     if (!term) {
         reader.diagnostics().add(
             messages::missing_part(transition.where, "this transition", "`term` for its condition"));
-        transition.condition = reader.draft.constant(false, transition.where);  // reported: no second error
+        transition.condition = reader.draft.constant(false, transition.where);  // already reported
         return transition;
     }
     const std::size_t errors = reader.diagnostics().errors();
@@ -227,11 +228,11 @@ std::optional<tree::Transition> transition_of(AgrafeReader& reader, std::size_t 
     else if (time.kind != AgrafeTime::Kind::None && transition.condition.valid())
         transition.condition = timed(reader, time, transition.condition, reader.xml.where(one.node, "delayTime"));
     if (!transition.condition.valid() && reader.diagnostics().errors() != errors)
-        transition.condition = reader.draft.constant(false, transition.where);  // reported: no second error
+        transition.condition = reader.draft.constant(false, transition.where);  // already reported
     return transition;
 }
 
-/// A partial grafcet that names its enclosing step is among those that the step encloses.
+/// Checks that a partial grafcet that names its enclosing step is in the list of this step.
 void check_enclosure(AgrafeReader& reader, std::size_t entity) {
     const AgrafeEntity& partial = reader.index[entity];
     if (!attribute(partial.node, "enclosingStep")) return;
@@ -246,7 +247,7 @@ void check_enclosure(AgrafeReader& reader, std::size_t entity) {
 
 // -- the chart ----------------------------------------------------------------------------------------------------------
 
-/// Comments stand before the element that follows them.
+/// Comments are attached to the element that follows them.
 void keep_comments(AgrafeReader& reader, pugi::xml_node root) {
     for (pugi::xml_node node = root.first_child(); node;) {
         if (node.type() == pugi::node_comment) {
@@ -264,8 +265,8 @@ void keep_comments(AgrafeReader& reader, pugi::xml_node root) {
     }
 }
 
-/// A Boolean that continuous actions drive is an output, also where the file calls it internal, or nothing at all. It means
-/// the same: conditions read the steps that drive it.
+/// A Boolean driven by continuous actions becomes an output, even if the file declares it as internal or without a
+/// type. The meaning is unchanged: conditions read the steps that drive it.
 void drive_outputs(AgrafeReader& reader, const tree::File& file, tree::Chart& chart,
                    const std::vector<std::vector<tree::Action>>& actions) {
     std::unordered_set<Id<tree::Word>> driven;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The arcs of an AGRAFE document. A synchronization is the double line of an AND divergence or convergence: it joins the
-// steps on its one side with the transitions on its other.
+// Reads the arcs of an AGRAFE document. A synchronization is the double line of an AND divergence or convergence: it
+// links the steps on one side with the transitions on the other.
 #include <string>
 #include <unordered_set>
 
@@ -46,7 +46,7 @@ void read_arc(AgrafeReader& reader, pugi::xml_node arc) {
     to.in.push_back(*source);
 }
 
-/// The steps or transitions beside a node, through synchronizations.
+/// The steps or transitions adjacent to a node, through synchronizations.
 std::vector<std::size_t> beyond(const AgrafeReader& reader, std::size_t start, bool backwards) {
     std::vector<std::size_t> found, work = {start};
     std::unordered_set<std::size_t> seen = {start};
@@ -61,7 +61,7 @@ std::vector<std::size_t> beyond(const AgrafeReader& reader, std::size_t start, b
     return found;
 }
 
-/// A synchronization between steps, or between transitions, leaves out what must stand between them.
+/// Reports a synchronization between two steps or between two transitions, where a transition or step is missing.
 void check_synchronization(AgrafeReader& reader, std::size_t entity) {
     const AgrafeEntity& synchronization = reader.index[entity];
     const auto has = [&](const std::vector<std::size_t>& all, bool steps) {

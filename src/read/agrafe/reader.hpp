@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// AgrafeReader: an AGRAFE document while it is read: what its entities are called, and how their parts become ours.
+// AgrafeReader: context for the conversion of an AGRAFE document: names of its entities, and conversion of its parts to
+// the tree.
 #pragma once
 
 #include <optional>
@@ -15,7 +16,7 @@
 
 namespace grafverif {
 
-// What an AGRAFE document consists of, and what its references name.
+// The entities of an AGRAFE document and the targets of its references.
 
 struct AgrafeEntity {
     enum class Kind {
@@ -34,16 +35,16 @@ struct AgrafeEntity {
     };
     Kind kind = Kind::Main;
     pugi::xml_node node = {};
-    std::size_t partial = 0;                     ///< the partial chart it belongs to; of a partial chart: itself
-    std::string name = {};                       ///< in our language; set by the reader
-    std::vector<std::size_t> in = {}, out = {};  ///< arcs: entities before and after it
+    std::size_t partial = 0;                     ///< the partial chart that contains it; for a partial chart: itself
+    std::string name = {};                       ///< name in the input language; set by the reader
+    std::vector<std::size_t> in = {}, out = {};  ///< arcs: predecessors and successors
 };
 
 class AgrafeIndex {
 public:
     using Kind = AgrafeEntity::Kind;
 
-    /// Walks the whole document; partial charts within partial charts stand beside them.
+    /// Traverses the complete document; nested partial charts are stored in one list with the others.
     explicit AgrafeIndex(pugi::xml_node root);
 
     std::vector<AgrafeEntity>& all() { return entities_; }
@@ -67,28 +68,28 @@ struct AgrafeReader {
     AgrafeIndex index;
     Draft& draft;
     std::string chart = {};
-    std::unordered_map<std::string, std::size_t> namesakes = {};  ///< steps of a name, over all partial charts
+    std::unordered_map<std::string, std::size_t> namesakes = {};  ///< number of steps per name, over all partial charts
     std::vector<OpenInteger> integers = {};
-    std::unordered_set<Id<tree::Word>> without_kind = {};  ///< variables of no declared kind: inputs by default
+    std::unordered_set<Id<tree::Word>> without_kind = {};  ///< variables without a declared type: inputs by default
 
     Diagnostics& diagnostics() { return draft.diagnostics(); }
 
-    /// The entity that `attribute` of `node` names, if it is one of `kinds`. Reports a missing or dangling one; `what`
-    /// is the kind in words.
+    /// The entity that `attribute` of `node` refers to, if `accepts` holds for its type. Reports a missing or dangling
+    /// reference; `what` describes the accepted type.
     std::optional<std::size_t> reference(pugi::xml_node node, std::string_view attribute, std::string_view what,
                                          bool (*accepts)(AgrafeEntity::Kind));
-    /// All that a list of references names.
+    /// All entities in a list of references.
     std::vector<std::size_t> references(pugi::xml_node node, std::string_view attribute, std::string_view what,
                                         bool (*accepts)(AgrafeEntity::Kind));
-    /// A whole number; `otherwise` where it is missing, or wrong and reported.
+    /// An integer; `otherwise` if it is missing, or invalid and reported.
     std::int64_t number(pugi::xml_node node, std::string_view attribute, std::int64_t otherwise);
     bool flag(pugi::xml_node node, std::string_view attribute) { return xml.flag(node, attribute, diagnostics()); }
 };
 
-// -- agrafe_terms.cpp
-/// Not valid after an error.
+// -- terms.cpp
+/// Invalid after an error.
 Id<tree::Expr> agrafe_term(AgrafeReader& reader, pugi::xml_node term);
-/// What a transition or action with times waits for; `t1/term/t2` where its type is timeDependent.
+/// Times of a transition or action; `t1/term/t2` if its type is timeDependent.
 struct AgrafeTime {
     enum class Kind { None, Dependent, Delayed, Limited };
     Kind kind = Kind::None;
@@ -98,14 +99,14 @@ AgrafeTime agrafe_time(AgrafeReader& reader, pugi::xml_node node);
 /// `t1/term/t2`.
 Id<tree::Expr> timed(AgrafeReader& reader, const AgrafeTime& time, Id<tree::Expr> term, Span where);
 
-// -- agrafe_actions.cpp
-/// The actions of each entity that is a step.
+// -- actions.cpp
+/// The actions of each entity; empty for entities other than steps.
 std::vector<std::vector<tree::Action>> agrafe_actions(AgrafeReader& reader);
 
-// -- agrafe_links.cpp
-/// Sets `in` and `out` of every entity from the arcs; reports arcs that lead where none may.
+// -- links.cpp
+/// Sets `in` and `out` of every entity from the arcs; reports arcs that are not allowed.
 void read_arcs(AgrafeReader& reader);
-/// The steps before (`backwards`) or after a transition, through synchronizations.
+/// The steps upstream (`backwards`) or downstream of a transition, through synchronizations.
 std::vector<std::size_t> linked_steps(AgrafeReader& reader, std::size_t transition, bool backwards);
 
 }  // namespace grafverif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The condition of a transition in PLCopen XML: Structured Text in place, a named transition of the block, or what is
-// connected: variables, contacts of a ladder, and blocks of Boolean and arithmetic functions.
+// Conditions of transitions in PLCopen XML: inline Structured Text, a named transition of the POU, or a connected
+// network (FBD, LD) of variables, contacts, and blocks for Boolean and arithmetic functions.
 #include <algorithm>
 #include <array>
 
@@ -36,7 +36,7 @@ class Connected {
 public:
     Connected(PlcopenReader& reader, const PlcopenNetwork& network) : reader_(reader), network_(network) {}
 
-    /// What arrives at a connection point: several lines that meet are an OR. Not valid: nothing is connected.
+    /// Value at a connection point; several incoming lines form an OR. Invalid if it is not connected.
     Id<st::Expr> at(pugi::xml_node point, std::size_t depth = 0) {
         std::vector<Id<st::Expr>> lines;
         for (const pugi::xml_node& source : sources_of(reader_, network_, point)) {
@@ -50,7 +50,7 @@ public:
 
     Id<st::Expr> from(pugi::xml_node source) { return of(source, 0); }
 
-    /// What a coil or variable gets that ends the network.
+    /// Value assigned to the coil or variable at the end of the network.
     Id<st::Expr> into(pugi::xml_node end) { return passes_on(end) ? negated(end, at(end)) : Id<st::Expr>{}; }
 
 private:
@@ -77,7 +77,7 @@ private:
         return reader_.make(st::Op::Not, {term}, reader_.xml.where(node));
     }
 
-    /// Whether a variable, contact, coil or pin only passes a value on: no edge, nothing set or reset.
+    /// True if a variable, contact, coil or pin passes a value without an edge, set or reset.
     bool passes_on(pugi::xml_node node) {
         for (const std::string_view mark : {"edge", "edgeIn", "edgeOut", "storage", "storageIn", "storageOut"}) {
             const std::string how = value(node, mark);
@@ -111,7 +111,7 @@ private:
         return reader_.make(st::Op::And, {before, own}, reader_.xml.where(node));
     }
 
-    /// at(), an error where nothing is connected.
+    /// Like at(), but reports an unconnected point.
     Id<st::Expr> wired(pugi::xml_node point, std::size_t depth, std::string_view what) {
         if (!sources_of(reader_, network_, point).empty()) return at(point, depth);
         reader_.diagnostics().add(messages::missing_part(reader_.xml.where(point), what, "connection"));
@@ -159,7 +159,7 @@ private:
     const PlcopenNetwork& network_;
 };
 
-/// The text of a body in Structured Text. Names of transitions may be given `NAME := EXPRESSION;`.
+/// A body in Structured Text. For named transitions, `NAME := EXPRESSION;` is also accepted.
 Id<st::Expr> structured(PlcopenReader& reader, pugi::xml_node text) {
     const st::Text pieces = reader.xml.text(text);
     const std::string content = reader.xml.content(text);
@@ -170,7 +170,7 @@ Id<st::Expr> structured(PlcopenReader& reader, pugi::xml_node text) {
     return reader.file.statements[block.front()].value;
 }
 
-/// A body: Structured Text, or a ladder or function diagram with one coil or variable at its end, the condition.
+/// A body: Structured Text, or an LD or FBD network that ends in one coil or variable, the condition.
 Id<st::Expr> body_condition(PlcopenReader& reader, pugi::xml_node body, Span where) {
     if (const pugi::xml_node text = child(body, "ST")) return structured(reader, text);
     for (const std::string_view language : {"LD", "FBD"}) {
@@ -197,7 +197,7 @@ Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit&, const PlcopenN
     const std::size_t errors = reader.diagnostics().errors();
     Id<st::Expr> found;
     if (const pugi::xml_node reference = child(condition, "reference")) {
-        // A transition of the block with that name, else a Boolean variable.
+        // A transition of the POU with this name, otherwise a Boolean variable.
         pugi::xml_node pou = transition;
         while (pou && !is(pou, "pou")) pou = pou.parent();
         const std::string wanted = st::capitals(value(reference, "name"));
@@ -210,7 +210,7 @@ Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit&, const PlcopenN
         found = body_condition(reader, inner, reader.xml.where(inner));
     } else if (child(condition, "connectionPointIn")) {
         found = Connected(reader, network).at(condition);
-    } else if (!children(condition, "connection").empty()) {  // 1.01
+    } else if (!children(condition, "connection").empty()) {  // version 1.01
         for (const pugi::xml_node& connection : children(condition, "connection")) {
             const pugi::xml_node source = network.find(value(connection, "refLocalId"));
             if (!source)

@@ -16,15 +16,15 @@ bool is_step(pugi::xml_node node) { return is(node, "step") || is(node, "macroSt
 
 // -- what flows where ---------------------------------------------------------------------------------------------------
 
-/// The steps before a transition, or the transitions before a step, through divergences and convergences. `wanted` says
-/// what ends the way; anything else there is an error.
+/// The steps upstream of a transition, or the transitions upstream of a step, through divergences and convergences.
+/// `wanted` accepts the end of a path; other ends are reported.
 std::vector<pugi::xml_node> upstream(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node start,
                                      bool (*wanted)(pugi::xml_node), std::string_view hint) {
     std::vector<pugi::xml_node> found, work = {start};
     std::unordered_set<std::size_t> seen = {start.hash_value()};
     for (std::size_t i = 0; i < work.size(); ++i) {
         for (const pugi::xml_node& source : sources_of(reader, network, work[i])) {
-            const bool over = is(source, "jumpStep");  // CODESYS draws lines on from where a branch jumps away
+            const bool over = is(source, "jumpStep");  // CODESYS draws lines beyond the jump of a branch
             if (over || !seen.insert(source.hash_value()).second) continue;
             const std::string_view kind = local_name(source.name());
             const bool on_the_way = is(start, "transition")
@@ -54,8 +54,7 @@ struct Step {
 st::Association association(PlcopenReader& reader, pugi::xml_node action) {
     st::Association made;
     made.where = reader.xml.where(action);
-    if (attribute(action, "qualifier"))
-        made.qualifier = st::capitals(value(action, "qualifier"));  // N where none is written
+    if (attribute(action, "qualifier")) made.qualifier = st::capitals(value(action, "qualifier"));  // N by default
     if (const std::string duration = value(action, "duration"); !duration.empty())
         made.time = reader.expression(reader.xml.text(action, "duration"));
     if (const pugi::xml_node reference = child(action, "reference")) {
@@ -70,7 +69,7 @@ st::Association association(PlcopenReader& reader, pugi::xml_node action) {
     return made;
 }
 
-/// The qualifier of CODESYS may carry its time: `D T#2s`.
+/// In CODESYS the qualifier may include its time: `D T#2s`.
 void split_qualifier(PlcopenReader& reader, st::Association& association, pugi::xml_node action) {
     const std::size_t blank = association.qualifier.find(' ');
     if (blank == std::string::npos) return;
@@ -80,7 +79,7 @@ void split_qualifier(PlcopenReader& reader, st::Association& association, pugi::
     association.qualifier.resize(blank);
 }
 
-/// The entry, active and exit action of a step in CODESYS: names of actions.
+/// The entry, active and exit action of a step in CODESYS, given as names of actions.
 void codesys_actions(PlcopenReader& reader, pugi::xml_node node, st::Step& step) {
     struct Known {
         std::string_view guid = {}, qualifier = {};
@@ -112,7 +111,7 @@ void codesys_actions(PlcopenReader& reader, pugi::xml_node node, st::Step& step)
     }
 }
 
-/// What the negation of a step or an action block means is said nowhere.
+/// Reports the negation of a step or action block, whose meaning is unspecified.
 void refuse_negation(PlcopenReader& reader, pugi::xml_node element) {
     if (reader.flag(element, "negated"))
         reader.draft.refuse(reader.xml.where(element, "negated"),
@@ -143,7 +142,7 @@ void read_actions(PlcopenReader& reader, const PlcopenNetwork& network, const st
     for (std::size_t i = 0; i < steps.size(); ++i) codesys_actions(reader, steps[i].node, made.steps[i]);
 }
 
-/// Elements of that name, drawn from left to right: the order of their priority where none is written.
+/// Elements with the given name from left to right: the default order of priority.
 std::vector<pugi::xml_node> from_left(const PlcopenNetwork& network, std::string_view name) {
     std::vector<pugi::xml_node> found;
     for (const pugi::xml_node& element : network.elements)
@@ -183,7 +182,7 @@ PlcopenNetwork network_of(PlcopenReader& reader, pugi::xml_node body) {
 
 std::vector<pugi::xml_node> sources_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point) {
     std::vector<pugi::xml_node> sources;
-    if (is(point, "continuation")) {  // goes on where the connector of its name ends
+    if (is(point, "continuation")) {  // continues at the end of the connector with this name
         for (const pugi::xml_node& element : network.elements)
             if (is(element, "connector") && value(element, "name") == value(point, "name")) sources.push_back(element);
         return sources;

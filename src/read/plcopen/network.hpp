@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PlcopenNetwork: the elements of one Sequential Function Chart of PLCopen XML, and what flows where between them.
+// PlcopenNetwork: the elements of one Sequential Function Chart in PLCopen XML, and the connections between them.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct PlcopenReader {
 
     Diagnostics& diagnostics() { return draft.diagnostics(); }
     st::Name name(const std::string& text, Span where) { return {file.intern(text), where}; }
-    /// Not valid after an error.
+    /// Invalid after an error.
     Id<st::Expr> expression(const st::Text& text);
     /// Empty after an error.
     st::Block statements(const st::Text& text);
@@ -37,17 +37,17 @@ struct PlcopenNetwork {
     pugi::xml_node find(const std::string& id) const;
 };
 
-/// Reports ids that are there twice.
+/// Reports duplicate ids.
 PlcopenNetwork network_of(PlcopenReader& reader, pugi::xml_node body);
 
-/// The elements that the connections of `point`'s `connectionPointIn`s come from. Reports dangling ones.
+/// The elements connected to the `connectionPointIn`s of `point`. Reports dangling connections.
 std::vector<pugi::xml_node> sources_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point);
 
-/// The steps and transitions of the chart; macro-steps add networks of their own behind it.
+/// Reads the steps and transitions of the chart; the expansions of macro-steps are appended as separate networks.
 void read_network(PlcopenReader& reader, st::Unit& unit, pugi::xml_node body, st::Name macro_step);
 
-// -- plcopen_conditions.cpp
-/// The condition of a transition; not valid after an error, or where it is left out.
+// -- conditions.cpp
+/// The condition of a transition; invalid after an error, or if it is omitted.
 Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit& unit, const PlcopenNetwork& network,
                           pugi::xml_node transition);
 

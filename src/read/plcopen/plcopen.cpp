@@ -76,7 +76,7 @@ void read_variables(PlcopenReader& reader, pugi::xml_node list, std::vector<st::
     }
 }
 
-/// An action of the block in Structured Text; others are refused where they are used.
+/// Reads the actions of the POU in Structured Text; actions in other languages are rejected at their uses.
 void read_actions(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit) {
     for (const pugi::xml_node& node : children(child(pou, "actions"), "action")) {
         st::Action action;
@@ -89,7 +89,7 @@ void read_actions(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit) {
     }
 }
 
-/// Comments of the drawing and of XML stand before the chart.
+/// Comments of the drawing and XML comments are placed before the chart.
 std::string remarks(PlcopenReader& reader, pugi::xml_node pou) {
     std::string text;
     if (const pugi::xml_node documentation = child(pou, "documentation"))
@@ -108,7 +108,7 @@ st::File read_plcopen(const Xml& xml, const Sources& sources, Draft& draft) {
     PlcopenReader reader{xml, sources, draft};
     reader.file.source = xml.source();
     std::vector<pugi::xml_node> pous;
-    pugi::xml_node program;  // in Structured Text, which is told where there is no chart
+    pugi::xml_node program;  // in Structured Text; reported if there is no chart
     for (pugi::xml_node node = xml.root().first_child(); node;) {
         if (is(node, "globalVars")) read_variables(reader, node, reader.file.globals);
         if (is(node, "pou") && child(child(node, "body"), "SFC")) pous.push_back(node);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Action blocks (IEC 61131-3, 2.6.4) as actions of GRAFCET. Each block, in the order of steps, becomes a Made by itself:
+// Converts action blocks (IEC 61131-3, 2.6.4) to actions of GRAFCET. Each block, in the order of steps, is converted
+// separately to a Made:
 //
 //   N            a continuous action                        S, R     stored actions on activation
 //   D, L         a continuous action with a delay or limit  DS       a stored action when the step has lasted
-//   P, P1, P0    the step sets a latch; beside the chart the latch is the output and resets itself when seen
-//   SD, SL       the step sets a latch; beside the chart the output is true once the latch has lasted, or until then
-//   statements   stored actions, as what sfc_bodies.cpp finds that they assign
+//   P, P1, P0    the step sets a latch; in the additional partial chart the latch is the output and is then reset
+//   SD, SL       the step sets a latch; in the additional partial chart the output is true after or until its time
+//   statements   stored actions for the assignments that bodies.cpp computes
 //
-// A latch is an internal variable, one for each output and qualifier, so blocks of several steps share it. What R does
-// depends on all blocks together, it ends what others have begun: it is completed last, from the list of all of them.
+// A latch is an internal variable, one for each output and qualifier, so blocks of several steps share it. The effect
+// of R depends on all blocks, because it ends the effects of others: it is completed last, from the list of all blocks.
 #include <algorithm>
 #include <iterator>
 
@@ -19,14 +20,14 @@ namespace grafverif {
 
 namespace {
 
-/// A Boolean variable under a qualifier.
+/// A Boolean variable with a qualifier.
 struct Act {
     std::string step = {}, output = {}, qualifier = {};
     Span where = {};
-    std::int64_t milliseconds = 0;  ///< of a qualifier with a time
+    std::int64_t milliseconds = 0;  ///< for qualifiers with a time
 };
 
-/// What an action block becomes.
+/// The conversion of an action block.
 struct Made {
     std::vector<tree::Action> of_step = {}, always = {};
 };
@@ -44,7 +45,7 @@ tree::StoredAction on_activation(Draft& draft, const std::string& target, bool v
     return stored(draft, target, draft.constant(value, where), tree::StoredWhen::Activation, where);
 }
 
-/// `target` becomes `value` when `condition` becomes true.
+/// Assigns `value` to `target` when `condition` becomes true.
 tree::StoredAction on_rise(Draft& draft, const std::string& target, bool value, Id<tree::Expr> condition, Span where) {
     tree::StoredAction action = stored(draft, target, draft.constant(value, where), tree::StoredWhen::Event, where);
     action.event = draft.node(tree::Op::Rise, {condition}, where);
@@ -60,10 +61,11 @@ Id<tree::Expr> timed(Draft& draft, std::int64_t milliseconds, const std::string&
     return draft.node(tree::Op::Divide, {draft.duration(milliseconds, where), draft.variable(watched, where)}, where);
 }
 
-/// Actions of one scan run one after the other; here all read the values before. What differs is told once of a variable.
+/// Detects differences in evaluation order: actions of one SFC scan run sequentially, whereas in GRAFCET all read the
+/// previous values. Each difference is reported once per variable.
 class Order {
 public:
-    /// An action at `where` assigns `target` and reads `reads`.
+    /// Records an action at `where` that assigns `target` and reads `reads`; returns the new differences.
     std::vector<std::string> differences(Span where, const std::string& target, const std::set<std::string>& reads) {
         std::vector<std::string> found;
         if (elsewhere(target, where) && told_.insert(target).second)
@@ -79,13 +81,14 @@ public:
     }
 
 private:
-    /// Whether an action before this one assigns the variable.
+    /// True if an earlier action assigns the variable.
     bool elsewhere(const std::string& variable, Span where) const {
         const auto writer = writers_.find(variable);
         return writer != writers_.end() && writer->second != where.begin;
     }
 
-    std::unordered_map<std::string, std::uint32_t> writers_ = {};  ///< where each variable is assigned first
+    std::unordered_map<std::string, std::uint32_t> writers_ = {};  ///< position of the first assignment to each
+                                                                   ///< variable
     std::unordered_set<std::string> told_ = {};
 };
 
@@ -112,7 +115,7 @@ public:
 private:
     void refuse(Span where, std::string_view what, std::string_view hint) { draft_.refuse(where, what, hint); }
 
-    /// A Boolean variable under a qualifier is added to `acts`.
+    /// Converts a block; a Boolean variable with a qualifier is also added to `acts`.
     Made block(const std::string& step, const st::Association& one, std::vector<Act>& acts) {
         if (!one.action.valid()) return statements(one, one.body);
         const auto body = std::ranges::find(sfc_.unit.actions, one.action.word,
@@ -158,7 +161,7 @@ private:
         return act;
     }
 
-    /// The time of a qualifier that wants one.
+    /// The time of a qualifier that requires one.
     std::optional<std::int64_t> time(const st::Association& one) {
         if (!one.time.valid()) {
             sfc_.diagnostics().add(
@@ -185,20 +188,20 @@ private:
             return {{on_rise(draft_, act.output, true, timed(draft_, act.milliseconds, 'X' + act.step, where), where)},
                     {}};
         }
-        if (q.empty()) return {};  // refused
+        if (q.empty()) return {};  // rejected
         tree::ContinuousAction action = continuous(draft_, act.output, {}, where);
         (q == "D" ? action.delay : action.limit) = draft_.duration(act.milliseconds, where);
         return {{action}, {}};
     }
 
-    /// The variable behind a qualifier that stores, and whether it is new.
+    /// The latch of a qualifier with memory; true if it is new.
     std::pair<std::string, bool> latch(const std::string& output, std::string_view suffix) {
         const auto [known, fresh] = latch_of_.try_emplace(output + std::string(suffix));
         if (fresh) latches_.push_back(known->second = sfc_.names.invent(output + std::string(suffix)));
         return {known->second, fresh};
     }
 
-    /// True for one scan: set by the step, reset when the next evolution sees it.
+    /// True for one scan: set by the step, reset by the next evolution.
     Made pulse(const Act& act) {
         const auto [state, fresh] = latch(act.output, "_pulse");
         const auto when = act.qualifier == "P0" ? tree::StoredWhen::Deactivation : tree::StoredWhen::Activation;
@@ -219,10 +222,10 @@ private:
                 {continuous(draft_, act.output, condition, act.where)}};
     }
 
-    /// R ends SD and SL of its output too: by step, what resets their latches. What else acts on the output while the
-    /// step of R is active goes on here.
+    /// R also ends SD and SL of its output: returns, per step, the actions that reset their latches. Reports other
+    /// actions on the output that R does not suppress here while its step is active.
     std::vector<std::pair<std::string, tree::StoredAction>> ended_by_resets(const std::vector<Act>& acts) {
-        std::unordered_set<std::string> driven;  // outputs that something else may act on while the step of R is active
+        std::unordered_set<std::string> driven;  // outputs on which other actions may act while the step of R is active
         const bool parallel = has_parallel_steps();
         for (const Act& act : acts)
             if (act.qualifier == "P0" || (parallel && act.qualifier != "R")) driven.insert(act.output);
@@ -287,7 +290,7 @@ private:
         return node.op == tree::Op::True || node.op == tree::Op::False || node.op == tree::Op::Number || negative;
     }
 
-    /// Assigned anew in every scan while the step is active.
+    /// Assignments repeated in every scan while the step is active.
     std::vector<tree::Action> every_scan(Span where, const std::string& target, const SfcEffect& effect,
                                          const SfcBody& body) {
         const bool boolean = !effect.value.valid();
@@ -333,7 +336,7 @@ private:
     Draft& draft_;
     Order order_ = {};
     std::unordered_map<std::string, std::string> latch_of_ = {};  ///< by output and suffix
-    std::vector<std::string> latches_ = {};                       ///< in the order of their invention
+    std::vector<std::string> latches_ = {};                       ///< in order of creation
 };
 
 }  // namespace

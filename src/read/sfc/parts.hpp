@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of the conversion of Sequential Function Charts that look at a network as a whole.
+// Parts of the conversion of Sequential Function Charts that concern a complete network.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace grafverif {
 
-/// A transition with its condition as a term of ours.
+/// A transition with its translated condition.
 struct SfcBranch {
     const st::Transition* written = nullptr;
     Id<tree::Expr> condition = {};
 };
 
-/// Of transitions that leave one step the first by priority is taken: the conditions of the others get the negations of
-/// those before them, unless they exclude each other as written.
+/// Makes the transitions that leave one step exclusive according to their priority: each condition is conjoined with
+/// the negations of those of higher priority, unless they are syntactically exclusive.
 void exclude_by_priority(Sfc& sfc, std::vector<SfcBranch>& branches);
 
 }  // namespace grafverif

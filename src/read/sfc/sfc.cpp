@@ -30,12 +30,12 @@ void name_steps(Sfc& sfc) {
                 continue;
             }
             known->second = labels.make(sfc.file.text(step.name), step.name.where);
-            sfc.names.reserve('X' + known->second);  // the step variable
+            sfc.names.reserve('X' + known->second);  // its step variable
         }
     }
 }
 
-/// A condition that could not be taken over is an input of its own: it may hold or not at any time.
+/// Replaces a condition that could not be imported by a new input, which is arbitrary at any time.
 Id<tree::Expr> unknown_condition(Sfc& sfc, Span where) {
     SfcVariable variable;
     variable.name = sfc.names.invent("unknown_condition");
@@ -55,7 +55,7 @@ std::vector<SfcBranch> branches_of(Sfc& sfc, const st::Network& network) {
         if (written.condition.valid()) branch.condition = boolean_of(sfc, {written.from}, written.condition);
         if (!branch.condition.valid() && sfc.diagnostics().errors() == errors && sfc.draft.lossy())
             branch.condition = unknown_condition(sfc, written.where);
-        if (!branch.condition.valid()) branch.condition = sfc.draft.constant(false, written.where);  // reported
+        if (!branch.condition.valid()) branch.condition = sfc.draft.constant(false, written.where);  // already reported
         branches.push_back(branch);
     }
     exclude_by_priority(sfc, branches);
@@ -66,7 +66,7 @@ void comment(Sfc& sfc, Span where, const std::string& text) {
     for (std::string& line : comment_lines(text)) sfc.draft.comment(where, std::move(line));
 }
 
-/// The only step that nothing leads to, or from, of an expansion.
+/// Marks the only step of an expansion without predecessors as entry, and the only one without successors as exit.
 void mark_ends(Sfc& sfc, const st::Network& network, std::vector<tree::ChartItem>& items) {
     std::unordered_set<Id<st::Word>> reached, left;
     for (const st::Transition& transition : network.transitions) {
@@ -92,7 +92,7 @@ void mark_ends(Sfc& sfc, const st::Network& network, std::vector<tree::ChartItem
     }
 }
 
-/// Of steps that share a name, which was reported, the first has the actions.
+/// If several steps have the same name, which has been reported, the first one gets the actions.
 std::vector<tree::ChartItem> steps_of(Sfc& sfc, const st::Network& network, SfcActions& actions,
                                       const std::unordered_map<Id<st::Word>, std::string>& expansions) {
     std::vector<tree::ChartItem> items;
@@ -188,7 +188,7 @@ void add_ranges(Sfc& sfc, tree::Chart& chart) {
     }
 }
 
-/// The step that is always active, with the actions that belong to no step.
+/// Adds the step that is always active, with the actions that belong to no step.
 void add_always(Sfc& sfc, SfcActions& actions, tree::Chart& chart) {
     for (const std::string& latch : actions.latches) {
         tree::Variable variable;

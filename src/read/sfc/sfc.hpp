@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Sequential Function Charts (IEC 61131-3) -> tree of a GRAFCET. SFC is not GRAFCET; what is made of the differences:
+// Sequential Function Charts (IEC 61131-3) -> tree of a GRAFCET. The differences between SFC and GRAFCET are treated as
+// follows:
 //
-// - Behind a step SFC takes one branch, by priority: the conditions are made to exclude each other.
-// - A Boolean variable under N, D, L is true while its step is active: a continuous action. S and R set and reset it when
-//   their step becomes active: stored actions. P, SD, SL and DS get a variable of their own, and a partial chart of one
-//   step that is always active turns it into the output.
-// - Assignments under P1 and P0 are stored actions on activation and deactivation. Under N they are made in every scan:
-//   constants once on activation, Boolean terms on activation and whenever their value changes.
-// - SFC makes one evolution a scan and runs the actions of a scan one after the other; GRAFCET makes evolutions until the
-//   situation is stable, unless told otherwise, and computes all new values from old ones.
+// - After a step SFC takes one branch, by priority: the conditions are made mutually exclusive.
+// - A Boolean variable under N, D, L is true while its step is active: a continuous action. S and R set and reset it
+//   when
+//   their step becomes active: stored actions. P, SD, SL and DS get a new variable each, and a partial chart with one
+//   step
+//   that is always active computes the output from it.
+// - Assignments under P1 and P0 are stored actions on activation and deactivation. Under N they are executed in every
+//   scan: constants once on activation, Boolean terms on activation and whenever their value changes.
+// - SFC makes one evolution per scan and runs the actions of a scan sequentially; GRAFCET by default makes evolutions
+//   until the situation is stable, and computes all new values from old ones.
 //
-// What is not exact is warned of (`differs-from-sfc`); what cannot be taken over is refused.
+// Inexact conversions are reported by warnings (`differs-from-sfc`); constructs that cannot be imported are rejected.
 #pragma once
 
 #include <map>
@@ -40,73 +43,74 @@ struct SfcTerm {
 };
 
 struct SfcVariable {
-    std::string name = {};  ///< in our language
+    std::string name = {};  ///< name in the input language
     Span where = {};
-    SfcKind kind = SfcKind::Boolean;  ///< Bad: of a type that no chart has
+    SfcKind kind = SfcKind::Boolean;  ///< Bad: of a type not supported in charts
     tree::VariableKind role = tree::VariableKind::Input;
-    bool constant = false;  ///< `initial` stands for it
-    bool wide = false;      ///< its type holds more than the language has
-    bool narrow = false;    ///< its range was declared
+    bool constant = false;  ///< replaced by `initial`
+    bool wide = false;      ///< its type exceeds the integers of the input language
+    bool narrow = false;    ///< has a declared range
     std::int64_t initial = 0, low = 0, high = 1;
     std::string comment = {};
     bool used = false;
 };
 
-/// What a body assigns to a variable: `set || keep && variable` (Boolean) or `value` (Integer), over the values before it.
+/// Assignment of a body to a variable: `set || keep && variable` (Boolean) or `value` (Integer), over the values before
+/// it.
 struct SfcEffect {
     Id<tree::Expr> set = {}, keep = {}, value = {};
 };
-using SfcEffects = std::map<std::string, SfcEffect>;  ///< by our name of the variable
+using SfcEffects = std::map<std::string, SfcEffect>;  ///< by name in the input language
 
 struct Sfc {
     const st::File& file;
     const st::Unit& unit;
     Draft& draft;
     std::vector<SfcVariable> variables = {};
-    std::unordered_map<std::string, std::size_t> by_name = {};  ///< capitals of the path as written -> variable
-    std::unordered_map<Id<st::Word>, std::string> steps = {};   ///< their names in our language
+    std::unordered_map<std::string, std::size_t> by_name = {};  ///< upper-case path as written -> variable
+    std::unordered_map<Id<st::Word>, std::string> steps = {};   ///< names in the input language
     LegalNames names;
 
     Diagnostics& diagnostics() { return draft.diagnostics(); }
     void differs(Span where, std::string_view what);
 };
 
-/// `a.b` as written; empty for anything but a path of names.
+/// `a.b` as written; empty for expressions other than a path of names.
 std::string path_of(const st::File& file, Id<st::Expr> expr);
 
-// -- sfc_variables.cpp
+// -- variables.cpp
 void classify_variables(Sfc& sfc);
-/// The variable called `path`; one that is not declared becomes an input, or an output where it is written.
+/// The variable named `path`; an undeclared one becomes an input, or an output if it is `written`.
 SfcVariable& variable_of(Sfc& sfc, const std::string& path, Span where, SfcKind expected, bool written);
 std::vector<tree::ChartItem> declarations_of(Sfc& sfc);
 
-// -- sfc_terms.cpp
-/// What the names in an expression mean where it stands.
+// -- terms.cpp
+/// Context that determines the meaning of names in an expression.
 struct SfcScope {
-    std::span<const st::Name> left = {};     ///< steps that the transition leaves: `S.T` is known of them
-    const SfcEffects* assigned = nullptr;    ///< values that the body has assigned before
-    std::set<std::string>* reads = nullptr;  ///< gains the variables that are read
+    std::span<const st::Name> left = {};     ///< upstream steps of the transition, for which `S.T` is available
+    const SfcEffects* assigned = nullptr;    ///< values assigned earlier in the body
+    std::set<std::string>* reads = nullptr;  ///< receives the variables that are read
 };
-/// Bad after a refusal. `expected` tells the type of what is declared nowhere.
+/// Bad after an error. `expected`: assumed type of undeclared variables.
 SfcTerm term_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr, SfcKind expected);
-/// A term that must be Boolean.
+/// Requires a Boolean term; reports any other type.
 Id<tree::Expr> boolean_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr);
 /// A constant duration in milliseconds.
 std::optional<std::int64_t> duration_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr);
-Id<tree::Expr> both(Draft& draft, Id<tree::Expr> left, Id<tree::Expr> right);    ///< `&&`, constants folded
+Id<tree::Expr> both(Draft& draft, Id<tree::Expr> left, Id<tree::Expr> right);    ///< `&&`, with constant folding
 Id<tree::Expr> either(Draft& draft, Id<tree::Expr> left, Id<tree::Expr> right);  ///< `||`
 Id<tree::Expr> opposite(Draft& draft, Id<tree::Expr> term);                      ///< `!`
 
-// -- sfc_bodies.cpp
+// -- bodies.cpp
 struct SfcBody {
-    SfcEffects effects = {};           ///< what the statements assign
-    std::set<std::string> reads = {};  ///< variables they read
+    SfcEffects effects = {};           ///< assignments of the statements
+    std::set<std::string> reads = {};  ///< variables that they read
 };
-/// Empty after a refusal.
+/// Empty after an error.
 std::optional<SfcBody> body_of(Sfc& sfc, const st::Block& block);
 
-// -- sfc_actions.cpp
-/// The actions of every step, by its name in our language, and what has to go on beside the chart.
+// -- actions.cpp
+/// The actions of each step, by its name in the input language, and those that are independent of steps.
 struct SfcActions {
     std::unordered_map<std::string, std::vector<tree::Action>> of_steps = {};
     std::vector<tree::Action> always = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Expressions of Structured Text as terms of a chart.
+// Translates expressions of Structured Text to terms of a chart.
 #include <algorithm>
 
 #include "read/sfc/sfc.hpp"
@@ -13,7 +13,7 @@ bool is_constant(const Draft& draft, Id<tree::Expr> term, bool value) {
     return draft[term].op == (value ? tree::Op::True : tree::Op::False);
 }
 
-/// Equal as written; as deep as an expression may be.
+/// Syntactic equality; the recursion depth is limited by that of expressions.
 bool same(const Draft& draft, Id<tree::Expr> one, Id<tree::Expr> other) {
     const tree::Expr &a = draft[one], &b = draft[other];
     if (a.op != b.op || a.word != b.word || a.value != b.value) return false;
@@ -48,7 +48,7 @@ SfcTerm refused(Sfc& sfc, Span where, std::string_view what,
     return {};
 }
 
-/// The value of a variable: a constant, what the body at hand has assigned, or the variable itself.
+/// Value of a variable: a constant, the value assigned earlier in the body, or the variable itself.
 SfcTerm variable_term(Sfc& sfc, const SfcScope& scope, const std::string& path, Span where, SfcKind expected) {
     const SfcVariable& variable = variable_of(sfc, path, where, expected, false);
     if (variable.kind == SfcKind::Bad) return refused(sfc, where, "`" + path + "`, which is no BOOL, integer or TIME,");
@@ -84,7 +84,7 @@ std::optional<SfcTerm> step_flag(Sfc& sfc, const st::Expr& node) {
     return {};
 }
 
-/// The step whose time `S1.T` is.
+/// The step S1 in `S1.T`; invalid for anything else.
 Id<st::Word> timed_step(const Sfc& sfc, Id<st::Expr> expr) {
     const st::Expr& node = sfc.file.exprs[expr];
     if (node.op != st::Op::Member) return {};
@@ -95,7 +95,7 @@ Id<st::Word> timed_step(const Sfc& sfc, Id<st::Expr> expr) {
                : Id<st::Word>{};
 }
 
-/// `S1.T >= T#5s`: `5s/X1` for a step that the transition leaves, which is active wherever that matters.
+/// `S1.T >= T#5s` becomes `5s/X1`, for a step that the transition leaves: it is active whenever the condition matters.
 std::optional<SfcTerm> step_time(Sfc& sfc, const SfcScope& scope, const st::Expr& node) {
     const Id<st::Word> left = timed_step(sfc, node.first), right = timed_step(sfc, node.last);
     if (!left.valid() && !right.valid()) return {};
@@ -116,7 +116,7 @@ std::optional<SfcTerm> step_time(Sfc& sfc, const SfcScope& scope, const st::Expr
     return SfcTerm{from_below ? elapsed : opposite(sfc.draft, elapsed), SfcKind::Boolean};
 }
 
-/// 0 and 1 are FALSE and TRUE where a Boolean is asked for.
+/// Converts 0 and 1 to FALSE and TRUE if a Boolean is required.
 SfcTerm coerced(Sfc& sfc, SfcTerm term, SfcKind wanted) {
     if (term.kind != SfcKind::Integer || wanted != SfcKind::Boolean) return term;
     const tree::Expr& node = sfc.draft[term.expr];
@@ -137,7 +137,7 @@ SfcTerm comparison(Sfc& sfc, const SfcScope& scope, const st::Expr& node) {
     left = coerced(sfc, left, right.kind);
     right = coerced(sfc, right, left.kind);
     if (left.kind == SfcKind::Bad || right.kind == SfcKind::Bad) return {};
-    if (left.kind == SfcKind::Time && right.kind == SfcKind::Time) {  // constants, both
+    if (left.kind == SfcKind::Time && right.kind == SfcKind::Time) {  // both constant
         const std::int64_t one = sfc.draft[left.expr].value, other = sfc.draft[right.expr].value;
         const bool holds = node.op == st::Op::Less           ? one < other
                            : node.op == st::Op::LessEqual    ? one <= other

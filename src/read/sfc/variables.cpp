@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The variables of a unit: what the chart reads are inputs, what it drives are outputs, the rest is internal.
+// Classifies the variables of a unit: those that the chart only reads are inputs, those that it drives are outputs, the
+// others are internal.
 #include <algorithm>
 #include <array>
 
@@ -71,7 +72,7 @@ void set_type(Sfc& sfc, SfcVariable& variable, const st::Variable& declared) {
     }
 }
 
-/// Names that the unit assigns or acts on, in capitals.
+/// Collects the names that the unit assigns or acts on, in upper case.
 void collect_written(const st::File& file, const st::Block& block, std::unordered_set<std::string>& written) {
     std::vector<const st::Block*> work = {&block};
     while (!work.empty()) {
@@ -106,7 +107,7 @@ Written written_in(const Sfc& sfc) {
     return written;
 }
 
-/// How a variable of that section takes part in the chart.
+/// Determines the role of a variable from its section and use.
 void set_role(Sfc& sfc, SfcVariable& variable, const st::Variable& declared, bool stored, bool acted) {
     using Role = tree::VariableKind;
     const bool input = declared.section == st::Section::Input || declared.address.starts_with("%I") ||
@@ -140,7 +141,7 @@ std::string path_of(const st::File& file, Id<st::Expr> expr) {
     const st::Expr& node = file.exprs[expr];
     if (node.op == st::Op::Name || node.op == st::Op::Address) return std::string(file.text(node.word));
     if (node.op != st::Op::Member) return {};
-    const std::string owner = path_of(file, node.first);  // as deep as an expression may be
+    const std::string owner = path_of(file, node.first);  // recursion depth limited by that of expressions
     return owner.empty() ? std::string() : owner + '.' + std::string(file.text(node.word));
 }
 
@@ -152,7 +153,7 @@ void classify_variables(Sfc& sfc) {
     for (const st::Variable* one : declared) {
         const std::string key = st::capitals(sfc.file.text(one->name));
         const auto known = sfc.by_name.find(key);
-        if (known != sfc.by_name.end()) {  // VAR_EXTERNAL repeats a global variable: the value is told there
+        if (known != sfc.by_name.end()) {  // VAR_EXTERNAL repeats a global variable; its value is declared there
             SfcVariable& first = sfc.variables[known->second];
             if (one->section == st::Section::Global && one->constant && one->initial.valid() &&
                 first.role == tree::VariableKind::Input) {
