@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the parts of derive share: the chart, the equations so far, where each entity of the chart went, and the limits
-// that keep substitution from blowing up.
+// Derivation: shared context of the parts of derive: the chart, the equations so far, the map from chart entities to
+// equations, and the size limits of substitution.
 #pragma once
 
 #include <cstdint>
@@ -19,42 +19,43 @@
 
 namespace grafverif {
 
-// Hierarchy of a chart: what macro-steps, enclosing steps and forcing orders mean for its plain steps.
+// Hierarchy of a chart: reduces macro-steps, enclosing steps and forcing orders to plain steps.
 //
-// An expansion belongs to the chart of its macro-step: entering the macro-step enters the entry step, its exit step
-// stands for it upstream of transitions (IEC 60848, 4.5.3). The region of a partial chart are its steps and those of the
-// expansions in it; a region is enclosed or forced as a whole.
+// An expansion belongs to the chart of its macro-step: entering the macro-step enters the entry step, and the exit step
+// replaces it upstream of transitions (IEC 60848, 4.5.3). The region of a partial chart consists of its steps and those
+// of its expansions; a region is enclosed or forced as a unit.
 //
-// No chart encloses or forces itself, over however many levels: that gives the charts an order.
+// The relation "encloses or forces" between charts is acyclic, which defines an order of the charts.
 
 struct Hierarchy {
-    /// Per step: what is activated in its place, and what is active in its place when it can be left: itself, or of a
-    /// macro-step the entry and the exit step of its expansion.
+    /// Per step: the step that is activated instead of it, and the step whose activity allows leaving it. Both are the
+    /// step itself, or the entry and exit step of the expansion of a macro-step.
     std::vector<Id<Chart::Step>> entered = {}, left = {};
-    /// Per partial chart: the chart it is part of, as an expansion or an expansion in one; else itself.
+    /// Per partial chart: the chart that contains it as a (nested) expansion; otherwise itself.
     std::vector<Id<Chart::PartialChart>> home = {};
-    /// Homes, each after those that enclose it or force something in it.
+    /// Homes in topological order: after those that enclose or force them.
     std::vector<Id<Chart::PartialChart>> order = {};
     std::vector<std::vector<Id<Chart::Step>>> region = {};  ///< per partial chart
     std::vector<std::vector<Id<Chart::ForcingOrder>>> orders =
-        {};                                                 ///< per partial chart: those that its region is under
-    std::vector<std::vector<Id<Chart::Step>>> forced = {};  ///< per order: the steps it makes active, sorted
+        {};                                                 ///< per partial chart: the orders that force its region
+    std::vector<std::vector<Id<Chart::Step>>> forced = {};  ///< per order: the steps that it activates, sorted
     std::vector<bool> initial = {};                         ///< per step: active at power-on
 };
 
-/// Nothing after adding an error: a cycle, or a chart that one step forces twice.
+/// Empty after an error: a cycle, or a chart that one step forces twice.
 std::optional<Hierarchy> hierarchy(const Chart& chart, Diagnostics& diagnostics);
 
-/// Whether the two orders cannot be obeyed together.
+/// True if the two orders are contradictory.
 bool conflict(const Chart& chart, const Hierarchy& hierarchy, Id<Chart::ForcingOrder> one,
               Id<Chart::ForcingOrder> other);
 
-inline constexpr std::size_t term_size_limit = 1'000'000;    ///< nodes of one equation, as printed
-inline constexpr std::size_t total_size_limit = 10'000'000;  ///< nodes of all terms that substitution and races add
+inline constexpr std::size_t term_size_limit = 1'000'000;    ///< nodes of one equation as a tree
+inline constexpr std::size_t total_size_limit = 10'000'000;  ///< nodes of all terms added by substitution and race
+                                                             ///< conditions
 inline constexpr std::size_t term_depth_limit = 2'000;
-inline constexpr std::size_t stored_value_limit = 1'000;  ///< different values stored in one variable
+inline constexpr std::size_t stored_value_limit = 1'000;  ///< distinct values stored in one variable
 
-/// Size and depth of terms as trees, which is how they are printed. Sizes saturate well above every limit.
+/// Size and depth of terms as trees, because they are printed as trees. Sizes saturate well above every limit.
 class Measures {
 public:
     std::uint64_t size(const Exprs& exprs, Id<Expr> term);
@@ -67,11 +68,11 @@ private:
     std::vector<std::uint32_t> depths_ = {};
 };
 
-/// Where a term is read, which decides what a leaf of the chart stands for.
+/// Position of a term in a cycle, which determines the meaning of its leaves.
 enum class Reading {
     Before,  ///< in a cycle, over the values before it: conditions, events, values to store
-    After,   ///< at its end, over the values after it: outputs, what timers watch
-    First,   ///< in the first evolution, where there are no edges: values to store
+    After,   ///< at its end, over the values after it: outputs, terms observed by timers
+    First,   ///< in the first evolution, which has no edges: values to store
 };
 
 struct Derivation {
@@ -79,32 +80,33 @@ struct Derivation {
     Diagnostics& diagnostics;
     Equations equations = {};
     Hierarchy hierarchy = {};
-    UniqueNames names = {};                             ///< of the variables of the equations, and of timers
-    std::vector<Id<Equations::Variable>> steps = {};    ///< X_s, per step
-    std::vector<Id<Equations::Variable>> firings = {};  ///< CF_t, per transition
-    std::vector<Id<Expr>> step_leaves = {};             ///< X_s as a term: looking leaves up anew is what costs most
+    UniqueNames names = {};                             ///< names of the variables of the equations and of timers
+    std::vector<Id<Equations::Variable>> steps = {};    ///< X_s per step
+    std::vector<Id<Equations::Variable>> firings = {};  ///< CF_t per transition
+    std::vector<Id<Expr>> step_leaves = {};             ///< X_s as a term; stored because repeated lookup of leaves
+                                                        ///< dominates the run time
     std::vector<Id<Expr>> firing_leaves = {};           ///< CF_t as a term
     std::vector<std::vector<Id<Chart::ContinuousAction>>> continuous = {};  ///< per variable
     std::vector<std::vector<Id<Chart::StoredAction>>> stored = {};          ///< per variable
-    std::vector<bool> reads_output = {};  ///< per term of the chart: a continuous output occurs in it
+    std::vector<bool> reads_output = {};  ///< per term of the chart: contains a continuous output
     std::vector<Id<Expr>> values = {};    ///< per variable: equation (13) of a continuous output
-    std::unordered_map<std::uint32_t, Id<Equations::Variable>> previous = {};  ///< P_e, per term e of the equations
-    std::unordered_map<std::uint32_t, Id<Equations::Variable>> watched = {};   ///< V_e, likewise
-    /// Timers by watched variable, t1 and t2.
+    std::unordered_map<std::uint32_t, Id<Equations::Variable>> previous = {};  ///< P_e per term e of the equations
+    std::unordered_map<std::uint32_t, Id<Equations::Variable>> watched = {};   ///< V_e per term e of the equations
+    /// Timers by observed variable, t1 and t2.
     std::map<std::tuple<Id<Equations::Variable>, std::int64_t, std::int64_t>, Id<Equations::Timer>> timers = {};
     Measures measures = {};
-    std::uint64_t added = 0;        ///< towards total_size_limit
-    bool exhausted = false;         ///< the total was exceeded, and said so
-    std::size_t errors_before = 0;  ///< of the inputs handled earlier
+    std::uint64_t added = 0;        ///< counts towards total_size_limit
+    bool exhausted = false;         ///< the total limit was exceeded and reported
+    std::size_t errors_before = 0;  ///< errors of earlier inputs
 };
 
-/// Whether an error was found in this chart.
+/// True if an error was found in this chart.
 inline bool failed(const Derivation& derivation) { return derivation.diagnostics.errors() != derivation.errors_before; }
 
-/// Whether `variable` is an output without stored actions, which has an equation (13).
+/// True if `variable` is an output without stored actions, which has an equation (13).
 bool is_continuous(const Derivation& derivation, Id<Chart::Variable> variable);
 
-/// Whether `step` is active at power-on.
+/// True if `step` is active at power-on.
 inline bool is_initial(const Derivation& derivation, Id<Chart::Step> step) {
     return derivation.equations.variables[derivation.steps[step.index]].initial != 0;
 }
@@ -112,37 +114,37 @@ inline bool is_initial(const Derivation& derivation, Id<Chart::Step> step) {
 /// A Variable leaf of the equations.
 Id<Expr> variable_leaf(Derivation& derivation, Id<Equations::Variable> variable);
 
-/// `term`, or false where it is a conjunction of some operand and its negation among others.
+/// Returns false if `term` is a conjunction that contains an operand and its negation; otherwise `term`.
 Id<Expr> consistent(Exprs& exprs, Id<Expr> term);
 
-/// The term `root` of the chart over the variables of the equations, outputs replaced by their equations. Not valid
-/// after an error was added: the term, named `what`, would be too large.
+/// Translates the term `root` of the chart to the variables of the equations, with outputs replaced by their equations.
+/// Invalid after an error: the term, called `what` in the message, would be too large.
 Id<Expr> over_equations(Derivation& derivation, Id<Expr> root, Reading reading, Span where, const std::string& what);
 
-/// P_e as a term: the value of `term`, over the equations, in the last cycle.
+/// P_e as a term: the value of `term`, over the equations, in the previous cycle.
 Id<Expr> previous_value(Derivation& derivation, Id<Expr> term, Span where);
 
-/// V_e: the level of `term`, over the equations, after the last cycle; of a step its activity.
+/// V_e: the value of `term`, over the equations, after the previous cycle; for a step its activity.
 Id<Equations::Variable> level(Derivation& derivation, Id<Expr> term, Span where);
 
-/// The timer t1/v/t2 over the variable `watched`.
+/// The timer t1/v/t2 for the observed variable `watched`.
 Id<Equations::Timer> timer(Derivation& derivation, Id<Equations::Variable> watched, std::int64_t rise_ms,
                            std::int64_t fall_ms, Span where);
 
-/// The end of `timer` as a term.
+/// The output of `timer` as a term.
 Id<Expr> end_leaf(Derivation& derivation, Id<Equations::Timer> timer);
 
-/// What the names of variables say of a step of the named partial chart G2, `G2_`; else nothing.
+/// Prefix of variable names for a step of a named partial chart G2: `G2_`; otherwise empty.
 std::string qualifier(const StepName& step);
 
-/// Counts `size` nodes towards the total; false once it is exceeded (an error is added the first time).
+/// Adds `size` nodes to the total; false if the limit is exceeded (reported once).
 bool afford(Derivation& derivation, std::uint64_t size);
 
-/// The equations (11) and (12), and the conflicts between forcing orders.
+/// Equations (11) and (12), and the conflicts between forcing orders.
 void derive_firings(Derivation& derivation);
 void derive_steps(Derivation& derivation);
 
-/// The equations (13), each output after those it reads.
+/// Equations (13), each output after those it reads.
 void derive_outputs(Derivation& derivation);
 
 /// Next values, race conditions and first values of the variables with stored actions.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The variables of all equations, what is stable, and the parts of derive in their order.
+// Entry point of derive: variables of the equations, the stability condition, and the sequence of its parts.
 #include "derive/derive.hpp"
 
 #include <algorithm>
@@ -16,14 +16,14 @@ namespace grafverif {
 
 namespace {
 
-// Edges where the standard allows none, or asks for one: refused, each at its place.
+// Checks edges: reports each edge where the standard forbids one, and each missing edge.
 
-/// For every term: whether an edge occurs in it, whether it is false wherever there is no edge. Children precede
-/// parents: one pass.
+/// Per term: true if it contains an edge; true if it is false whenever no edge occurs. One pass, because children
+/// precede parents.
 struct Edges {
     std::vector<bool> occur = {};
     std::vector<bool> needed = {};
-    std::vector<bool> nested = {};  ///< an edge of an edge occurs in it
+    std::vector<bool> nested = {};  ///< contains an edge of an edge
 };
 
 bool needs_edge(const Exprs& exprs, Id<Expr> term, const std::vector<bool>& needed) {
@@ -72,14 +72,14 @@ struct Refusal {
                 diagnostics.add(messages::edge_of_edge(action.origin));
     }
 
-    /// 4.8.2: the action would not be continuous.
+    /// 4.8.2: an edge would make the action not continuous.
     void continuous_actions() const {
         for (const Chart::ContinuousAction& action : chart.continuous)
             if (edge.occur[action.condition.index])
                 diagnostics.add(messages::edge_in_assignation(action.origin, chart.variables[action.output].name));
     }
 
-    /// 4.8.3: an event is an instant, so it needs an edge.
+    /// 4.8.3: an event is instantaneous, so it requires an edge.
     void events() const {
         for (const Chart::StoredAction& action : chart.stored)
             if (action.on == Chart::StoredOn::Event && !edge.needed[action.event.index])
@@ -87,7 +87,7 @@ struct Refusal {
     }
 };
 
-/// Whether an edge stands under a time or in an assignation condition, or an event has none; adds an error for each.
+/// True if an edge occurs in a time condition or in an assignation condition, or an event has none; reports each.
 bool misplaced_edges(const Chart& chart, Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     const Refusal refusal{chart, diagnostics, edges(chart.exprs)};
@@ -144,7 +144,7 @@ void index_actions(Derivation& derivation) {
         const Expr& node = chart.exprs[Id<Expr>{index}];
         bool reads = node.op == Op::Variable &&
                      is_continuous(derivation, Id<Chart::Variable>{static_cast<std::uint32_t>(node.value)});
-        if (node.op == Op::Timed) {  // what it watches precedes it
+        if (node.op == Op::Timed) {  // its observed term precedes it
             const Id<Chart::TimeCondition> timed{static_cast<std::uint32_t>(node.value)};
             reads = derivation.reads_output[chart.time_conditions[timed].watched.index];
         }
@@ -154,9 +154,9 @@ void index_actions(Derivation& derivation) {
     }
 }
 
-/// Nothing would change in one more cycle with the same inputs. Variables are stored on clearing, on changes of steps,
-/// which need a clearing too, and on events, which need an edge. What is forced or enclosed is as its order or its
-/// enclosing step has it from power-on on, and changes with those alone.
+/// Stability condition: one more cycle with the same inputs would change nothing. Variables are stored on clearing, on
+/// changes of steps, which also require a clearing, and on events, which require an edge. Forced and enclosed charts
+/// follow their forcing order or enclosing step from power-on, and change only with these.
 Id<Expr> stable(Derivation& derivation) {
     const Equations& equations = derivation.equations;
     Exprs& exprs = derivation.equations.exprs;
@@ -168,7 +168,7 @@ Id<Expr> stable(Derivation& derivation) {
     return exprs.negation(exprs.disjunction(changes));
 }
 
-/// The variables of the equations begin with those of the chart, so inputs keep their index.
+/// Inputs keep their indices, because the variables of the equations begin with those of the chart.
 void derive_assumptions(Derivation& derivation) {
     Exprs& exprs = derivation.equations.exprs;
     for (const Chart::Constraint& constraint : derivation.chart.constraints) {

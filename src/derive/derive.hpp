@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 // derive: Chart -> Equations, the algebraic model of CEP13 section 5, equations (11) to (13), extended by stored
-// actions and by timers for time conditions on steps.
+// actions and by timers for time conditions.
 //
-// What becomes what:
+// Mapping:
 //   variable    -> the variable of the same index, type and initial value: the variables of the chart come first
 //   step        -> X_2, or X_G2_2 in the partial chart G2, and its activity (12)
 //   transition  -> CF_T0 and its firing condition (11)
-//   time condition 3s/X2 -> the timer T_X2_3s and its end T_X2_3s_Q, one per step and duration
-//   output      -> its equation (13); false where no action sets it
+//   time condition 3s/X2 -> the timer T_X2_3s and its output T_X2_3s_Q, one per step and duration
+//   output      -> its equation (13); false if it has no action
 //   variable with stored actions -> its next value, its race condition, its value after the first evolution
-// A name that is taken already gets a number: `X_2_2`.
+// A name that is already used gets a number: `X_2_2`.
 //
-// A condition that reads a continuous output gets that output's equation (13) in its place, so no equation depends on
-// what was written last; a cycle among outputs that read each other has no meaning and is refused (`output-cycle`).
-// Substitution can blow terms up: a term of more than a million nodes is refused (`too-large`).
+// A continuous output in a condition is replaced by its equation (13), so no equation depends on the value last
+// written. A cycle of outputs that read each other has no meaning and is rejected (`output-cycle`). Substitution can
+// increase terms exponentially: a term of more than a million nodes is rejected (`too-large`).
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@
 
 namespace grafverif {
 
-/// The meaning of `chart`, or nothing after adding at least one error to `diagnostics`. Requires verify(chart).empty().
+/// The equations of `chart`; empty after at least one error. Requires verify(chart).empty().
 std::optional<Equations> derive(const Chart& chart, Diagnostics& diagnostics);
 
 }  // namespace grafverif

@@ -35,13 +35,13 @@ public:
 private:
     const Partial& partial(Id<Partial> id) const { return chart_.partial_charts[id]; }
 
-    /// The chart that holds the macro-step or enclosing step of `inner`; not valid: nobody owns it.
+    /// The chart that contains the macro-step or enclosing step of `inner`; invalid if it has no owner.
     Id<Partial> outer(Id<Partial> inner) const {
         const Id<Chart::Step> owner = partial(inner).owner;
         return owner.valid() ? chart_.steps[owner].chart : Id<Partial>{};
     }
 
-    /// Each chart has one owner, so a walk outwards that meets its own trail has found a cycle.
+    /// Each chart has one owner, so a traversal outwards that meets its own path has found a cycle.
     void check_ownership() {
         std::vector<std::uint32_t> trail(chart_.partial_charts.size(), Id<Partial>::none);
         for (const Id<Partial> start : chart_.partial_charts.ids())
@@ -115,7 +115,7 @@ private:
         return inner == region;
     }
 
-    /// Kahn's algorithm; what is left over depends on itself.
+    /// Kahn's algorithm; remaining charts are on a cycle or depend on one.
     void sort_homes() {
         std::vector<std::vector<Id<Partial>>> below(chart_.partial_charts.size());
         std::vector<std::size_t> waits(chart_.partial_charts.size());
@@ -141,7 +141,8 @@ private:
         }
     }
 
-    /// Rule 1: the steps marked so, but none in a chart whose enclosing step is inactive; then the orders of those.
+    /// Rule 1: the steps declared as initial, except in charts whose enclosing step is inactive; then the orders of
+    /// these steps.
     void find_initial() {
         std::vector<bool>& initial = result_.initial;
         initial.resize(chart_.steps.size());
@@ -176,7 +177,7 @@ private:
         }
     }
 
-    /// Orders that one step gives, and those of steps that are active together at power-on.
+    /// Checks the orders of each step, and those of steps that are active together at power-on.
     void check_orders() {
         for (const Id<Partial> id : chart_.partial_charts.ids()) {
             const std::vector<Id<Chart::ForcingOrder>>& orders = result_.orders[id.index];
@@ -185,7 +186,8 @@ private:
         }
     }
 
-    /// Both concern `forced`; told once, of the chart that one of them names and that is not outside the other's.
+    /// Checks two orders that concern `forced`; reports a conflict once, for the chart that one of them names and the
+    /// other one contains.
     void check_pair(Id<Partial> forced, Id<Chart::ForcingOrder> one, Id<Chart::ForcingOrder> other) {
         const Chart::ForcingOrder& first = chart_.forcing[one];
         const Chart::ForcingOrder& second = chart_.forcing[other];
@@ -198,14 +200,15 @@ private:
             diagnostics_.add(messages::forced_twice(second.origin, partial(forced).name, first.origin));
             return;
         }
-        const bool own = second.forced == forced;  // the order of the expansion, rather than that of what it expands
+        const bool own = second.forced == forced;  // true: `second` is the order for the expansion, `first` the one for
+                                                   // the containing chart
         const Chart::ForcingOrder& inner = own ? second : first;
         const Chart::ForcingOrder& whole = own ? first : second;
         diagnostics_.add(
             messages::forced_beside(inner.origin, partial(forced).name, partial(whole.forced).name, whole.origin));
     }
 
-    /// Orders of partial charts that evolve in parallel; once for two partial charts.
+    /// Checks orders of partial charts that evolve in parallel; reported once per pair of partial charts.
     void check_parallel(const Chart::ForcingOrder& first, const Chart::ForcingOrder& second) {
         if (first.forced != second.forced || !in_parallel(first.step, second.step)) return;
         const auto key = std::minmax(chart_.steps[first.step].chart.index, chart_.steps[second.step].chart.index);
@@ -213,7 +216,8 @@ private:
             diagnostics_.add(messages::forced_differently(second.origin, partial(first.forced).name, first.origin));
     }
 
-    /// Steps of one partial chart can exclude each other, and so can what is inside different steps of it.
+    /// False if the steps, or steps that contain them, are different steps of one partial chart: these can be
+    /// exclusive.
     bool in_parallel(Id<Chart::Step> one, Id<Chart::Step> other) const {
         for (Id<Chart::Step> above = one; above.valid(); above = partial(chart_.steps[above].chart).owner)
             for (Id<Chart::Step> beyond = other; beyond.valid(); beyond = partial(chart_.steps[beyond].chart).owner)
@@ -225,7 +229,7 @@ private:
     Diagnostics& diagnostics_;
     Hierarchy result_ = {};
     std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> parallel_ =
-        {};  ///< forced chart, two that force it
+        {};  ///< forced chart and the two charts that force it
 };
 
 }  // namespace

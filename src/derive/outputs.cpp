@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Equation (13) of CEP13 for every output without stored actions: the or, over its continuous actions, of the step
-// activity and the assignation condition. Outputs read in conditions are derived first; a cycle among them is refused.
+// Equation (13) of CEP13 for every output without stored actions: the disjunction, over its continuous actions, of the
+// conjunctions of step activity and assignation condition. Outputs read in conditions are derived first; a cycle among
+// them is rejected.
 #include <algorithm>
 #include <array>
 
@@ -11,7 +12,7 @@ namespace grafverif {
 
 namespace {
 
-/// An output that is being derived: those it reads, each with the place of the action that does.
+/// An output being derived, with the outputs that it reads and the positions of the actions that read them.
 struct Visit {
     struct Read {
         Id<Chart::Variable> output = {};
@@ -22,7 +23,7 @@ struct Visit {
     std::size_t next = 0;
 };
 
-/// The continuous outputs that `term` reads, also through what a time condition watches.
+/// Collects the continuous outputs that `term` reads, including the observed terms of time conditions.
 void collect_reads(const Derivation& derivation, Id<Expr> term, Span where, Visit& visit) {
     const Chart& chart = derivation.chart;
     if (!derivation.reads_output[term.index]) return;
@@ -43,7 +44,7 @@ Visit visit(const Derivation& derivation, Id<Chart::Variable> output) {
     return result;
 }
 
-/// `3s/X` of a delayed action, `not 3s/X` of a time-limited one; a limit counts from the end of the delay.
+/// `3s/X` for a delayed action, `not 3s/X` for a time-limited one; a limit starts at the end of the delay.
 Id<Expr> time_of(Derivation& derivation, const Chart::ContinuousAction& action) {
     Exprs& exprs = derivation.equations.exprs;
     const auto active_for = [&](std::int64_t duration) {
@@ -55,7 +56,7 @@ Id<Expr> time_of(Derivation& derivation, const Chart::ContinuousAction& action) 
     return exprs.conjunction(terms);
 }
 
-/// Equation (13); not valid where a condition is too large.
+/// Equation (13); invalid if a condition is too large.
 Id<Expr> output_value(Derivation& derivation, Id<Chart::Variable> output) {
     const Chart::Variable& variable = derivation.chart.variables[output];
     Exprs& exprs = derivation.equations.exprs;
@@ -72,7 +73,7 @@ Id<Expr> output_value(Derivation& derivation, Id<Chart::Variable> output) {
     return exprs.disjunction(terms);
 }
 
-/// The end of `path`, from the output that its last one reads.
+/// Reports the part of `path` from the output that its last element reads.
 void report_cycle(Derivation& derivation, const std::vector<Visit>& path, Id<Chart::Variable> closing) {
     if (derivation.diagnostics.full()) return;
     const auto first = std::ranges::find(path, closing, &Visit::output);
@@ -102,7 +103,8 @@ void derive_outputs(Derivation& derivation) {
                 path.push_back(visit(derivation, read));
                 continue;
             }
-            // An output on a cycle, or too large, is false for those that read it: the error is said already.
+            // An output on a cycle, or one that is too large, is replaced by false in its readers; the error has been
+            // reported.
             const Id<Expr> value = failed(derivation) ? none : output_value(derivation, top.output);
             derivation.values[top.output.index] = value.valid() ? value : none;
             marks[top.output.index] = Mark::Done;

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The equations (11) and (12) of CEP13, with hierarchy resolved. Charts are taken in an order in which those that force
-// or enclose come first, so that the new activity of a forcing or enclosing step is a term already when the steps below
-// it need it:
+// Equations (11) and (12) of CEP13, with the hierarchy resolved. Charts that force or enclose others come first, so
+// that the new activity of a forcing or enclosing step exists as a term before the steps below need it:
 //
 //   X_s' = X_e' and (raised or ((base or linked) and not cleared))
 //     base      equation (12)
 //     X_e'      the step that encloses the chart of s stays or becomes active
-//     linked    s has an activation link, and the enclosing step becomes active while no order holds the chart
+//     linked    s has an activation link, and the enclosing step becomes active while no order forces the chart
 //     raised    an active order names s; cleared: an active order does not
-//   X_M' = or of X_s', s in the expansion of the macro-step M
+//   X_M' = disjunction of X_s', s in the expansion of the macro-step M
 //
-// An order that is active holds the transitions of its chart. Orders forbid each other where they are active together.
+// An active order blocks the transitions of its chart. Contradictory orders must not be active together.
 #include <algorithm>
 #include <array>
 
@@ -23,7 +22,7 @@ namespace {
 
 using Order = Id<Chart::ForcingOrder>;
 
-/// What enables `transition` besides its condition.
+/// The conjuncts that enable `transition`, without its condition.
 std::vector<Id<Expr>> enabling(Derivation& derivation, const Chart::Transition& transition) {
     const Chart& chart = derivation.chart;
     const Hierarchy& hierarchy = derivation.hierarchy;
@@ -80,8 +79,8 @@ private:
     const Equations::StepActivity& of(Id<Chart::Step> step) const { return derivation_.equations.steps[step.index]; }
     Id<Expr> active(Id<Chart::Step> step) const { return derivation_.step_leaves[step.index]; }
 
-    /// Equation (12); activation has priority over deactivation (IEC 60848, rule 5), and a step that is activated and
-    /// deactivated at once stays active: it is neither `activated` nor `deactivated`.
+    /// Equation (12). Activation has priority over deactivation (IEC 60848, rule 5): a step that is activated and
+    /// deactivated simultaneously stays active, and is neither `activated` nor `deactivated`.
     Equations::StepActivity activity(Id<Chart::Step> step, Id<Chart::PartialChart> home) {
         const Id<Chart::PartialChart> chart = chart_.steps[step].chart;
         const Id<Expr> on = exprs_.disjunction(on_[step.index]);
@@ -117,7 +116,7 @@ private:
         return enclosing.valid() ? exprs_.conjunction(of(enclosing).next, forced) : forced;
     }
 
-    /// The activity whose new value is `next`, unless it is too large.
+    /// The activity with the new value `next`, unless it is too large.
     Equations::StepActivity changed(Id<Chart::Step> step, Id<Expr> next) {
         const std::string what = "step `" + chart_.steps[step].name + "`";
         if (derivation_.measures.size(exprs_, next) > term_size_limit)
@@ -143,11 +142,11 @@ private:
     const Chart& chart_;
     const Hierarchy& hierarchy_;
     Exprs& exprs_;
-    std::vector<std::vector<Id<Expr>>> on_, off_;  ///< per step: the firing conditions that activate, deactivate it
+    std::vector<std::vector<Id<Expr>>> on_, off_;  ///< per step: the firing conditions that activate or deactivate it
     std::vector<bool> linked_;
 };
 
-/// Each pair of orders that cannot be obeyed together.
+/// Adds a conflict for each pair of contradictory orders.
 void derive_conflicts(Derivation& derivation) {
     const Chart& chart = derivation.chart;
     Equations& equations = derivation.equations;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Stored actions (IEC 60848, 4.8.3). Actions that store the same value in a variable are taken together; two groups
-// whose triggers hold in one cycle while their values differ are a race. Where all values are constants the race
-// condition is built by halves, n log n in size: a race within one half, or a trigger in each.
+// Stored actions (IEC 60848, 4.8.3). Actions that store the same value in a variable form a group; a race occurs if two
+// groups with different values are triggered in one cycle. For constant values, the race condition is built by divide
+// and conquer with size n log n: a race within one half, or a trigger in each half.
 #include <algorithm>
 #include <array>
 
@@ -18,8 +18,8 @@ struct Group {
     std::vector<Id<Expr>> triggers = {};
 };
 
-/// When `action` is run: on clearing its transition, on a change of its step, on an event while its step is active.
-/// Not valid after an error.
+/// The condition under which `action` is executed: clearing of its transition, a change of its step, or an event while
+/// its step is active. Invalid after an error.
 Id<Expr> trigger_of(Derivation& derivation, const Chart::StoredAction& action) {
     const std::string& target = derivation.chart.variables[action.target].name;
     switch (action.on) {
@@ -34,10 +34,10 @@ Id<Expr> trigger_of(Derivation& derivation, const Chart::StoredAction& action) {
     return derivation.equations.exprs.conjunction(derivation.step_leaves[action.step.index], event);
 }
 
-/// The actions on `variable`, as its writes, in order; fewer after an error.
+/// The writes of the actions on `variable`, in order; incomplete after an error.
 struct Writes {
     std::vector<Equations::Write> list = {};
-    std::vector<Id<Expr>> first = {};  ///< of those that are initial: the value in the first evolution
+    std::vector<Id<Expr>> first = {};  ///< values of initial actions in the first evolution
 };
 
 Writes writes(Derivation& derivation, Id<Chart::Variable> variable) {
@@ -60,7 +60,7 @@ Writes writes(Derivation& derivation, Id<Chart::Variable> variable) {
     return result;
 }
 
-/// Writes of equal values together, in order of first occurrence.
+/// Groups writes of equal values, in order of first occurrence.
 std::vector<Group> groups(Exprs& exprs, const std::vector<Equations::Write>& writes) {
     std::vector<Group> result;
     std::unordered_map<std::uint32_t, std::size_t> places;
@@ -73,7 +73,7 @@ std::vector<Group> groups(Exprs& exprs, const std::vector<Equations::Write>& wri
     return result;
 }
 
-/// Two of the `groups`, whose values differ for certain, are triggered together.
+/// True if two of the `groups`, whose values are different constants, are triggered together.
 Id<Expr> constant_race(Derivation& derivation, std::span<const Group> groups) {
     Exprs& exprs = derivation.equations.exprs;
     if (groups.size() < 2) return exprs.constant(false);
@@ -90,7 +90,7 @@ Id<Expr> constant_race(Derivation& derivation, std::span<const Group> groups) {
     return exprs.disjunction(std::array{within_left, constant_race(derivation, right), across});
 }
 
-/// Two groups of different values are triggered together.
+/// True if two groups with different values are triggered together.
 Id<Expr> race(Derivation& derivation, const std::vector<Group>& groups) {
     Exprs& exprs = derivation.equations.exprs;
     std::vector<Group> constants;
@@ -109,8 +109,8 @@ Id<Expr> race(Derivation& derivation, const std::vector<Group>& groups) {
     return exprs.disjunction(terms);
 }
 
-/// The value after the cycle: of the first group that is triggered, else the value before. Where true and false alone
-/// are stored this is `set or (v and not reset)`.
+/// The value after the cycle: that of the first triggered group, otherwise the value before. If only true and false are
+/// stored, this is `set or (v and not reset)`.
 Id<Expr> next(Exprs& exprs, const std::vector<Group>& groups, Id<Expr> before) {
     const auto is_boolean_constant = [&](const Group& group) {
         return is_true(exprs, group.value) || is_false(exprs, group.value);

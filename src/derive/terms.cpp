@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Terms of the chart over the variables of the equations, and how large they get.
+// Translates terms of the chart to the variables of the equations, and computes their sizes.
 #include <algorithm>
 
 #include "derivation.hpp"
@@ -14,7 +14,7 @@ constexpr std::uint64_t saturated = std::uint64_t{1} << 40U;
 
 std::uint64_t sum(std::uint64_t left, std::uint64_t right) { return std::min(saturated, left + right); }
 
-/// The size of the term `root` of the chart once its outputs are replaced by their equations.
+/// Size of the term `root` of the chart after its outputs are replaced by their equations.
 std::uint64_t replaced_size(Derivation& derivation, Id<Expr> root,
                             std::unordered_map<std::uint32_t, std::uint64_t>& known) {
     const Chart& chart = derivation.chart;
@@ -36,7 +36,7 @@ std::uint64_t replaced_size(Derivation& derivation, Id<Expr> root,
 
 Id<Expr> copied(Derivation& derivation, Id<Expr> root, Reading reading, Span where);
 
-/// `e and not P_e`, `P_e and not e`; the edge of a complement is the other edge.
+/// `e and not P_e`, `P_e and not e`; a rising edge of a complement is a falling edge.
 Id<Expr> edge(Derivation& derivation, Id<Expr> now, bool rises, Reading reading, Span where) {
     Exprs& exprs = derivation.equations.exprs;
     if (exprs[now].op == Op::Not) {
@@ -48,7 +48,7 @@ Id<Expr> edge(Derivation& derivation, Id<Expr> now, bool rises, Reading reading,
     return rises ? exprs.conjunction(now, exprs.negation(before)) : exprs.conjunction(before, exprs.negation(now));
 }
 
-/// `t1/v/t2`, and the timer that it waits for.
+/// `t1/v/t2`, with its timer.
 Id<Expr> timed(Derivation& derivation, Id<Chart::TimeCondition> id) {
     Exprs& exprs = derivation.equations.exprs;
     const Chart::TimeCondition& written = derivation.chart.time_conditions[id];
@@ -59,7 +59,7 @@ Id<Expr> timed(Derivation& derivation, Id<Chart::TimeCondition> id) {
     return time_condition(exprs, written.rise_ms, watched, written.fall_ms, end_leaf(derivation, running));
 }
 
-/// A term of the chart in the equations, under one reading.
+/// Translates a term of the chart for one position in the cycle.
 Id<Expr> copied(Derivation& derivation, Id<Expr> root, Reading reading, Span where) {
     Exprs& exprs = derivation.equations.exprs;
     const auto leaf = [&](const Expr& node) {
