@@ -17,7 +17,7 @@ namespace grafverif {
 
 namespace {
 
-/// The value of a term that reads no variable.
+/// Value of a term that reads no variable.
 std::optional<std::int64_t> constant_value(const Slots& slots, Id<Expr> root) {
     const Exprs& exprs = slots.network.exprs;
     for (const Id<Expr> leaf : leaves(exprs, root))
@@ -25,18 +25,18 @@ std::optional<std::int64_t> constant_value(const Slots& slots, Id<Expr> root) {
     return evaluate(exprs, root, [&](const Expr& leaf) { return slots.constant(leaf); });
 }
 
-/// The variable that a term is; not valid for anything else.
+/// The variable, if the term is one; otherwise invalid.
 Id<Network::Variable> variable_of(const Slots& slots, Id<Expr> root) {
     const Expr& node = slots.network.exprs[root];
     return node.op == Op::Parameter ? slots.variable(node) : Id<Network::Variable>{};
 }
 
-/// A variable moved by a constant amount: `X := X + D_X`.
+/// Change of a variable by a constant: `X := X + D_X`.
 struct Step {
     Id<Network::Process> process = {};
     std::int64_t length = 0;
 };
-using Steps = std::unordered_map<Id<Network::Variable>, Step>;  // the longest one of each variable
+using Steps = std::unordered_map<Id<Network::Variable>, Step>;  // the largest change of each variable
 
 void collect_steps(const Network& network, Id<Network::Process> id, Steps& steps) {
     const Slots slots(network, id);
@@ -56,18 +56,18 @@ void collect_steps(const Network& network, Id<Network::Process> id, Steps& steps
     }
 }
 
-/// What a conjunction says about a variable: its least and greatest value.
+/// Bounds of a variable that follow from a conjunction.
 struct Bounds {
     Id<Network::Variable> variable = {};
     std::optional<std::int64_t> low = {}, high = {};
 };
 
-/// Beyond all ranges: sums of some that are not stay within 64 bits.
+/// Outside all ranges; sums of values for which this is false fit into 64 bits.
 bool is_far(std::int64_t value) { return std::abs(value / 2) > std::int64_t{1} << 40U; }
 
-/// A variable, or what an input bound to a term makes of it: `H`, `H - 2`, `10 - H`.
+/// A variable, or a variable in a linear term bound to an input: `H`, `H - 2`, `10 - H`.
 struct Shifted {
-    Id<Network::Variable> variable = {};  ///< not valid: the term is none of these
+    Id<Network::Variable> variable = {};  ///< invalid for any other term
     std::int64_t offset = 0;
     bool mirrored = false;
 };
@@ -105,7 +105,7 @@ void note_bound(const Slots& slots, Id<Expr> comparison, std::vector<Bounds>& fo
     else here->low = std::max(here->low.value_or(INT64_MIN), at + strict);
 }
 
-/// Of a conjunction, also where one of it is one itself: a guard that reads an input bound to such a term.
+/// Bounds from a conjunction, including nested ones: a guard that reads an input bound to a conjunction.
 std::vector<Bounds> bounds(const Slots& slots, Id<Expr> guard) {
     const Exprs& exprs = slots.network.exprs;
     std::vector<Bounds> found;

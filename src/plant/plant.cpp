@@ -22,12 +22,12 @@ namespace grafverif {
 
 namespace {
 
-// Parameters that several processes pass variables to have one type: integer variables are widened to the hull of the
-// ranges of all that meet in a parameter, directly or through others.
+// Unifies the types of parameters bound to several variables: integer variables are widened to the convex hull of the
+// ranges of all variables that share a parameter, directly or transitively.
 
 using Variable = Network::Variable;
 
-/// Which variables must have one type: union-find with path halving.
+/// Union-find structure, with path halving, of variables that must have the same type.
 class Classes {
 public:
     explicit Classes(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), std::uint32_t{0}); }
@@ -74,10 +74,10 @@ void unify_ranges(Network& network) {
     }
 }
 
-/// What stands in a template for the parameters of a component, then for its own variables, in order: parameters. An
-/// input of an instance that is a term is none: the template reads the term in its place, so the port is a wire. What is
-/// read is exact at every moment, between the moves of one instant too, where an automaton that computed the term would
-/// have it late.
+/// The terms that replace the parameters of a component, then its own variables, in a template. In general these are
+/// parameters. An input bound to a term is replaced by this term instead of a parameter, so the port is a wire: its
+/// value is exact in every state, including those between the moves of one instant, whereas an automaton that computes
+/// the term would be late.
 std::vector<Id<Expr>> read_as(const ClosedLoop& loop, const Component& component,
                               const std::vector<ClosedLoop::Argument>& arguments, Exprs& to) {
     TermCopier term(loop.exprs, to, [&](const Expr& leaf) {
@@ -99,7 +99,7 @@ bool has_terms(const ClosedLoop::Instance& instance) {
                                [](const auto& each) { return std::holds_alternative<Id<Expr>>(each); });
 }
 
-/// Copies the terms of one component into the network: durations become time units, names what stands for them.
+/// Copies the terms of one component into the network: durations are converted to time units, names are replaced.
 class Terms {
 public:
     Terms(const Component& component, std::int64_t unit, std::vector<Id<Expr>> names, Exprs& to)
@@ -172,7 +172,7 @@ Network::Template template_of(const ClosedLoop& loop, const Component& component
     return automaton;
 }
 
-/// One argument per parameter that is no term, then the instance's own variables.
+/// One argument per parameter that is not replaced by a term, then the instance's own variables.
 Network::Process process_of(const ClosedLoop::Instance& instance, const Component& component, std::int64_t unit,
                             const std::vector<Id<Network::Variable>>& own) {
     Network::Process process{.name = instance.name, .initial = {instance.initial.index}, .origin = instance.origin};
@@ -192,7 +192,7 @@ Network::Process process_of(const ClosedLoop::Instance& instance, const Componen
     return process;
 }
 
-/// Constants have the range of UPPAAL's integers, or of their arguments where those are larger.
+/// Constants have the range of UPPAAL's integers, or that of their arguments if larger.
 void admit_arguments(Network& network) {
     for (const Network::Process& process : network.processes) {
         Table<Network::Parameter>& list = network.templates[process.automaton].parameters;

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// plant: Components and their arguments -> a Network of the plant alone (CEP13 section 4). One template per component,
-// one process per instance, communication by shared variables only; a verb.
+// plant: components and their arguments -> a Network of the plant alone (CEP13 section 4). One template per component,
+// one process per instance; communication only by shared variables. A pass.
 //
-// What becomes what:
-//   shared variable        Variable at the same index, inputs and outputs of controllers included; its value at
-//   power-on is
-//                          that of its writer (the default of the output, then the `with` values of the initial
-//                          location)
-//   variable of a component Variable `Instance_name` behind them, bound to a Written parameter
+// Mapping:
+//   shared variable        Variable at the same index, including the inputs and outputs of controllers; its value at
+//                          power-on is that of its writer (the default of the output, then the `with` values of the
+//                          initial location)
+//   variable of a component Variable `Instance_name` after them, bound to a Written parameter
 //   parameter              Parameter at the same index: input -> Read, output -> Written, constant -> Constant
-//   duration               whole number of time units: those of the loop, or the greatest common divisor of all
-//   durations instance               Process at the same index
+//   duration               integer number of time units: those of the loop, or the greatest common divisor of all
+//                          durations
+//   instance               Process at the same index
 //
-// Integer variables that the processes of one template share a parameter for are widened to the hull of their ranges: a
-// parameter has one type (UPPAAL asks that of reference parameters).
+// Integer variables bound to one parameter of a template are widened to the hull of their ranges, because a parameter
+// has one type (UPPAAL requires that for reference parameters).
 #pragma once
 
 #include <optional>
@@ -24,9 +24,9 @@
 
 namespace grafverif {
 
-/// Requires verify(model).empty() and that `loop` is one of the model's. Nothing after an error: a duration that is no
-/// whole number of time units, a variable with two writers, an urgent edge whose target invariant can fail, an initial
-/// value outside its range.
+/// Requires verify(model).empty() and that `loop` belongs to the model. Empty after an error. Errors are: a duration
+/// that is not a multiple of the time unit, a variable with two writers, an urgent edge whose target invariant can be
+/// false, an initial value outside its range.
 std::optional<Network> plant(const Model& model, const ClosedLoop& loop, Diagnostics& diagnostics);
 
 }  // namespace grafverif

@@ -15,7 +15,7 @@ namespace grafverif {
 namespace {
 
 constexpr std::int64_t many_units = 10'000;
-constexpr std::int64_t most_units = std::int64_t{1} << 30U;  // UPPAAL's bound on what a clock is compared with
+constexpr std::int64_t most_units = std::int64_t{1} << 30U;  // UPPAAL's limit for constants compared with clocks
 
 struct Duration {
     std::int64_t milliseconds = 0;
@@ -27,7 +27,7 @@ void collect(const Exprs& exprs, Id<Expr> root, Span where, std::vector<Duration
     for (const Id<Expr> operand : exprs.operands(root)) collect(exprs, operand, where, found);
 }
 
-/// The durations written in the body of a component; those of its defaults arrive as arguments.
+/// Collects the durations in the body of a component; those of its defaults are arguments.
 void collect(const Component& component, std::vector<Duration>& found) {
     const auto take = [&](Id<Expr> root, Span where) { collect(component.exprs, root, where, found); };
     for (const Component::Location& location : component.locations)
@@ -74,14 +74,14 @@ std::vector<Duration> durations(const Model& model, const ClosedLoop& loop) {
     return found;
 }
 
-/// 0 where there is none.
+/// 0 if there are none.
 std::int64_t common_divisor(const std::vector<Duration>& all) {
     std::int64_t divisor = 0;
     for (const Duration& duration : all) divisor = std::gcd(divisor, duration.milliseconds);
     return divisor;
 }
 
-/// Per length of a duration the common divisor of all others.
+/// Per distinct duration: the greatest common divisor of all others.
 std::map<std::int64_t, std::int64_t> divisors_without(const std::vector<Duration>& all) {
     std::map<std::int64_t, std::int64_t> without;
     for (const Duration& duration : all) without.emplace(duration.milliseconds, 0);

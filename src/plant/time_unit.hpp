@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The time unit of a closed loop: what one tick of every clock of its network stands for.
+// The time unit of a closed loop: the duration of one tick of all clocks of its network.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@
 
 namespace grafverif {
 
-/// In milliseconds: the unit that the loop names, of which every duration must be a multiple, or the greatest common
-/// divisor of all durations; 1 s where there is none. Warns where a duration has more than 10,000 units.
+/// In milliseconds: the unit declared by the loop, of which every duration must be a multiple, or the greatest common
+/// divisor of all durations; 1 s if there are none. Warns if a duration exceeds 10,000 units.
 std::optional<std::int64_t> time_unit(const Model& model, const ClosedLoop& loop, Diagnostics& diagnostics);
 
-/// The duration (each place where it is written counts) without which the time unit would be coarsest, if it would be
-/// coarser than it is; where the loop names a unit finer than its durations ask for, that, with duration 0.
+/// The duration (with all its occurrences) without which the time unit would be coarsest; empty if no duration makes
+/// the unit finer. If the loop declares a finer unit than its durations require, that unit, with duration 0.
 std::optional<StateProfile::Finest> finest_duration(const Model& model, const ClosedLoop& loop);
 
 }  // namespace grafverif

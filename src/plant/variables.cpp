@@ -15,7 +15,7 @@ namespace {
 
 using Variable = Network::Variable;
 
-/// The expressions of one instance at power-on: constants have their arguments, variables their values so far.
+/// Evaluates expressions of one instance at power-on: constants have their arguments, variables their values so far.
 class PowerOn {
 public:
     PowerOn(const Component& component, const ClosedLoop::Instance& instance, PlantVariables& plant,
@@ -30,7 +30,7 @@ public:
                 overloaded{
                     [&](Id<ClosedLoop::Shared> shared) { return plant_.variables[{shared.index}].initial; },
                     [](std::int64_t constant) { return constant; },
-                    [](Id<Expr>) -> std::int64_t { unreachable(); },  // what is declared reads no input
+                    [](Id<Expr>) -> std::int64_t { unreachable(); },  // declarations read no inputs
                 },
                 instance_.arguments[index]);
         });
@@ -38,7 +38,7 @@ public:
         return result;
     }
 
-    /// The range `low..high` and the initial value; what is not written is 0 where the range holds it, else `low`.
+    /// Sets the range `low..high` and the initial value; the default is 0 if it is in the range, otherwise `low`.
     void declare(Variable& variable, std::optional<Id<Expr>> low, std::optional<Id<Expr>> high,
                  std::optional<Id<Expr>> initial, Span where) const {
         if (low && high) {
@@ -55,7 +55,7 @@ public:
             if (const auto start = value(*initial, where)) variable.initial = *start;
     }
 
-    /// The values that the initial location gives (`with`).
+    /// Assigns the values of the initial location (`with`).
     void enter_initial_location() const {
         for (const Component::Assignment& assignment : component_.locations[instance_.initial].initially) {
             const Expr& target = component_.exprs[assignment.target];
@@ -99,7 +99,7 @@ PlantVariables shared_variables(const Model& model, const ClosedLoop& loop) {
     return plant;
 }
 
-/// Each shared variable is assigned by one instance or controller only (CEP13 4.2).
+/// Checks that each shared variable is written by only one instance or controller (CEP13 4.2).
 void check_writers(const Model& model, const ClosedLoop& loop, Diagnostics& diagnostics) {
     std::vector<const std::string*> writers(loop.shared.size(), nullptr);
     for (const Id<ClosedLoop::Shared> shared : loop.shared.ids())
@@ -131,7 +131,7 @@ void power_on(const Component& component, const ClosedLoop::Instance& instance, 
         const Id<Variable> variable{shared->index};
         const Type bound = plant.variables[variable].type;
         here.declare(plant.variables[variable], parameter.low, parameter.high, parameter.initial, parameter.origin);
-        plant.variables[variable].type = bound;  // the loop's word: a controller may declare a wider range
+        plant.variables[variable].type = bound;  // type of the loop: a controller may declare a wider range
         written.push_back(variable);
     }
     for (const Component::Variable& declared : component.variables) {
