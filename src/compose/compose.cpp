@@ -29,7 +29,7 @@ ControllerParts parts_of(const ClosedLoop& loop, Id<ClosedLoop::Controller> id, 
     return parts;
 }
 
-/// Two controllers never assign one variable; the reader says so first, and compose does not rely on it.
+/// Reports a variable that two controllers assign. The reader reports this first, but compose does not rely on it.
 void check_writers(const Composition& composition, const ClosedLoop& loop, Diagnostics& diagnostics) {
     std::vector<const ControllerParts*> writers(composition.network.variables.size(), nullptr);
     for (const ControllerParts& parts : composition.controllers) {

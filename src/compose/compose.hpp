@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// compose: the plant's Network and the Equations of its controllers -> the Network of the closed loop (CEP13
-// sections 5.4 and 6); a verb.
+// compose: the plant's Network and the Equations of its controllers -> the Network of the closed loop (CEP13 sections
+// 5.4 and 6). A pass.
 //
-// Per controller, the generic PLC cycle of CEP13 Fig. 33a (`plc_cycle`), one timer per time condition (Fig. 33b,
-// repaired: see timers.hpp), and the flags that couple it with the plant:
+// Each controller has the generic PLC cycle of CEP13 Fig. 33a (`plc_cycle`), one timer per time condition (Fig. 33b,
+// corrected: see timers.hpp), and the flags that couple it with the plant:
 //   EVOL_PL   an edge of the plant or its environment has assigned an input     set there, reset when a cycle starts
-//   EVOL_TI   the end of a timer has changed                                    set by the timers, reset likewise
+//   EVOL_TI   the output of a timer has changed                                 set by the timers, reset with EVOL_PL
 //   stable    one more cycle with the same inputs would change nothing          false at power-on
 //
 //   grain phased                                        grain atomic
@@ -15,15 +15,15 @@
 //     P1 -> P2 evolve()  pending timers, stable, stored actions, steps
 //     P2 -> W  [stable] write()    outputs
 //     P2 -> W  [!stable]
-//   every_cycle: P2 -> W write(), whether stable or not.
-// All these edges are urgent. A location `init` before W calls start() (actions on activation of the initial steps)
-// where there are such actions, or the mode is every_cycle; then outputs are written there too.
+//   every_cycle: P2 -> W write(), stable or not.
+// All these edges are urgent. If the initial steps have actions on activation, or in mode every_cycle, a location
+// `init` before W calls start(); in mode every_cycle it also writes the outputs.
 //
-// Assignments are sequential; where an update would read a variable that an earlier one of its procedure has
-// overwritten, a scratch variable (`COUNT_old`) keeps its value. Inputs and timer ends that evolve() and write() read
-// are sampled in fire(), for in the phased grain they may change meanwhile. Outputs of stored actions have an image
-// (`LOCK_image`) that evolve() changes and write() copies. With several controllers, what belongs to one bears its
-// name: `press_X_2`.
+// Assignments are sequential. If an update would read a variable that an earlier one of its procedure has overwritten,
+// a scratch variable (`COUNT_old`) keeps its value. Inputs and timer outputs that evolve() and write() read are sampled
+// in fire(), because in the phased grain they may change during the cycle. Outputs of stored actions have an image
+// (`LOCK_image`) that evolve() changes and write() copies. With several controllers, the names of each are qualified:
+// `press_X_2`.
 #pragma once
 
 #include <optional>
@@ -36,25 +36,27 @@
 
 namespace grafverif {
 
-/// The cures of the method, each of which can be left out to see the failure that it removes. For tests and for the
-/// page on the method only.
+/// The corrections of the published method. Each can be disabled to show the failure that it prevents. Only for tests
+/// and for the documentation of the method.
 struct Ablations {
     bool cycle_always = false;         ///< guard of W -> P0 without flags: the cycle of CEP13 Fig. 17
     bool cycle_unless_stable = false;  ///< guard of W -> P0 without `stable`, outputs in every cycle: CEP13 Fig. 24
     bool timers_as_published =
-        false;                        ///< CEP13 Fig. 33b: a step left and activated anew within one instant is not seen
+        false;                        ///< CEP13 Fig. 33b: a step that is left and activated again within one instant is
+                                      ///< not noticed
     bool sensors_not_urgent = false;  ///< edges that assign an input of a controller let time pass: CEP13 Fig. 12b
 
     bool operator==(const Ablations&) const = default;
 };
 
 struct ComposeOptions {
-    std::optional<Grain> grain = {};         ///< wins over the loop's
-    std::optional<ExecutionMode> mode = {};  ///< wins over the controllers'
+    std::optional<Grain> grain = {};         ///< overrides the loop
+    std::optional<ExecutionMode> mode = {};  ///< overrides the controllers
     Ablations ablations = {};
 };
 
-/// Requires: `plant` is what plant(model, loop) returned; `equations` are those of the loop's controllers, in order.
+/// Requires that `plant` is the result of plant(model, loop), and `equations` are those of the loop's controllers, in
+/// order.
 std::optional<Network> compose(const Network& plant, const ClosedLoop& loop, std::span<const Equations> equations,
                                const ComposeOptions& options, Diagnostics& diagnostics);
 

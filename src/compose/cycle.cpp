@@ -12,7 +12,7 @@ namespace {
 using Location = Id<Network::Location>;
 using Procedure = Id<Network::Procedure>;
 
-/// `W -> P0` and its kind: (!stable || EVOL_PL || EVOL_TI) and no timer to start or stop.
+/// Guard of `W -> P0` and its variants: (!stable || EVOL_PL || EVOL_TI) and no timer to start or stop.
 Id<Expr> cycle_guard(Composition& composition, const ControllerParts& parts) {
     Network& network = composition.network;
     std::vector<Id<Expr>> reasons;
@@ -59,7 +59,7 @@ public:
         return std::move(automaton_);
     }
 
-    /// Where the parts of the cycle are; without its process and timers.
+    /// Locations and variables of the cycle, without its process and timers.
     Network::Controller controller() const {
         const Equations& equations = *parts_.equations;
         const auto place = [&](Id<Equations::Variable> id) { return parts_.variable[id.index]; };

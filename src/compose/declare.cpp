@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The variables of a controller, in the order in which its equations use them.
+// Declares the variables of a controller, in the order in which its equations use them.
 #include "compose/controller.hpp"
 #include "ir/reads.hpp"
 #include "ir/shared_by_name.hpp"
@@ -17,7 +17,7 @@ std::vector<Id<Equations::Variable>> stored_outputs(const Equations& equations) 
     return found;
 }
 
-/// The inputs and timer ends that evolve() and write() read; `written`: those that write() reads.
+/// The inputs and timer outputs that evolve() and write() read; `written`: those that write() reads.
 std::vector<Id<Equations::Variable>> late_inputs(const Equations& equations, std::vector<bool>& written) {
     std::vector<bool> read(equations.variables.size());
     written.assign(equations.variables.size(), false);
@@ -67,7 +67,7 @@ public:
         }
     }
 
-    /// Inputs and outputs are variables of the plant, under their names there.
+    /// Maps inputs and outputs to variables of the plant with the same names.
     void shared(const ClosedLoop& loop) {
         const SharedByName place(loop);
         for (const Id<Equations::Variable> id : parts_.equations->variables.ids()) {
@@ -105,7 +105,7 @@ public:
         }
     }
 
-    /// Requests to the timers: those over initial steps stand from power-on, or are made by start().
+    /// Requests to the timers; those for initial steps are set at power-on or by start().
     void pending() {
         for (const Equations::Timer& timer : parts_.equations->timers) {
             const bool active = !parts_.starts && parts_.equations->variables[timer.watched].initial != 0;

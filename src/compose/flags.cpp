@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // EVOL_PL: set by every edge of the plant that assigns an input of a controller, and by no other (CEP13 6.2). Processes
-// of one template whose edges set different flags get variants of it (`sensor_2`), so that no component is touched.
+// of one template whose edges set different flags get copies of the template (`sensor_2`); components are unchanged.
 #include <algorithm>
 #include <map>
 
@@ -10,12 +10,12 @@ namespace grafverif {
 
 namespace {
 
-/// Per edge, the flags that it sets, numbered by first use; processes with equal numbers share a template.
+/// Per edge, the flags that it sets, numbered by first use. Processes with equal patterns share a template.
 using FlagPattern = std::vector<std::vector<std::uint32_t>>;
 
 struct Flags {
     FlagPattern pattern = {};
-    std::vector<std::uint32_t> controllers = {};  ///< by number: whose flag it is
+    std::vector<std::uint32_t> controllers = {};  ///< controller of the flag with this number
 };
 
 Flags flags_of(const Composition& composition, const Network::Process& process, const Network::Template& automaton) {

@@ -15,7 +15,7 @@ namespace grafverif {
 
 namespace {
 
-/// Where processes are, as variables: `at_NAME`, written by each edge that leads elsewhere.
+/// Encodes the locations of processes as variables `at_NAME`, written by each edge that changes the location.
 class Places {
 public:
     Places(Network& network, UniqueNames& names)
@@ -32,14 +32,14 @@ public:
 
     /// A copy of `term` that guards can read.
     Id<Expr> readable(Id<Expr> term) {
-        const Exprs from = network_.exprs;  // the table grows
+        const Exprs from = network_.exprs;  // a copy, because the table grows
         return translate(from, term, network_.exprs, [&](const Expr& leaf) {
             return leaf.op == Op::At ? at(leaf) : network_.exprs.leaf(leaf.op, static_cast<std::uint32_t>(leaf.value));
         });
     }
 
 private:
-    /// All processes of a template get the same parameter.
+    /// Makes the edges of a template write the variable; all its processes get the same parameter.
     void tell(Id<Network::Template> id) {
         Network::Template& automaton = network_.templates[id];
         UniqueNames own;
@@ -65,7 +65,7 @@ private:
     std::vector<Id<Network::Variable>> variables_;
 };
 
-/// Every edge of the loop waits until all have looked, and then there is something to look at again.
+/// Makes every edge of the loop wait until all observers have processed the current state, and then start a new round.
 void show_every_state(Network& network, Id<Expr> look) {
     const Id<Expr> seen = network.exprs.apply(Op::Equal, look, network.exprs.integer(0));
     const Id<Expr> first = network.exprs.integer(1);
@@ -76,7 +76,7 @@ void show_every_state(Network& network, Id<Expr> look) {
         }
 }
 
-/// The property as a question about its observer, which is `process`.
+/// The property expressed by the locations of its observer `process`.
 Property question(Network& network, Property property, Id<Network::Process> process, const ObserverMade& made) {
     const auto somewhere = [&](const std::vector<Id<Network::Location>>& locations) {
         std::vector<Id<Expr>> places;
@@ -108,7 +108,8 @@ Network observed(const Network& network, const std::vector<Id<Property>>& chosen
     for (const Network::Template& automaton : network.templates) names.fresh(automaton.name);
     for (const Network::Process& process : network.processes) names.fresh(process.name);
 
-    // First what observers read, then what shows it to them: edges of observers are not to wait for these.
+    // Translate the terms that observers read first, then add the writes of their variables: edges of observers must
+    // not wait for these.
     Places places(made, names);
     std::vector<ObserverTerms> terms;
     for (const Id<Property> id : chosen) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each automaton is the formula of docs/properties.md, which holds the table; the law compares them.
+// Observer automata. Each implements the formula of its pattern in the table of docs/properties.md; a randomized test
+// compares them.
 #include "compose/observer.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +22,7 @@ public:
 
     ObserverMade made = {};
 
-    /// Of the operands.
+    /// Operand of the property.
     Id<Expr> p(std::size_t number = 0) const { return terms_.operands[number]; }
     Id<Expr> no(Id<Expr> term) { return exprs_.negation(term); }
     Id<Expr> both(Id<Expr> left, Id<Expr> right) { return exprs_.conjunction(left, right); }
@@ -42,20 +43,20 @@ public:
         return clock_;
     }
 
-    /// Looking at a state with `when`, where none of the edges from there told before does: it goes to `to`.
+    /// On reading a state with `when` that satisfies no condition of an earlier edge from `from`: goes to `to`.
     void sees(Location from, Id<Expr> when, Location to, bool resets = false) {
         const Id<Expr> rest = rest_[from.index];
         rest_[from.index] = both(rest, no(when));
         look(from, to, both(terms_.judged, both(rest, when)), resets);
     }
-    /// At any time, in a state with `when`, its clock being so: it goes to `to`.
+    /// At any time in a state with `when`, if the clock constraint holds: goes to `to`.
     void times(Location from, Id<Expr> when, Op relation, Location to) {
         made.automaton.edges.add({.from = from,
                                   .to = to,
                                   .guard = both(terms_.judged, when),
                                   .constraint = {{clock_, relation, exprs_.integer(duration_)}}});
     }
-    /// Beyond the duration, whatever holds: it is what has been looked at that counts.
+    /// After the duration, independently of the current state: only states that have been read count.
     void expires(Location from, Location to) {
         made.automaton.edges.add({.from = from,
                                   .to = to,
@@ -63,7 +64,7 @@ public:
                                   .constraint = {{clock_, Op::Greater, exprs_.integer(duration_)}}});
     }
 
-    /// Everywhere else it has looked, and stays.
+    /// Completes the automaton: in all other cases it reads the state and stays.
     ObserverMade whole(Location initial) {
         for (const Location at : made.automaton.locations.ids())
             look(at, at, either(no(terms_.judged), rest_[at.index]), false);
@@ -83,15 +84,15 @@ private:
     const ObserverTerms& terms_;
     std::int64_t duration_;
     Id<Network::Clock> clock_ = {};
-    std::vector<Id<Expr>> rest_ = {};  ///< per location: what no edge from there has been told for
+    std::vector<Id<Expr>> rest_ = {};  ///< per location: condition under which no edge added so far is taken
 };
 
 // -- durations --------------------------------------------------------------------------------------------------------
 
-/// In a scope: where it is known only in the end whether it was one, what fails is `spoilt` until then.
+/// Common part of scopes. If a scope counts only once it closes, a violation is stored in `spoilt` until then.
 struct Scoped {
-    Location out = {};     ///< of before: what is behind it
-    Location failed = {};  ///< where a state or a moment in it fails
+    Location out = {};     ///< outside the scope; for `before`: after it
+    Location failed = {};  ///< target after a violation inside the scope
     Id<Expr> opens = {}, closes = {};
 };
 
@@ -133,7 +134,8 @@ ObserverMade within(Observer of, Sentence::Scope scope) {
     return of.whole(scope == Sentence::Scope::Before ? idle : in.out);
 }
 
-/// `p at least every d`: at power-on, where a scope opens, and after each state with p, one with p within d.
+/// `p at least every d`: a state with p follows within d after power-on, after the scope opens, and after each state
+/// with p.
 ObserverMade recurs(Observer of, Id<Expr> p, Sentence::Scope scope) {
     const Location due = of.location("due"), there = of.location("there");
     of.clock();
@@ -159,7 +161,7 @@ ObserverMade recurs(Observer of, Id<Expr> p, Sentence::Scope scope) {
     return of.whole(scope == Sentence::Scope::Before ? due : in.out);
 }
 
-/// `p holds for d`: p that ends has lasted d.
+/// `p holds for d`: when p ends, it has lasted at least d.
 ObserverMade holds_for(Observer of) {
     const Location off = of.location("off"), on = of.location("on"), failed = of.failed();
     of.clock();
@@ -180,7 +182,7 @@ ObserverMade holds_at_most(Observer of, Sentence::Scope scope) {
     return of.whole(off);
 }
 
-/// `q at most d since p`: where q holds, p does, or did at most d ago.
+/// `q at most d since p`: whenever q holds, p holds or did at most d ago.
 ObserverMade since(Observer of) {
     const Id<Expr> q = of.p(0), p = of.p(1);
     const Location before = of.location("before"), during = of.location("during"), after = of.location("after"),
@@ -196,8 +198,8 @@ ObserverMade since(Observer of) {
 
 // -- counts -----------------------------------------------------------------------------------------------------------
 
-/// `p at most count times`: p becomes true where a state without it, or none of the scope, is before. Who counts from the
-/// first state that opens the scope finds no less than who counts from a later one.
+/// `p at most count times`: counts the states with p whose predecessor is without p or outside the scope. Counting from
+/// the first state that opens the scope gives at least the count from any later one.
 ObserverMade occurrences(Observer of, Sentence::Scope scope, std::int64_t count) {
     using enum Sentence::Scope;
     const Id<Expr> p = of.p();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The automaton that watches for one sentence: what it does when it looks at a state, by what holds there.
+// Builds the observer automaton of a sentence: its reactions to the states that it reads.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +9,22 @@
 
 namespace grafverif {
 
-/// What an observer reads, as guards have it.
+/// Terms that an observer reads, in a form that guards can contain.
 struct ObserverTerms {
     std::vector<Id<Expr>> operands = {};  ///< of the property
-    Id<Expr> judged = {};                 ///< the state counts
-    Id<Expr> turn = {};                   ///< it is this observer's turn to look
-    Id<Expr> look = {}, next = {};        ///< what it assigns, and the value, once it has looked
+    Id<Expr> judged = {};                 ///< true if the state counts
+    Id<Expr> turn = {};                   ///< true if this observer reads next
+    Id<Expr> look = {}, next = {};        ///< variable assigned after reading, and its new value
 };
 
 struct ObserverMade {
     Network::Template automaton = {};
-    /// The property: it is never at one of `pending`; with `settled`, from there it always comes to one of those.
+    /// Encodes the property: no location of `pending` is ever reached; or, if `settled` is not empty, `pending` leads
+    /// to `settled`.
     std::vector<Id<Network::Location>> pending = {}, settled = {};
 };
 
-/// `duration`: of the watch, in time units.
+/// `duration`: of the sentence, in time units.
 ObserverMade observer_of(Exprs& exprs, const Sentence& watch, const ObserverTerms& terms, std::int64_t duration);
 
 }  // namespace grafverif

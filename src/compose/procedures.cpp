@@ -13,7 +13,7 @@ namespace {
 using Assignments = std::vector<Network::Assignment>;
 using Variable = Id<Equations::Variable>;
 
-/// A new value of `target` and the terms that it is computed from, all over the values before the procedure.
+/// A new value of `target` with the terms that it depends on, all over the values before the procedure.
 struct Update {
     Variable target = {};
     std::vector<Id<Expr>> terms = {};
@@ -48,13 +48,13 @@ private:
     Exprs& exprs() { return network_.exprs; }
     Id<Expr> leaf_of(Id<Network::Variable> variable) { return leaf(network_, variable); }
 
-    /// Where the controller keeps the variable: outputs of stored actions have an image.
+    /// Storage of the variable in the controller: outputs of stored actions have an image.
     Id<Network::Variable> storage(Variable variable) const {
         const Id<Network::Variable> image = parts_.image[variable.index];
         return image.valid() ? image : parts_.variable[variable.index];
     }
 
-    /// Terms of the equations as terms of the network: inputs as they are or as sampled, and `olds` in their old value.
+    /// Translates terms of the equations to the network: inputs directly or as sampled, `olds` with their old value.
     TermCopier reading(bool sampled, const std::vector<Variable>& olds = {}) {
         std::vector<Id<Expr>> leaves = stored_;
         if (sampled)
@@ -81,7 +81,7 @@ private:
         return list;
     }
 
-    /// Step activities, stored actions, `stable` and the timers to start or stop: all from the values before the cycle.
+    /// Step activities, stored actions, `stable` and timer requests, all computed from the values before the cycle.
     Assignments evolve() {
         TermCopier before = reading(true);
         Assignments list = pending(before);
@@ -112,14 +112,14 @@ private:
         return list;
     }
 
-    /// `value` when `trigger` holds, else what `target` holds already.
+    /// `value` if `trigger` holds, otherwise the current value of `target`.
     Id<Expr> stored(Id<Expr> target, Id<Expr> trigger, Id<Expr> value) {
         if (is_true(exprs(), value)) return exprs().disjunction(target, trigger);
         if (is_false(exprs(), value)) return exprs().conjunction(target, exprs().negation(trigger));
         return exprs().conditional(trigger, value, target);
     }
 
-    /// The levels after the procedure at hand, and requests to the timers of those that changed.
+    /// Updates the observed values after the current procedure, and requests the timers of those that changed.
     void watch(bool sampled, Assignments& list) {
         if (equations_.watches.empty()) return;
         TermCopier after = reading(sampled);
@@ -133,7 +133,7 @@ private:
         }
     }
 
-    /// Requests to the timers of the steps that change.
+    /// Requests to the timers of steps that change.
     Assignments pending(TermCopier& before) {
         Assignments list;
         if (parts_.pending.empty()) return list;
@@ -157,7 +157,7 @@ private:
         list.push_back({races.front(), exprs().disjunction(races)});
     }
 
-    /// Finds the variables that an update reads after an earlier one has overwritten them, and saves their values
+    /// Finds the variables that an update reads after an earlier one has overwritten them, and saves their old values
     /// first.
     std::vector<Variable> keep_old(const std::vector<Update>& updates, Assignments& list) {
         std::vector<bool> overwritten(equations_.variables.size()), kept(equations_.variables.size());
@@ -202,7 +202,7 @@ private:
         return list;
     }
 
-    /// `output := value`; controllers that read the output are told where it changes.
+    /// `output := value`; a change sets the flags of the controllers that read the output.
     void put(Id<Network::Variable> output, Id<Expr> value, Assignments& list) {
         const Id<Expr> target = leaf_of(output);
         if (!phased_ && !every_cycle_) value = exprs().conditional(leaf_of(parts_.stable), value, target);
@@ -213,8 +213,8 @@ private:
         list.push_back({target, value});
     }
 
-    /// The first evolution: the actions on activation of the initial steps (Stored::first), previous values, levels; the
-    /// times of the initial steps begin.
+    /// The first evolution: actions on activation of the initial steps (Stored::first), previous values, observed
+    /// values; timers of the initial steps start.
     Assignments start() {
         Assignments list;
         TermCopier now = reading(false);
@@ -222,7 +222,7 @@ private:
         std::vector<Update> updates;
         for (const Kept& each : kept_)
             if (each.first.valid() && !each.after) updates.push_back({each.variable, {each.first}});
-        std::ranges::stable_partition(updates, [&](const Update& update) {  // what edges compare with comes first
+        std::ranges::stable_partition(updates, [&](const Update& update) {  // previous values for edges first
             return equations_.variables[update.target].role == Equations::Role::Previous;
         });
         const std::vector<Variable> olds = keep_old(updates, list);
@@ -247,7 +247,8 @@ private:
     bool every_cycle_;
     std::vector<Kept> kept_;
     std::vector<Id<Expr>> stored_;            ///< per variable of the equations: the leaf of its storage
-    std::vector<Id<Network::Variable>> old_;  ///< likewise: what holds its value while it is overwritten
+    std::vector<Id<Network::Variable>> old_;  ///< scratch variable that holds its old value, per variable of the
+                                              ///< equations
 };
 
 }  // namespace

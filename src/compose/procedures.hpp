@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The procedures of the PLC cycle: the equations of a controller as sequences of assignments.
+// Procedures of the PLC cycle: the equations of a controller as sequences of assignments.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@ namespace grafverif {
 
 struct Procedures {
     std::vector<Network::Assignment> fire = {}, evolve = {}, write = {};
-    std::vector<Network::Assignment> forget = {};  ///< what write() resets, for a cycle that does not write
-    std::vector<Network::Assignment> start = {};   ///< before the first cycle; only where ControllerParts::starts
+    std::vector<Network::Assignment> forget = {};  ///< resets of write(), for a cycle that does not write
+    std::vector<Network::Assignment> start = {};   ///< before the first cycle; only if ControllerParts::starts
 };
 
-/// Whether the first evolution has anything to do.
+/// True if the first evolution has an effect.
 bool starts(const Equations& equations, ExecutionMode mode);
 
 Procedures procedures(Composition& composition, const ControllerParts& parts);

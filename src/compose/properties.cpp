@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The properties of a loop in terms of its network, and what `settled` means there.
+// Translates the properties of a loop, and `settled`, to terms of its network.
 #include "compose/controller.hpp"
 #include "ir/slots.hpp"
 #include "support/overloaded.hpp"
@@ -34,12 +34,13 @@ Id<Expr> formula_of(const ClosedLoop& loop, const ClosedLoop::Symbol& symbol, Co
                               const ControllerParts& parts = composition.controllers[of.controller.index];
                               return in_controller(parts, end_of(*parts.equations, of));
                           },
-                          [](const ClosedLoop::ObserverSymbol&) -> Id<Expr> { unreachable(); },  // see reads_observer
+                          [](const ClosedLoop::ObserverSymbol&) -> Id<Expr> { unreachable(); },  // excluded by
+                                                                                                 // reads_observer
                       },
                       symbol);
 }
 
-/// One formula per urgent edge of a process: it is where the edge starts, and the guard holds.
+/// Adds one formula per urgent edge of a process: the process is in its source location and the guard holds.
 void add_enabled(Network& network, Id<Network::Process> id, std::vector<Id<Expr>>& found) {
     const Slots slots(network, id);
     TermCopier terms = slots.terms(network.exprs);

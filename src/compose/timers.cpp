@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Timers: one process per distinct time condition t1/v/t2. Those of t1/v share the template of CEP13 Fig. 33b, with two
-// repairs. As published, a timer follows its step by level and sets EVOL_TI only at its end; a step that is left and
-// activated anew within one instant is not seen, and the pulse chart `1 -> 2 when 5s/X1; 2 -> 1 when true` fires for ever
-// after the first 5 s. Here the step update leaves a request (P) whenever it changes the level, the timer takes it at
-// once and restarts, no cycle starts before it is taken, and EVOL_TI is set on every change of Q. A run that ends leaves
-// a request to stop alone.
+// corrections.
+// As published, a timer follows its step by level and sets EVOL_TI only when it expires. A step that is left and
+// activated again within one instant is not noticed, and the pulse chart `1 -> 2 when 5s/X1; 2 -> 1 when true` clears
+// transitions forever after the first 5 s.
+// Here the step update sets a request (P) whenever it changes the level, and the timer accepts it immediately and
+// restarts. No cycle starts before the request is accepted, and EVOL_TI is set on every change of Q. If the step ends
+// up inactive, only a request to stop remains.
 //
-// With t2 a level that falls leaves Q true for t2 more. The two delays run one after the other: a level that rises again
-// meanwhile counts its t1 (rise, clock t) while the fall before it still counts its t2 (clock u).
+// With t2, Q stays true for t2 after the level falls. The two delays are sequential: if the level rises again during
+// t2, its t1 (rise, clock t) elapses concurrently with the remaining t2 of the fall before it (clock u).
 //
 //   t1/v            v/t2                  t1/v/t2
 //   idle -> run     off -> on             idle -> run -> done -> fall -> idle
@@ -24,7 +26,7 @@ namespace grafverif {
 
 namespace {
 
-constexpr Id<Network::Location> done{2};  ///< where t1 is over, in every template that has a t1
+constexpr Id<Network::Location> done{2};  ///< location after t1 has elapsed, in every template with t1
 
 enum class Delays { Rise, Fall, Both };
 
@@ -92,12 +94,12 @@ private:
         assert(added == done);
     }
 
-    /// Q becomes `value`, which starts a cycle.
+    /// Sets Q to `value` and requests a cycle.
     std::vector<Network::Assignment> change(bool value) {
         return {{end_, exprs_.constant(value)}, {flag_, exprs_.constant(true)}};
     }
 
-    /// Takes a request; `starts`: the clock that starts anew.
+    /// Edge that accepts a request; `starts`: the clock that is reset.
     void take(Location from, Location to, Id<Expr> request, std::vector<Network::Assignment> assignments,
               Id<Network::Clock> starts = {}) {
         if (!as_published_) assignments.push_back({pending_, exprs_.constant(false)});
@@ -107,7 +109,7 @@ private:
         automaton_.edges.add(std::move(edge));
     }
 
-    /// The end of a delay; a request comes before it.
+    /// Edge at the end of a delay; disabled while a request is pending.
     void elapse(Location from, Location to, const Delay& delay, std::vector<Network::Assignment> assignments) {
         automaton_.edges.add({.from = from,
                               .to = to,
@@ -178,7 +180,7 @@ Id<Network::Template>& template_of(Composition& composition, Delays delays) {
     return composition.on_delay;
 }
 
-/// The template for `timer`, added if it is the first of its kind; its parameters hold the durations.
+/// The template for `timer`, added if it is the first of its type; its parameters are the durations.
 Id<Network::Template> template_for(Composition& composition, const Equations::Timer& timer,
                                    const std::vector<std::int64_t>& durations) {
     Network& network = composition.network;

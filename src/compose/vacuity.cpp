@@ -14,10 +14,10 @@ namespace {
 
 using Scope = Sentence::Scope;
 
-/// What has to come in a scope for the property to check anything there.
+/// A condition that must occur in a scope; otherwise the property is vacuous there.
 struct Premise {
     Id<Expr> term = {};
-    std::string never = {};  ///< that it does not; empty: any state will do
+    std::string never = {};  ///< text if it does not occur; empty: every state satisfies it
 };
 
 Premise premise_of(Exprs& exprs, const Sentence& sentence, const std::vector<Id<Expr>>& operands) {
@@ -37,10 +37,10 @@ Premise premise_of(Exprs& exprs, const Sentence& sentence, const std::vector<Id<
     unreachable();
 }
 
-/// Whether the scope counts only if it closes.
+/// True if the scope counts only once it closes.
 bool must_close(Scope scope) { return scope == Scope::Before || scope == Scope::Between; }
 
-/// The terms that open and close the scope, and what tells where in it a run is.
+/// The terms that open and close the scope, and the conditions for a run to be inside it.
 class ScopeTerms {
 public:
     ScopeTerms(Network& network, const Property& property, const ObserverTerms& terms)
@@ -54,9 +54,9 @@ public:
         opens = exprs_.conjunction(terms.operands[count - 2], exprs_.negation(closes));
     }
 
-    Id<Expr> opens = {}, closes = {};  ///< not valid: the scope has none
+    Id<Expr> opens = {}, closes = {};  ///< invalid if the scope has none
 
-    /// When the observer looks at a state that counts.
+    /// The observer reads a state that counts.
     Id<Expr> looked_at(Id<Expr> term) { return exprs_.conjunction(std::vector{terms_.turn, terms_.judged, term}); }
 
 private:
@@ -65,7 +65,7 @@ private:
     Scope scope_;
 };
 
-/// Whether an operation of the term may have no value: nothing that every run evaluates may read it that did not before.
+/// True if the term may be undefined: expressions evaluated in every run must not introduce new undefined values.
 bool may_divide(const Exprs& exprs, Id<Expr> root, std::vector<bool>& seen) {
     if (seen[root.index]) return false;
     seen[root.index] = true;
@@ -75,7 +75,7 @@ bool may_divide(const Exprs& exprs, Id<Expr> root, std::vector<bool>& seen) {
            });
 }
 
-constexpr std::int64_t none_yet = 0, met = 1, over = 2;  ///< values of the variable that follows a scope
+constexpr std::int64_t none_yet = 0, met = 1, over = 2;  ///< values of the variable that tracks the scope
 
 }  // namespace
 
