@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How the module of an automaton is made: first its symbols, which edges read (Declared: parameters, the choice of an
-// edge, the location, clocks, the variables that nobody else writes); then each edge as terms over the values before
-// the step (Taken); then every symbol's next value, by the edge taken.
+// Construction of the module of an automaton, in three stages. First its symbols, which edges read (Declared). They are
+// parameters, the choice of an edge, the location, clocks, and the variables that only it writes. Then each edge as
+// terms over the values before the step (Taken). Then the next value of every symbol, by cases over the edge taken.
 //
-// Why the module has exactly the steps of the process: the choice names one edge or none, `guard` of an edge holds
-// where the network lets it fire (its location, its guard, its clock constraint, the target's invariant after its
-// resets), and a transition constraint ties the two. Next values are cases over the choice, and no two cases hold
-// together. Whether none is a choice is the discipline's to say.
+// Correctness: the module has exactly the steps of the process. The choice selects one edge or none. The `guard` of an
+// edge holds iff the network allows taking it (its location, its guard, its clock constraint, the target's invariant
+// after its resets), and a transition constraint relates choice and guard. Next values are cases over the choice, and
+// the cases are disjoint. The discipline determines if choosing none is allowed.
 #include "schedule/automaton_module.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ using Edge = Id<Network::Edge>;
 
 // -- symbols ----------------------------------------------------------------------------------------------------------
 
-/// Declares the symbols, in this order. Whole once it is made.
+/// Declares the symbols, in this order. Complete after construction.
 class Declared {
 public:
     Declared(const AutomatonContext& laid_out, Id<Network::Process> process, Draft& drafted)
@@ -59,7 +59,7 @@ public:
     Id<Expr> clock(Id<Network::Clock> id) const {
         return clocks[id.index].valid() ? draft.leaf(clocks[id.index]) : draft.exprs.integer(0);
     }
-    /// `value` of the edge that is taken; `otherwise`: of none, or one that is not in `cases`.
+    /// `value` of the edge that is taken; `otherwise` if no edge or one without an entry in `cases` is taken.
     template <class Cases>
     Id<Expr> by_edge(const Cases& cases, Id<Expr> otherwise) const {
         for (auto one = cases.rbegin(); one != cases.rend(); ++one)
@@ -71,8 +71,8 @@ public:
     const Slots slots;
     Draft& draft;
     const std::vector<Place> written;
-    std::vector<Id<Symbol>> symbols;  ///< per variable: what stands for it in the module
-    std::vector<Id<Symbol>> clocks;   ///< per clock; not valid: it never matters
+    std::vector<Id<Symbol>> symbols;  ///< per variable: its symbol in the module
+    std::vector<Id<Symbol>> clocks;   ///< per clock; invalid if it is never compared
     AutomatonModule made = {};        ///< its parameters, choice, location, owned variables
 
 private:
@@ -118,7 +118,7 @@ public:
     Clocks(const Declared& declared, Id<Network::Process> process)
         : declared_(declared), exprs_(declared.draft.exprs), caps_(declared.context.clocks[process.index]) {}
 
-    /// The constraint of an edge, and the invariant of its target after its resets.
+    /// The clock constraint of an edge, and the invariant of its target after its resets.
     Id<Expr> admit(const Network::Edge& edge) const {
         std::vector<Id<Expr>> all;
         for (const Network::ClockConstraint& constraint : edge.constraint)
@@ -129,7 +129,7 @@ public:
         return exprs_.conjunction(all);
     }
 
-    /// Every location: its invariant holds one unit later. Empty: there is none.
+    /// For every location: its invariant holds after one more time unit. Empty if there are no invariants.
     std::vector<Id<Expr>> wait() const {
         std::vector<Id<Expr>> waits;
         for (const Id<Network::Location> id : declared_.automaton().locations.ids())
@@ -149,7 +149,7 @@ public:
     }
 
 private:
-    /// What a constraint admits, under the arguments of the process.
+    /// The values that a constraint admits, under the arguments of the process.
     ClockInterval values(const Network::ClockConstraint& constraint) const {
         return admitted(constraint.relation,
                         bound_value(declared_.context.network, declared_.slots.process, constraint.bound));
@@ -163,7 +163,7 @@ private:
         return exprs_.conjunction(low, high);
     }
 
-    /// No more than the target compares it with.
+    /// Clock value after an edge, capped for the target location.
     Id<Expr> after_edge(const Network::Edge& edge, Id<Network::Clock> id) const {
         const std::int64_t cap = caps_.cap[edge.to.index][id.index];
         if (resets(edge, id) || cap <= 0) return exprs_.integer(0);
@@ -172,7 +172,7 @@ private:
         return exprs_.conditional(exprs_.apply(Op::Greater, now, greatest), greatest, now);
     }
 
-    /// One more, up to the cap of each location.
+    /// Clock value after a tick, capped for each location.
     Id<Expr> after_tick(Id<Network::Clock> id) const {
         const Id<Expr> now = declared_.clock(id), more = exprs_.apply(Op::Plus, now, exprs_.integer(1));
         std::map<std::int64_t, std::vector<Id<Expr>>> locations;  // by cap
@@ -196,12 +196,13 @@ private:
 
 /// All edges over the values before the step.
 struct Taken {
-    std::vector<Id<Expr>> guards = {};  ///< per edge: it can be taken; with its location and clocks
-    std::map<Place, std::vector<std::pair<Edge, Id<Expr>>>> values = {};  ///< what is written, by which edges
+    std::vector<Id<Expr>> guards = {};  ///< per edge: it can be taken, including its location and clock constraints
+    std::map<Place, std::vector<std::pair<Edge, Id<Expr>>>> values = {};  ///< written variables with the edges that
+                                                                          ///< write them
     std::vector<Id<Expr>> faults = {};
 };
 
-/// `within`: gets the firing conditions that live within a step.
+/// `within`: receives the firing conditions that exist only within a step.
 Taken taken_edges(const Declared& declared, const std::optional<Clocks>& clocks,
                   std::vector<AutomatonModule::Held>& within) {
     Exprs& exprs = declared.draft.exprs;
@@ -239,7 +240,7 @@ void set_location(const Declared& declared) {
     declared.draft.set(location, System::StateSymbol{initial, declared.by_edge(cases, declared.draft.leaf(location))});
 }
 
-/// `location = a | location = b` for a Boolean, cases for a number.
+/// `location = a | location = b` for a Boolean, cases for an integer.
 Id<Expr> by_location(const Declared& declared, Type type, const std::vector<std::int64_t>& values) {
     Exprs& exprs = declared.draft.exprs;
     std::vector<Id<Expr>> on;
@@ -282,7 +283,7 @@ std::vector<Effect> effects(const Declared& declared, Taken& taken) {
     return effects;
 }
 
-/// Once set it stays; not valid where there are no faults.
+/// A flag that stays set; invalid if there are no faults.
 Id<Symbol> out_of_range(Draft& draft, std::vector<Id<Expr>> faults) {
     if (faults.empty()) return {};
     const Id<Symbol> flag = draft.add("out_of_range", Type{}, System::StateSymbol{});
@@ -293,7 +294,7 @@ Id<Symbol> out_of_range(Draft& draft, std::vector<Id<Expr>> faults) {
 
 // -- who moves --------------------------------------------------------------------------------------------------------
 
-/// What the edges offer and the discipline asks of the choice; in rounds adds `done`.
+/// Constrains the choice by the guards of the edges and the discipline; in rounds adds `done`.
 void add_transitions(const Declared& declared, const std::vector<Id<Expr>>& guards, AutomatonModule& made) {
     Draft& draft = declared.draft;
     Exprs& exprs = draft.exprs;
@@ -318,7 +319,7 @@ void add_transitions(const Declared& declared, const std::vector<Id<Expr>>& guar
     list.push_back(implies(exprs, exprs.conjunction(turn, stays), idle));
 }
 
-/// A location that time must leave (it has an invariant), by an edge that time opens.
+/// Locations that must be left in bounded time (they have an invariant) by an edge enabled by time.
 std::vector<Movement> movements(const Declared& declared) {
     Draft& draft = declared.draft;
     std::vector<Movement> found;
@@ -347,7 +348,7 @@ std::vector<std::int64_t> module_key(const AutomatonContext& context, Id<Network
     std::vector<std::int64_t> key{slots.process.automaton.index, slots.process.initial.index};
     for (const Network::Argument& argument : slots.process.arguments)
         if (const auto* constant = std::get_if<std::int64_t>(&argument)) key.push_back(*constant);
-    std::map<Place, std::int64_t> seen;  // which arguments are one variable
+    std::map<Place, std::int64_t> seen;  // arguments that are the same variable
     for (const Place variable : slots.used()) {
         const Network::Variable& of = context.network.variables[variable];
         key.push_back(of.type.low);

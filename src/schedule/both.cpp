@@ -44,7 +44,7 @@ private:
     Id<Expr> inner(std::size_t k, Id<Symbol> symbol) { return main_.inner(instances_[k], symbol); }
     Id<Expr> inner(std::size_t k, Id<Equations::Variable> id) { return inner(k, modules_[k].symbols[id.index]); }
 
-    /// The symbol of the first chart's input of this name.
+    /// Symbol of the first chart's input with this name.
     Id<Symbol> input(const std::string& name) const {
         std::size_t place = 0;
         for (const Equations::Variable& variable : equations_[0]->variables)
@@ -53,7 +53,7 @@ private:
         return inputs_[place];
     }
 
-    /// An input is chosen anew for each scan.
+    /// Inputs are chosen freely for each scan.
     void add_inputs() {
         for (const Equations::Variable& variable : equations_[0]->variables) {
             if (variable.role != Role::Input) continue;
@@ -93,7 +93,7 @@ private:
         main_.system.instances[instances_[k]].arguments = std::move(arguments);
     }
 
-    /// `count` less what passes until the next scan.
+    /// `count` minus the time until the next scan.
     Id<Expr> counted_down(Id<Expr> count) {
         const Id<Expr> passed = main_.draft.leaf(passed_);
         const Id<Expr> rest = exprs().conditional(exprs().apply(Op::Greater, count, passed),
@@ -106,8 +106,8 @@ private:
         return main_.draft.add(wish, integer_type(0, most), TransitionSystem::StateSymbol{}, "units left of times");
     }
 
-    /// The end of a timer. What it watches is a step or a level after the last evolution. The rest of t1 is that of the whole
-    /// while it is false; `lasted`: in the state before, it was true and t1 over.
+    /// The output of a timer. It observes a step or a level after the last evolution. While the level is false, the
+    /// remaining time is the complete t1. `lasted`: in the previous state, the level was true and t1 had elapsed.
     Id<Symbol> end_of(std::size_t k, Id<Equations::Variable> id) {
         const auto timer = std::ranges::find(equations_[k]->timers, id, &Equations::Timer::end);
         const std::string name = (k == 0 ? "a_" : "b_") + timer->name;
@@ -143,7 +143,7 @@ private:
         return exprs().disjunction(faults);
     }
 
-    /// Settled, and no fault comes of the evolution that is at hand: an output that divides by zero has none to write.
+    /// Quiescent, and the current evolution causes no fault: an output that divides by zero has no value to write.
     Id<Expr> settled(std::size_t k) {
         const Id<Expr> settled = inner(k, modules_[k].settled);
         const Id<Symbol> faulting = modules_[k].faulting;
@@ -175,8 +175,8 @@ private:
                     }));
     }
 
-    /// Says nothing (a thing is so or not), but names variables of one name together: decision diagrams keep those near each
-    /// other that a term reads, and mostly these are equal.
+    /// Adds a tautology that relates variables of the same name. It affects only the order of decision diagrams, which
+    /// keep variables of one term close together; mostly these variables are equal.
     void keep_twins_together() {
         for (const Id<Equations::Variable> of_a : equations_[0]->variables.ids())
             for (const Id<Equations::Variable> of_b : equations_[1]->variables.ids()) {
@@ -203,7 +203,7 @@ private:
         return exprs().disjunction(pairs);
     }
 
-    /// So many scans have been answered, or more.
+    /// True while fewer than `than` scans have been answered.
     Id<Expr> scans_are_fewer(std::int64_t than) {
         const Id<Symbol> scans = main_.draft.add("scans", integer_type(0, than), TransitionSystem::StateSymbol{},
                                                  "scans that were begun after the first");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// main: the free inputs and timer ends, and the instances of the controllers' modules wired to them.
+// Builds main: free inputs and timer outputs, and the instances of the controllers' modules connected to them.
 #include "schedule/controller.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using Role = Equations::Role;
 
 // -- constraints as invariants over free inputs --
 
-/// The inputs that a constraint reads; nothing where it reads something else.
+/// The inputs that a constraint reads; empty if it reads other variables.
 std::optional<std::vector<Id<ClosedLoop::Shared>>> inputs_of(const ClosedLoop& loop, Id<Expr> condition) {
     std::vector<Id<ClosedLoop::Shared>> found;
     for (const Id<Expr> leaf : leaves(loop.exprs, condition)) {
@@ -35,10 +35,10 @@ std::optional<std::vector<Id<ClosedLoop::Shared>>> inputs_of(const ClosedLoop& l
     return found;
 }
 
-/// The inputs that the constraints taken so far leave, as a function of their bits.
+/// The inputs that satisfy the constraints added so far, as a function of their bits.
 class Inputs {
 public:
-    /// Bits of one place are neighbours, so that inputs can be compared.
+    /// Bits of equal significance are adjacent in the order, so that comparisons of inputs have small diagrams.
     explicit Inputs(const ClosedLoop& loop)
         : loop_(loop), terms_(loop.exprs, [this](const Expr& leaf) { return term(leaf); }) {
         std::size_t most = 0;
@@ -54,7 +54,7 @@ public:
         for (const auto& [input, word] : words_) left_ &= in_range(space_, word);
     }
 
-    /// Whether the constraints so far and this one hold together of some inputs; nothing: that takes too much memory.
+    /// True if the constraints so far and this one are jointly satisfiable; empty if this exceeds the memory limit.
     std::optional<bool> admit(Id<Expr> condition) {
         try {
             const BddTerm& found = terms_(condition);
@@ -78,7 +78,7 @@ private:
     BddTerms terms_;
 };
 
-/// Every constraint that reads inputs of controllers only holds in every state (DESDES06 5.1); others say nothing of
+/// Adds every constraint that reads only inputs of controllers as an invariant (DESDES06 5.1); others do not apply to
 /// this model.
 void assume_constraints(const LoopMeaning& meaning) {
     for (const ClosedLoop::Constraint& constraint : meaning.loop.constraints) {
@@ -95,8 +95,9 @@ Id<Symbol> add_free(Main& main, const std::string& wish, Type type, const char* 
     return main.draft.add(wish, type, TransitionSystem::StateSymbol{}, section, origin);
 }
 
-/// The free variables that are each controller's own: ends of timers and, of several, its turn; wired as its last
-/// arguments. Then the instances get names that none of them has. Returns the turns, which each comes again and again.
+/// Adds the free variables of each controller, its timer outputs and, with several controllers, its turn, and passes
+/// them as last arguments. Then names the instances uniquely. Returns the turns, each of which is true infinitely
+/// often.
 std::vector<Id<Expr>> add_own_variables(const ControllerInstances& controllers) {
     Main& main = controllers.main;
     const bool several = controllers.parts.size() > 1;

@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: MIT
-// schedule_controllers: Equations -> TransitionSystem, the controllers alone, as DESDES06 section 6.1 writes them:
-// inputs and timer ends are free variables of `main`, each controller is an instance of a module of its own.
+// schedule_controllers: Equations -> TransitionSystem of the controllers alone, according to DESDES06 section 6.1:
+// inputs and timer outputs are free variables of `main`, and each controller is an instance of a separate module.
 //
 // One step of the system is one PLC cycle. In every state
 //   the inputs      are those that the next cycle will read; they are free
 //   firing conditions, `stable` and `settled` are definitions over the current activities and the current inputs
 //   the activities, internals and outputs are those after the cycle that led here.
-// State 0 is the state after the first evolution. What that evolution read is not what the first cycle reads: where a
+// State 0 is the state after the first evolution. The first evolution and the first cycle read different inputs: if a
 // stored action or an output of the first evolution reads an input, a variable `START_first` holds it, free in state 0.
 //
-// What becomes what:
+// Mapping:
 //   step             X_2, init and next by equation (12)
 //   transition       CF_T0, a definition: equation (11)
 //   output           with stability search a state variable, FALSE at first: next(TEST) := stable ? TEST_now : TEST,
-//                    TEST_now being equation (13); in every cycle a definition, equation (13) itself, or, where it
+//                    where TEST_now is equation (13); in every cycle a definition, equation (13) itself, or, if it
 //                    reads an input, a state variable, since the input is the one sampled in the cycle
 //   stored action    next by cases; with stability search an output keeps it in `LOCK_image` until it is written
-//   race             `race`, set for ever when two stored actions write different values together
-//   range            `out_of_range`, set for ever when an assignment would leave the range of its variable, which then
+//   race             `race`, set permanently when two stored actions write different values simultaneously
+//   range            `out_of_range`, set permanently when an assignment would leave the range of its variable, which
+//                    then
 //                    keeps its value, or when a divisor is zero
 //   constraint       with the approach `constraints`, an invariant of main over the inputs (DESDES06 5.1)
 //   observer         a module that follows every step
-//   several controllers   a free `turn_NAME` each, true infinitely often: any of them may be ahead of the others
+//   several controllers   a free `turn_NAME` each, true infinitely often: the relative speed of controllers is
+//                         arbitrary
 //
-// The system is total: every next value exists in every state, and constraints that exclude each other are refused.
+// The system is total: every next value is defined in every state, and contradictory constraints are rejected.
 #pragma once
 
 #include <optional>
@@ -37,17 +39,17 @@
 
 namespace grafverif {
 
-/// Whether there are inputs of which all constraints of `loop` hold; else an error that names the first one that the
-/// constraints before it exclude.
+/// True if some inputs satisfy all constraints of `loop`; otherwise reports the first constraint that contradicts those
+/// before it.
 bool constraints_agree(const ClosedLoop& loop, Diagnostics& diagnostics);
 
-/// The controllers of `loop`, with its properties; those that the controllers alone cannot answer are in `omitted`.
-/// `equations` are those of the controllers' charts, in order. Requires verify to be empty for each argument,
-/// and with the approach `constraints` that constraints_agree.
+/// The controllers of `loop` with its properties; properties that the controllers alone do not determine are in
+/// `omitted`. `equations` are those of the controllers' charts, in order. Requires verify to be empty for each
+/// argument, and with the approach `constraints` that constraints_agree.
 TransitionSystem schedule_controllers(const Model& model, const ClosedLoop& loop, std::span<const Equations> equations,
                                       const ScheduleOptions& options = {});
 
-/// One controller that belongs to no loop.
+/// A single controller without a loop.
 TransitionSystem schedule_controller(const Equations& equations, ExecutionMode mode);
 
 }  // namespace grafverif

@@ -11,8 +11,8 @@ namespace {
 
 using Role = Equations::Role;
 
-/// The words of controller `index`: its symbols under the names of its chart. `runs`: it makes a cycle; not valid: in
-/// every step.
+/// Names for traces of controller `index`: its symbols under the names of its chart. `runs`: true in steps in which it
+/// executes a cycle; invalid: in every step.
 TransitionSystem::Controller words(const ControllerInstances& controllers, std::size_t index, Id<Expr> runs) {
     const Equations& equations = controllers.parts[index].equations;
     const ControllerModule& module = controllers.modules[index];

@@ -13,27 +13,27 @@ namespace grafverif::schedule {
 
 struct ControllerModule {
     TransitionSystem::Module module = {};
-    /// The inputs and timer ends that are the parameters, in order; then `turn` and `elapse`, where there are any.
+    /// The inputs and timer outputs that are parameters, in order; followed by `turn` and `elapse` if used.
     std::vector<Id<Equations::Variable>> parameters = {};
-    /// Each variable of the equations as properties read it: outputs as written to the plant.
+    /// The symbol of each variable of the equations, as properties read it: outputs as written to the plant.
     std::vector<Id<Symbol>> symbols = {};
-    Id<Symbol> started = {};  ///< not valid: the first evolution shows in nothing, and is no step
+    Id<Symbol> started = {};  ///< invalid: the first evolution has no visible effect and is not a separate step
     Id<Symbol> settled = {};
-    Id<Symbol> race = {};                               ///< not valid: no two stored actions can race
-    Id<Symbol> out_of_range = {};                       ///< not valid: every assignment stays in its range
+    Id<Symbol> race = {};                               ///< invalid: no two stored actions can race
+    Id<Symbol> out_of_range = {};                       ///< invalid: every assignment stays in its range
     std::vector<Id<Equations::Variable>> bounded = {};  ///< the variables whose assignments may leave their range
-    Id<Symbol> faulting = {};  ///< of scans: the step at hand sets one of these flags; not valid: none ever does
+    Id<Symbol> faulting = {};  ///< for scans: the current step sets one of these flags; invalid: none is ever set
 };
 
 struct ControllerStyle {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    bool turns = false;  ///< a parameter `turn`: where it is false, nothing happens
-    /// Inputs come from a plant, and timer ends are variables of the module:
-    /// false from the activation of their step on; they may become true in a step with the parameter `elapse`, which
-    /// only a module with timers has. Else timer ends are parameters.
+    bool turns = false;  ///< has a parameter `turn`; nothing changes while it is false
+    /// Inputs come from a plant, and timer outputs are variables of the module: false from the activation of their step
+    /// on, and set in any step with the parameter `elapse`, which only a module with timers has. Otherwise timer
+    /// outputs are parameters.
     bool with_plant = false;
-    /// Who looks at the module sees scans: the first evolution is a step whether it shows or not, and the levels that timers
-    /// watch are variables.
+    /// The module is used scan by scan: the first evolution is always a separate step, and the values that timers
+    /// observe are variables.
     bool scans = false;
 };
 ControllerModule controller_module(const Equations& equations, const ControllerStyle& style, Exprs& exprs);

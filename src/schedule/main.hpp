@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Draft: a module of the TransitionSystem in the making: its symbols, under names of its own, and terms over them. A
-// symbol is declared first where others are to read it, and gets its value later (`set`).
-// Main: the system in the making: main as a draft, modules, their instances in main, and their symbols as main sees
-// them.
+// Draft: builder of a module of the TransitionSystem: its symbols, uniquely named, and terms over them. A symbol that
+// others read is declared first and gets its value later (`set`).
+// Main: builder of the system: main as a draft, modules, their instances in main, and the symbols of instances as
+// visible in main.
 #pragma once
 
 #include <map>
@@ -32,12 +32,12 @@ struct Draft {
     Id<Symbol> add(const std::string& wish, Type type, Kind kind, const char* section = "", Span origin = {}) {
         return module.symbols.add({names.fresh(wish), type, std::move(kind), section, origin, {}});
     }
-    /// Of a symbol whose values have names.
+    /// Adds a symbol with named values.
     Id<Symbol> add(const std::string& wish, std::vector<std::string> values, Kind kind, const char* section = "") {
         const Type type = integer_type(0, static_cast<std::int64_t>(values.size()) - 1);
         return module.symbols.add({names.fresh(wish), type, std::move(kind), section, {}, std::move(values)});
     }
-    /// Of a Boolean.
+    /// Adds a Boolean definition.
     Id<Symbol> define(const std::string& wish, Id<Expr> value, const char* section = "") {
         return add(wish, Type{}, TransitionSystem::DefineSymbol{value}, section);
     }
@@ -58,7 +58,7 @@ struct Main {
     TransitionSystem system = {};
     Draft draft{system.exprs};
     UniqueNames module_names = {};
-    std::map<std::pair<Id<Instance>, Id<Symbol>>, Id<Symbol>> members = {};  ///< in main, added when first asked for
+    std::map<std::pair<Id<Instance>, Id<Symbol>>, Id<Symbol>> members = {};  ///< in main, added on first use
 
     explicit Main(const std::string& name) {
         system.name = name;

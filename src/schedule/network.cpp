@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// One process of the network moves in each step. main has the choice `move` of who it is; the modules of the processes
-// do the rest (automaton_module.hpp): a module moves exactly where main says that it is its turn, so no two move
-// together.
+// Interleaving: one process of the network moves in each step. The choice `move` of main selects it; the modules of the
+// processes implement the moves (automaton_module.hpp). A module moves exactly if main gives it the turn, so no two
+// processes move simultaneously.
 //
-// Why no run of the network is lost: a process that can move may be chosen in every state. Why none is added, time
-// apart: `none` (and, with clocks that count, the tick) are on offer only where the network lets time pass, no urgent
-// edge being enabled. Why the system is total: where an urgent edge is enabled its process can move, elsewhere `none`
-// can be chosen; with clocks that count `none` is left for states that nothing can leave, which repeat themselves.
+// Completeness: every run of the network is preserved, because a process that can move may be chosen in every state.
+// Soundness: no run is added, except through time. `none` (and, if clocks count, the tick) can be chosen only if the
+// network lets time pass, that is, if no urgent edge is enabled. Totality: if an urgent edge is enabled, its process
+// can move; otherwise `none` can be chosen. If clocks count, `none` is reserved for states without successors, which
+// repeat.
 //
-// The questions asked are those of the loop, in the terms of main (properties.hpp); where the names of the loop are in
-// the network, its controllers say.
+// The properties are those of the loop, translated to main (properties.hpp); the controllers of the network map the
+// names of the loop to it.
 #include "schedule/network.hpp"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ namespace {
 using namespace schedule;
 using System = TransitionSystem;
 
-/// Which variables main holds: those that several processes write.
+/// The variables of main: those that several processes write.
 std::vector<bool> shared_variables(const Network& network) {
     std::vector<std::size_t> writers(network.variables.size());
     for (const Id<Network::Process> process : network.processes.ids())
@@ -43,7 +44,7 @@ std::vector<bool> shared_variables(const Network& network) {
 
 // -- who moves --------------------------------------------------------------------------------------------------------
 
-/// The choice of who moves; `none` comes behind the processes, time behind it.
+/// The choice of the moving process; the value `none` follows the processes, and time follows it.
 struct Turn {
     Id<Symbol> symbol = {};
     std::size_t processes = 0;
@@ -63,7 +64,7 @@ Turn add_move(Main& main, const Network& network, bool discrete) {
             network.processes.size()};
 }
 
-/// Tells each process, and the clocks, when it is their turn.
+/// Passes each process, and the clocks, the condition of their turn.
 void wire_turns(const PlantInstances& plant, const Turn& move, bool discrete) {
     Main& main = plant.main;
     const Network& network = plant.context.network;
@@ -79,13 +80,13 @@ void wire_turns(const PlantInstances& plant, const Turn& move, bool discrete) {
     plant.wire(signals);
 }
 
-/// What is on offer beside the moves of processes; with clocks that count, when they and time can move.
+/// Conditions for moves and for time to pass, if clocks count.
 struct Offers {
     Id<Expr> can_move = {}, can_wait = {};
 };
 
-/// Abstract time: nobody need move where nothing is urgent. Discrete time: somebody moves, or time does, where anything
-/// can.
+/// Abstract time: no process needs to move if no urgent edge is enabled. Discrete time: a process moves or time passes
+/// whenever possible.
 Offers add_offers(const PlantInstances& plant, const Turn& move, bool discrete) {
     Main& main = plant.main;
     Exprs& exprs = main.system.exprs;
@@ -106,7 +107,7 @@ Offers add_offers(const PlantInstances& plant, const Turn& move, bool discrete) 
 
 // -- what is asked ----------------------------------------------------------------------------------------------------
 
-/// The question that the property has become with its observer in the network (compose/observe.hpp), and its probes.
+/// Adds the property of the network that expresses `property` by its observer (compose/observe.hpp), and its probes.
 void add_watched(const LoopMeaning& meaning, const PlantInstances& plant, const Property& property) {
     const Network& network = plant.context.network;
     const auto known = std::ranges::find(network.properties, property.name, &Property::name);
@@ -120,7 +121,7 @@ void add_watched(const LoopMeaning& meaning, const PlantInstances& plant, const 
         if (probed_by(probe) == property.name) add(probe);
 }
 
-/// Those of the network first, then those that ask observers.
+/// Properties of the network first, then those with observers.
 void add_questions(LoopMeaning& meaning, const PlantInstances& plant) {
     const ClosedLoop& loop = meaning.loop;
     const Network& network = plant.context.network;
@@ -137,7 +138,7 @@ void add_questions(LoopMeaning& meaning, const PlantInstances& plant) {
     plant.add_range_property();
 }
 
-/// The parts of the network, where nothing watches them all.
+/// The parts of the network, unless an observer reads all of them.
 System::Parts parts(const PlantInstances& plant, const Turn& move, const Offers& offers) {
     Main& main = plant.main;
     const bool watched = std::ranges::find(plant.context.network.processes, Network::ProcessKind::Observer,
@@ -154,7 +155,7 @@ System::Parts parts(const PlantInstances& plant, const Turn& move, const Offers&
 
 // -- what traces say --------------------------------------------------------------------------------------------------
 
-/// In this step the PLC takes an edge that calls the procedure; not valid: there is no such procedure.
+/// True in steps in which the PLC takes an edge that calls the procedure; invalid if there is no such procedure.
 Id<Expr> calls(const PlantInstances& plant, Id<Network::Process> plc, Id<Network::Procedure> procedure) {
     if (!procedure.valid()) return {};
     const Network& network = plant.context.network;
@@ -172,7 +173,7 @@ System::Controller words(const PlantInstances& plant, const Network::Controller&
     const std::size_t plc = controller.process.index;
     const auto place = [&](Id<Equations::Variable> id) {
         const Id<Network::Variable> variable = controller.variables[id.index];
-        for (const auto& [known, symbol] : plant.automata[plc].within)  // it is no part of the state
+        for (const auto& [known, symbol] : plant.automata[plc].within)  // not part of the state
             if (known == variable) return plant.main.member(plant.instances[plc], symbol);
         return plant.variables[variable.index];
     };
@@ -196,7 +197,7 @@ TransitionSystem interleaved(const Model& model, const ClosedLoop& loop, std::sp
     wire_turns(plant, move, discrete);
     plant.set_effects();
     const Offers offers = add_offers(plant, move, discrete);
-    if (options.fairness) {  // movements end, and time goes on: what is urgent is not put off for ever
+    if (options.fairness) {  // movements terminate and time diverges: urgent edges are not postponed forever
         plant.add_fairness();
         main.draft.module.justice.push_back(plant.none_urgent());
     }

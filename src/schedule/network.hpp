@@ -2,21 +2,24 @@
 // schedule_network: Network -> TransitionSystem, the closed loop with its plant automata, one of which moves in each
 // step (schedule `interleaved`).
 //
-// What becomes what:
+// Mapping:
 //   process          an instance of a module, one module per component and set of constants: see automaton_module.hpp.
 //                    The PLC is one of them: its cycle, in the grain of the network, with the state of the network
-//   who moves        a choice `move` of main: `of_H_Cyl`, `of_PLC`, or `none`, which is on offer only where no urgent edge
+//   moving process   a choice `move` of main: `of_H_Cyl`, `of_PLC`, or `none`, which can be chosen only if no urgent
+//                    edge
 //                    is enabled
-//   shared variable  a variable of the module that writes it, or a definition where the location tells its value; a
-//                    variable of main where several write it (the flags of the PLC)
-//   time             abstract: clocks are left out, so that a timed edge may fire at any moment: the model has every run
+//   shared variable  a variable of the module that writes it, or a definition if the location determines its value; a
+//                    variable of main if it has several writers (the flags of the PLC)
+//   time             abstract: clocks are omitted, so that a timed edge may be taken at any time: the model has every
+//                    run
 //                    of the timed loop, and more. Discrete: clocks are bounded counters of their modules, with the
-//                    normalisation of the timed engine, and `move = of_time` is a tick: the states are the engine's.
+//                    normalization of the timed engine, and `move = of_time` is a tick: the states are those of the
+//                    engine.
 //                    `no deadlock` and `no timelock` become `always possible` an edge, a tick
 //   observer         a module that follows every step
 //
-// The system is total: where an urgent edge is enabled its process can move, elsewhere nobody need; with clocks that
-// count, a state that nothing can leave repeats itself.
+// The system is total: if an urgent edge is enabled its process can move, otherwise `none` can be chosen; if clocks
+// count, a state without successors repeats itself.
 #pragma once
 
 #include <optional>
@@ -31,7 +34,7 @@
 
 namespace grafverif {
 
-/// Requires that `network` is what compose made of `loop` and the `equations` of its controllers. Nothing after an
+/// Requires that `network` is the result of compose for `loop` and the `equations` of its controllers. Empty after an
 /// error: a variable with too many values for a symbolic model.
 std::optional<TransitionSystem> schedule_network(const Model& model, const ClosedLoop& loop,
                                                  std::span<const Equations> equations, const Network& network,

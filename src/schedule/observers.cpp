@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Guards may read where observers are, of others and their own. So all are declared before any is given its edges: an
-// instance of a module that has its location alone. The module is then made anew, with its parameters.
+// Guards may read the locations of all observers. Therefore all observers are declared first, as instances of modules
+// with only a location. The module is then replaced by the complete one with parameters and edges.
 #include "schedule/observers.hpp"
 
 #include <unordered_map>
@@ -11,7 +11,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// `location 101` is no word of NuSMV's; the state of that name is.
+/// `location 101` is not a NuSMV identifier; the state of that name is.
 std::vector<std::string> value_names(const ClosedLoop::Observer& observer) {
     std::vector<std::string> names;
     for (const auto& [name, origin] : observer.locations) {
@@ -26,14 +26,15 @@ struct Guarded {
     Id<Expr> guard = {};  ///< over symbols of main
 };
 
-/// Of `instance.symbol` in main the name of the symbol.
+/// Name of the symbol of the instance, for `instance.symbol` in main.
 const std::string& own_name(const System& system, const Symbol& symbol) {
     const auto* const member = std::get_if<System::MemberSymbol>(&symbol.kind);
     if (member == nullptr) return symbol.name;
     return system.modules[system.instances[member->instance].module].symbols[member->symbol].name;
 }
 
-/// Per symbol of main that guards read: the parameter of the observer's module. The instance gets its arguments.
+/// Adds a parameter to the observer's module for each symbol of main that guards read, and the argument to the
+/// instance.
 std::unordered_map<std::uint32_t, Id<Symbol>> add_parameters(Main& main, Id<System::Instance> instance, Draft& draft,
                                                              const std::vector<Guarded>& edges) {
     std::unordered_map<std::uint32_t, Id<Symbol>> parameters;
@@ -50,7 +51,7 @@ std::unordered_map<std::uint32_t, Id<Symbol>> add_parameters(Main& main, Id<Syst
     return parameters;
 }
 
-/// An instance that has no edges yet; its location is the first symbol of its module. Returns that as main sees it.
+/// Adds an instance without edges. Returns its location, the first symbol of its module, as a symbol of main.
 Id<Symbol> declare(Main& main, const ClosedLoop::Observer& observer) {
     System::Module module{.name = "observer_" + observer.name};
     const auto last = static_cast<std::int64_t>(observer.locations.size()) - 1;
@@ -63,7 +64,7 @@ Id<Symbol> declare(Main& main, const ClosedLoop::Observer& observer) {
     return main.member(instance, location);
 }
 
-/// `location`: what `declare` returned.
+/// Adds the edges; `location`: result of `declare`.
 void watch(Main& main, Id<Symbol> location, const std::vector<Guarded>& edges) {
     auto& known = std::get<System::MemberSymbol>(main.draft.module.symbols[location].kind);
     System::Module& module = main.system.modules[main.system.instances[known.instance].module];
@@ -84,8 +85,8 @@ void watch(Main& main, Id<Symbol> location, const std::vector<Guarded>& edges) {
     known.symbol = here;
 }
 
-/// Finds the observers that read what the model does not have, or an observer of that kind: properties cannot read
-/// them.
+/// Finds the observers that depend, directly or through other observers, on names that the model does not have:
+/// properties cannot read them.
 void find_unobserved(LoopMeaning& meaning) {
     const ClosedLoop& loop = meaning.loop;
     for (bool grew = true; grew;) {

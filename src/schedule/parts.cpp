@@ -10,7 +10,7 @@ namespace {
 
 using Part = TransitionSystem::Part;
 
-/// What main sees of the instances of each part: none of them can move or has to, and all let time pass.
+/// Values that replace the members of omitted instances in main: they cannot and need not move, and all let time pass.
 void leave_out_members(const PlantInstances& plant, const NetworkParts& parts, std::vector<Part>& made) {
     Main& main = plant.main;
     Exprs& exprs = main.system.exprs;

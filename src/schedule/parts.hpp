@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of a loop whose processes take turns: those of its network (ir/network_parts.hpp), in the terms of main.
+// Independent subsystems of an interleaved loop: those of its network (ir/network_parts.hpp), translated to main.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace grafverif::schedule {
 
-/// A term of the network, over variables and At, in the terms of main.
+/// Translates a term of the network, over variables and At, to main.
 Id<Expr> over_main(const PlantInstances& plant, Id<Expr> term);
 
-/// Two or more, or none. `turns`: per process, it moves in a step. Requires that main has all its members.
+/// At least two parts, or none. `turns`: per process, true in its steps. Requires that main has all its members.
 std::vector<TransitionSystem::Part> parts_that_take_turns(const PlantInstances& plant,
                                                           const std::vector<Id<Expr>>& turns);
 

@@ -13,7 +13,7 @@ namespace {
 
 using System = TransitionSystem;
 
-constexpr std::int64_t most_values = 4096;  // beyond it, the time that NuSMV takes for an integer is felt
+constexpr std::int64_t most_values = 4096;  // above this NuSMV needs noticeable time for an integer
 
 }  // namespace
 

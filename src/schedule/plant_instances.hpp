@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PlantInstances: the processes of a Network as instances of main, whatever the schedule.
+// PlantInstances: the processes of a Network as instances of main, for all schedules.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace grafverif::schedule {
 
-/// What a schedule hands to the modules that ask for it.
+/// Signals of a schedule to the modules.
 struct Signals {
     std::vector<Id<Symbol>> turns = {};  ///< per process
     Id<Symbol> first = {}, round = {}, tick = {};
@@ -20,45 +20,46 @@ struct Signals {
 struct PlantInstances {
     Main& main;
     const AutomatonContext context;
-    std::vector<AutomatonModule> automata = {};                  ///< per process; their modules moved into the system
+    std::vector<AutomatonModule> automata = {};                  ///< per process; their modules have been moved into
+                                                                 ///< the system
     std::vector<Id<TransitionSystem::Instance>> instances = {};  ///< per process
-    std::vector<Id<Symbol>> variables = {};                      ///< per variable of the network: what holds it in main
+    std::vector<Id<Symbol>> variables = {};                      ///< per variable of the network: its symbol in main
 
-    /// Adds modules and instances of every process; variables of main for what none of them owns. `known`: what main
-    /// has already, by variable of the network (outputs of controllers).
+    /// Adds modules and instances of every process, and variables of main for variables that none of them owns.
+    /// `known`: existing symbols of main by variable of the network (outputs of controllers).
     PlantInstances(Main& main, AutomatonContext context, std::vector<Id<Symbol>> known);
 
-    /// A symbol of the module of a process, as main sees it.
+    /// A symbol of the module of a process, as visible in main.
     Id<Expr> inner(std::size_t process, Id<Symbol> symbol) const { return main.inner(instances[process], symbol); }
-    /// A process is at a location.
+    /// The process is in a location.
     Id<Expr> at(std::size_t process, std::uint32_t location) const {
         const Id<Symbol> held = automata[process].location;
         if (!held.valid()) return main.system.exprs.constant(true);
         return main.draft.is(main.member(instances[process], held), location);
     }
-    /// What holds the variable that a process is given as argument `argument`.
+    /// The symbol of the variable passed to a process as argument number `argument`.
     Id<Symbol> argument(std::size_t process, std::size_t argument) const {
         const auto& arguments = context.network.processes[{static_cast<std::uint32_t>(process)}].arguments;
         return variables[std::get<Id<Network::Variable>>(arguments[argument]).index];
     }
-    /// `automata[i].*symbol` of every process that has such a symbol.
+    /// `automata[i].*symbol` for every process that has such a symbol.
     std::vector<Id<Expr>> each(Id<Symbol> AutomatonModule::*symbol) const;
-    /// No process has an urgent edge to take.
+    /// No process has an enabled urgent edge.
     Id<Expr> none_urgent() const;
-    /// What traces say of a process: its location, and its variables that no controller reads or writes.
+    /// Names of a process for traces: its location, and its variables that no controller reads or writes.
     TransitionSystem::Component component(std::size_t process) const;
 
-    /// Hands each instance its arguments.
+    /// Passes each instance its arguments.
     void wire(const Signals& signals) const;
-    /// The next values of the variables of main that processes write.
+    /// Sets the next values of the variables of main that processes write.
     void set_effects() const;
-    /// One justice condition per movement of the plant and per timer, none of the environment.
+    /// One justice condition per movement of the plant and per timer, none for the environment.
     void add_fairness() const;
-    /// `no_out_of_range`, where some automaton can leave a range.
+    /// `no_out_of_range`, if some automaton can leave a range.
     void add_range_property() const;
 };
 
-/// `of_NAME` per process: who moves.
+/// `of_NAME` per process: values of the choice of the moving process.
 std::vector<std::string> movers(const Network& network);
 
 /// Reports variables of the network that have too many values for a symbolic model.

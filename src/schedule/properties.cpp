@@ -9,7 +9,7 @@ namespace grafverif::schedule {
 
 namespace {
 
-/// What a name of the loop stands for; or not valid, and `reason` says why.
+/// Translates a name of the loop; invalid if it has no meaning in the model, with the reason in `reason`.
 Id<Expr> leaf_of(const LoopMeaning& meaning, const ClosedLoop::Symbol& symbol, std::string& reason) {
     const ClosedLoop& loop = meaning.loop;
     const Draft& main = meaning.main.draft;
@@ -55,7 +55,7 @@ Id<Expr> leaf_of(const LoopMeaning& meaning, const ClosedLoop::Symbol& symbol, s
         symbol);
 }
 
-/// Why the model cannot answer a property; empty: it can.
+/// Reason why the model does not determine a property; empty if it does.
 std::string refusal(const LoopMeaning& meaning, const Property& property) {
     switch (property.pattern) {
     case Pattern::Watched:
@@ -124,7 +124,7 @@ void add_property(const LoopMeaning& meaning, const Property& property) {
     if (meaning.judged_when_settled) translated.at_stable = true;
     if (property.pattern == Pattern::ReachableAllSteps) return add_all_steps(meaning, translated);
     if (property.pattern == Pattern::NoDeadlock || property.pattern == Pattern::NoTimelock) {
-        // Where no edge is enabled, time alone goes on until one is; so `possible` is `in the end`.
+        // If no edge is enabled, only time passes until one is; so `possible` is equivalent to `eventually`.
         translated.pattern = Pattern::AlwaysPossible;
         translated.operands = {property.pattern == Pattern::NoDeadlock ? meaning.can_move : meaning.can_wait};
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The properties of a loop as properties of an untimed model of it, whatever the schedule: LoopMeaning says where the
-// names of the loop are in main, and every term of a property, of a constraint, of an observer's guard is translated by
-// it. What a model cannot say is left out of it, with the reason.
+// Properties of a loop as properties of an untimed model, for all schedules. LoopMeaning maps the names of the loop to
+// main, and terms of properties, constraints and observer guards are translated by it. Properties that a model cannot
+// express are omitted, with the reason.
 #pragma once
 
 #include <functional>
@@ -15,37 +15,38 @@
 
 namespace grafverif::schedule {
 
-/// What the names of a loop stand for in a model of it.
+/// Meaning of the names of a loop in a model of it.
 struct LoopMeaning {
     Main& main;
     const Model& model;
     const ClosedLoop& loop;
     std::span<const Equations> equations;  ///< of the controllers, in order
-    /// Per shared variable: the symbol of main. Not valid: it is the plant's own, and the model has no plant.
+    /// Per shared variable: the symbol of main. Invalid: it belongs to the plant, and the model has none.
     std::vector<Id<Symbol>> shared = {};
-    /// The symbol of main that is a variable of a controller's equations.
+    /// The symbol of main for a variable of a controller's equations.
     std::function<Id<Symbol>(std::size_t controller, Id<Equations::Variable>)> variable = {};
-    /// An instance of the plant is at a location. None: the model has no plant.
+    /// True if an instance of the plant is in a location. Empty: the model has no plant.
     std::function<Id<Expr>(std::size_t instance, std::uint32_t location)> at = {};
-    /// The argument of an instance of the plant in that place, a variable, as main has it. None: the model has no plant.
+    /// The variable that is argument number `argument` of an instance of the plant, as symbol of main. Empty: the model
+    /// has no plant.
     std::function<Id<Symbol>(std::size_t instance, std::size_t argument)> own = {};
-    /// Per observer, once add_observers has added them: the symbol of main that is its location; and why properties
-    /// cannot read it, or nothing.
+    /// Per observer, set by add_observers: the symbol of main for its location, and the reason why properties cannot
+    /// read it, or empty.
     std::vector<Id<Symbol>> observers = {};
     std::vector<std::string> unobserved = {};
-    /// Some edge can fire, time can pass: what `no deadlock` and `no timelock` ask for. Not valid: the model cannot
-    /// say.
+    /// An edge can be taken, time can pass: conditions of `no deadlock` and `no timelock`. Invalid if the model does
+    /// not determine them.
     Id<Expr> can_move = {}, can_wait = {};
-    bool judged_when_settled = false;  ///< every property, in settled states only
+    bool judged_when_settled = false;  ///< every property is evaluated only in quiescent states
 };
 
-/// `expr` of the loop over the symbols of main; or not valid, and `reason` says why.
+/// Translates `expr` of the loop to the symbols of main; invalid if not possible, with the reason in `reason`.
 Id<Expr> term_of(const LoopMeaning& meaning, Id<Expr> expr, std::string& reason);
 
-/// A property of the loop, in `system.properties` or in `system.omitted`.
+/// Adds a property of the loop to `system.properties` or `system.omitted`.
 void add_property(const LoopMeaning& meaning, const Property& property);
 
-/// `name`: never one of `flags`; nothing where there are none.
+/// Adds the property `name`: none of `flags` is ever true. No effect if there are no flags.
 void add_never(TransitionSystem& system, const std::string& name, std::string text, const std::vector<Id<Expr>>& flags);
 
 }  // namespace grafverif::schedule

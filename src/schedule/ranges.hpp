@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a value has a place in its variable's range, and where it exists at all: the conditions under which an
-// assignment would leave the range of its target or divide by zero. Both are terms, constant where types alone decide.
+// Conditions under which a value is undefined or outside its variable's range: an assignment would leave the range of
+// its target or divide by zero. Both are terms, constant if the types alone determine them.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@
 
 namespace grafverif::schedule {
 
-/// A term that has a value everywhere: with a divisor of 1 where it divided by zero, for a model checker evaluates what
-/// no run does.
+/// A total version of a term, with divisors of 0 replaced by 1, because a model checker also evaluates values that no
+/// run uses.
 struct Total {
     Id<Expr> term = {};
-    Id<Expr> undefined = {};  ///< where it had none: evaluated as grafverif::evaluate does, it divides by zero; also
-                              ///< where its types let it leave 64 bits
+    Id<Expr> undefined = {};  ///< the original is undefined: grafverif::evaluate divides by zero, or the
+                              ///< types do not exclude that it leaves 64 bits
 };
 Total total(Exprs& exprs, Id<Expr> term, const TypeOf& type_of);
 
-/// The condition under which `term`, which has a value everywhere, leaves the range of `type`; false of a Boolean.
+/// The condition under which `term`, which must be total, leaves the range of `type`; false for a Boolean.
 Id<Expr> leaves_range(Exprs& exprs, Id<Expr> term, Type type, const TypeOf& type_of);
 
 }  // namespace grafverif::schedule

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the verdicts of an untimed model say of the timed closed loop: one paragraph for the header of the model and for
-// whoever reports a verdict. It depends on approach, schedule and kind of property.
+// Text: what the verdicts of an untimed model imply for the timed closed loop. One paragraph for the header of the
+// model and for reports; it depends on approach, schedule and type of property.
 #pragma once
 
 #include <span>

@@ -8,18 +8,17 @@ namespace grafverif::schedule {
 
 class Sequencer {
 public:
-    /// Adds its variables to main; they get their values in `run`.
+    /// Adds its variables to main; `run` sets their values.
     Sequencer(Main& main, const Network& plant);
 
     Id<Expr> is(std::int64_t state) const { return main_.draft.is(state_, state); }
     enum State : std::int64_t { Controllers, Controlled, InputsRead, Treatment, OutputsWritten, Test };
 
-    /// What it tells the automata, once they are instances of main.
+    /// Its signals to the automata; requires that these are instances of main.
     Signals signals(const PlantInstances& plant);
-    /// The states in which properties are judged.
+    /// The states in which properties are evaluated.
     Id<Expr> judged() const;
-    /// The values of its variables. `signals`: what `signals` returned; `controllers_settled`: their evolution is over
-    /// after this step.
+    /// Sets its variables. `signals`: result of `signals`; `controllers_settled`: their evolution ends with this step.
     void run(const PlantInstances& plant, const Signals& signals, Id<Expr> controllers_settled);
     /// `plant_settles` and `controllers_settle`.
     void add_properties() const;

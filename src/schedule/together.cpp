@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Controllers and automata read each other, so main declares before it wires: instances and their members come first
-// (outputs of the controllers, which automata read as variables of the network of the same index; then the automata,
-// whose variables are the controllers' inputs), arguments second, what is said of the whole (fairness, `settled`,
-// properties) last.
+// Controllers and automata read each other, so declarations precede connections. Instances and their members come
+// first: outputs of the controllers, which automata read as variables of the network of the same index, then the
+// automata, whose variables are the controllers' inputs. Then arguments are passed. Properties of the complete system
+// (fairness, `settled`, properties) come last.
 #include "schedule/together.hpp"
 
 #include <algorithm>
@@ -21,14 +21,15 @@ namespace {
 
 using namespace schedule;
 
-/// The outputs of the controllers among the shared variables of the loop.
+/// Adds the outputs of the controllers to the shared variables of the loop.
 std::vector<Id<Symbol>> outputs(const ControllerInstances& controllers, const ClosedLoop& loop) {
     std::vector<Id<Symbol>> shared(loop.shared.size());
     controllers.share_outputs(loop, shared);
     return shared;
 }
 
-/// The arguments `turn` and `elapse` of the controllers; returns when they run, or nothing: in every step.
+/// Sets the arguments `turn` and `elapse` of the controllers; returns the conditions under which they run, or empty: in
+/// every step.
 std::vector<Id<Expr>> wire_turns(const ControllerInstances& controllers, const std::optional<Sequencer>& sequencer) {
     Draft& main = controllers.main.draft;
     const auto timed = [](const ControllerPart& part) { return !part.equations.timers.empty(); };
@@ -45,8 +46,8 @@ std::vector<Id<Expr>> wire_turns(const ControllerInstances& controllers, const s
     return std::vector<Id<Expr>>(controllers.parts.size(), main.leaf(turn));
 }
 
-/// The controllers that search for stability have settled; the others have run their one cycle, which follows the first
-/// evolution at once.
+/// The controllers with stability search are quiescent; the others have executed their single cycle, which directly
+/// follows the first evolution.
 Id<Expr> evolution_over(const ControllerInstances& controllers) {
     std::vector<Id<Expr>> over;
     for (std::size_t index = 0; index < controllers.parts.size(); ++index) {
