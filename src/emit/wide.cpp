@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// Tells of each place once.
+/// Reports each position once.
 class Places {
 public:
     Places(std::string_view target, Diagnostics& diagnostics)
@@ -35,7 +35,7 @@ Type type_of(const Network& network, const Expr& leaf) {
     return leaf.op == Op::Variable ? network.variables[{static_cast<std::uint32_t>(leaf.value)}].type : Type{};
 }
 
-/// One template: its terms are computed as they stand, whatever its constants are.
+/// One template: its terms are evaluated independently of the values of its constants.
 class TemplatePlaces {
 public:
     TemplatePlaces(const Network& network, Id<Network::Template> id, Places& places)
@@ -44,7 +44,8 @@ public:
         fit_constants(id);
         wide_ = wide_terms(network.exprs, [&](const Expr& leaf) {
             if (leaf.op != Op::Parameter) return type_of(network, leaf);
-            const auto index = static_cast<std::size_t>(leaf.value);  // of this template, or of another with more
+            const auto index = static_cast<std::size_t>(leaf.value);  // of this template, or of another one with more
+                                                                      // parameters
             return index < types_.size() ? types_[index] : Type{};
         });
     }
@@ -63,7 +64,7 @@ public:
     }
 
 private:
-    /// Of constants the values that processes give.
+    /// Restricts constants to the values that processes give them.
     void fit_constants(Id<Network::Template> id) {
         std::vector<bool> given(types_.size());
         for (const Network::Process& process : network_.processes)

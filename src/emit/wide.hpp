@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What programs that compute with 32 bits (NuSMV 2.6, UPPAAL) cannot be given: they find other values, and say nothing.
+// Detects models that programs with 32-bit arithmetic (NuSMV 2.6, UPPAAL) would silently evaluate to other values.
 #pragma once
 
 #include <string_view>
@@ -11,15 +11,15 @@
 
 namespace grafverif {
 
-/// Why a property is left out.
+/// Reason why a property is omitted.
 inline constexpr const char* too_wide = "it may need integers of more than 32 bits";
 
-/// Per term of the table, whether something in it may need more than 32 bits. Of a network: terms without parameters.
+/// Per term of the table: true if it or a subterm may exceed 32 bits. For a network: terms without parameters.
 std::vector<bool> wide_terms(const Network& network);
 std::vector<bool> wide_terms(const FlatSystem& flat);
 
-/// Whether 32 bits do for all that the model does, its properties apart; an error (`beyond-32-bits`) for each place where they may
-/// not. Parameters of templates have the values of their arguments.
+/// True if 32 bits suffice for the behaviour of the model, properties excluded; otherwise an error (`beyond-32-bits`)
+/// for each position where they may not. Parameters of templates have the values of their arguments.
 bool fits(const Network& network, std::string_view target, Diagnostics& diagnostics);
 bool fits(const TransitionSystem& system, std::string_view target, Diagnostics& diagnostics);
 

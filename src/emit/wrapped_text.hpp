@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text of models and programs in lines of a readable length.
+// Line breaking for models and programs.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace grafverif {
 
-/// `text` in lines of at most `width` columns, as far as it has blanks where `breaks(what stands before the blank)`.
+/// `text` in lines of at most `width` columns, broken at spaces for which `breaks(text before the space)` is true.
 std::vector<std::string_view> wrapped(std::string_view text, std::size_t width, bool (*breaks)(std::string_view));
 
-/// `text` with each line beyond 118 columns broken between tokens, unless it begins with `comment`.
+/// Prints `text` with each line beyond 118 columns broken between tokens, unless it begins with `comment`.
 void print_wrapped(std::ostream& out, std::string_view text, std::string_view comment);
 
 }  // namespace grafverif

@@ -42,7 +42,7 @@ public:
     }
 
 private:
-    /// What the questions depend on, through latches too.
+    /// Marks all nodes that the properties depend on, including through latches.
     void close() {
         std::vector<Literal> roots;
         for (const Question& question : questions_) {
@@ -60,7 +60,7 @@ private:
                 roots.push_back(circuit_.latches[i].next);
             }
         }
-        // Of a run without inputs a witness does not tell how long it is.
+        // Keep one input, because a witness without inputs does not determine the length of the run.
         const bool some = std::ranges::any_of(circuit_.inputs, [&](const auto& input) { return needed_[input.node]; });
         if (!some && !circuit_.inputs.empty()) needed_[circuit_.inputs.front().node] = true;
     }

@@ -18,14 +18,14 @@ namespace grafverif::btor2 {
 
 namespace {
 
-using Line = std::uint32_t;  ///< the number of a line; 0: none
+using Line = std::uint32_t;  ///< line number; 0: none
 using Variable = FlatSystem::Variable;
 
-/// A value: a bit vector, and where it has none.
+/// A value: a bit vector, with the condition under which it is undefined.
 struct Word {
     bool boolean = true;
     std::uint32_t width = 1;
-    Line line = 0, undefined = 0;  ///< undefined: 0 where it always has a value
+    Line line = 0, undefined = 0;  ///< undefined: 0 if it is always defined
 };
 
 std::uint32_t width_of(std::int64_t value) {
@@ -41,7 +41,7 @@ std::string one_word(std::string name) {
     return name;
 }
 
-/// Lines, each said once.
+/// Output lines, hash-consed.
 class Lines {
 public:
     Line sort(std::uint32_t width) { return said("sort bitvec " + std::to_string(width)); }
@@ -54,7 +54,7 @@ public:
         for (const Line operand : operands) line += " " + std::to_string(operand);
         return said(line + rest);
     }
-    /// A line that is no value, or one that is new each time.
+    /// Adds a line that is not a value, or that must not be shared.
     Line fresh(const std::string& line) {
         text_ += std::to_string(++last_) + " " + line + "\n";
         return last_;
@@ -73,7 +73,7 @@ private:
     std::unordered_map<std::string, Line> known_ = {};
 };
 
-/// Terms as lines, with the meaning that `evaluate` gives them.
+/// Translates terms to lines, with the semantics of `evaluate`.
 class Terms {
 public:
     Terms(const Exprs& exprs, Lines& lines, std::function<Word(const Expr&)> leaf)
@@ -129,7 +129,7 @@ public:
                          : both(compared("sgte", word, integer(type.low)), compared("slte", word, integer(type.high)));
         return word.undefined == 0 ? fits : both(fits, negation(word.undefined));
     }
-    /// The word in the width of `type`, whose values it has.
+    /// The word with the width of `type`; its values must be in the range of `type`.
     Line fitted(const Word& word, Type type) {
         const std::uint32_t width = width_of(type);
         if (word.width <= width) return widened(word, width);
@@ -173,7 +173,7 @@ private:
         case Op::Parameter:
         case Op::At: return leaf_(node);
         case Op::Rise:
-        case Op::Fall: unreachable();  // edges are gone once a chart is derived
+        case Op::Fall: unreachable();  // derive has replaced all edges
         }
         unreachable();
     }
@@ -194,14 +194,14 @@ private:
         return {true, 1, compared(op, operands[0], operands[1]), either(operands[0].undefined, operands[1].undefined)};
     }
 
-    /// As wide as the wider operand and `more`.
+    /// The result has the width of the wider operand plus `more`.
     Word calculated(std::string_view op, const Word& left, const Word& right, std::uint32_t more) {
         const std::uint32_t width = std::max(left.width, right.width) + more;
         return {false, width, lines_.apply(op, width, {widened(left, width), widened(right, width)}),
                 either(left.undefined, right.undefined)};
     }
 
-    /// A result outside 64 bits is none.
+    /// Marks results outside 64 bits as undefined.
     Word cut(Word word) {
         constexpr std::uint32_t most = 64;
         if (word.width <= most) return word;
@@ -271,7 +271,7 @@ private:
     }
 
     void add_words() {
-        const Line no = now_.truth(false);  // before the states that begin with it
+        const Line no = now_.truth(false);  // before the states initialized with it
         started_ = named("state", Type{}, "started");
         define("init", started_, no);
         define("next", started_, now_.truth(true));

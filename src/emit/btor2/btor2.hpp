@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// TransitionSystem -> BTOR2 (Niemetz, Preiner, Wolf and Biere 2018: "BTOR2, BtorMC and Boolector 3.0"): words instead of
-// bits. A Boolean is a bit vector of one bit, an integer one in two's complement, and terms are as wide as they need, so
-// that nothing wraps around.
+// TransitionSystem -> BTOR2 (Niemetz, Preiner, Wolf and Biere 2018: "BTOR2, BtorMC and Boolector 3.0"), a word-level
+// format. A Boolean is a bit vector of one bit, an integer one in two's complement. Terms are as wide as necessary, so
+// there is no overflow.
 //
-// As in circuit/circuit.hpp, invariants, constraints on steps and ranges are folded into the state `broken`, a property about
-// states is a `bad` line, and values that are no constants at first are chosen by the state `started`. Properties about runs
-// are left out; AIGER says them.
+// As in circuit/circuit.hpp, invariants, constraints on steps and ranges are folded into the state `broken`. A state
+// property is a `bad` line, and the state `started` selects first values that are not constant. Properties of runs are
+// omitted; AIGER supports them.
 #pragma once
 
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Orders and places by turns: each item is drawn to where its lines lead, first from the layer before it, then from the
-// one behind. The places of a layer are then the nearest ones that keep its order and leave gaps (isotonic regression:
-// what would overlap is merged into blocks that stand at the mean of their wishes). The turn with the shortest lines on
-// tracks wins.
+// Iteratively orders and positions the items of layers. Each item is attracted to the other ends of its lines,
+// alternately in the previous and the next layer. The positions in a layer are then the nearest ones that keep the
+// order and the gaps (isotonic regression: overlapping items are merged into blocks at the mean of their preferred
+// positions). The iteration with the shortest lines on tracks is used.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,14 +16,14 @@ namespace grafverif::layout {
 
 namespace {
 
-/// Lines of different nets that run side by side are at least so far apart.
+/// Minimal distance of parallel lines of different nets.
 constexpr int line_gap = 4;
 
 int gap(const Item& above, const Item& below) {
     return above.lane && below.lane ? 10 : above.lane || below.lane ? 13 : 24;
 }
 
-/// Where an item would like to begin.
+/// Preferred start of an item.
 struct Wish {
     double sum = 0, weight = 0;
     void add(double place, double by) {
@@ -65,7 +65,8 @@ public:
     }
 
 private:
-    /// Draws the items of a layer to where their lines lead, before and behind it; `anew`: in an order that fits.
+    /// Attracts the items of a layer to the other ends of their lines in the previous or next layer; with the last flag
+    /// also reorders them.
     void draw(std::size_t layer, bool before, bool behind, bool anew) {
         std::vector<std::size_t>& order = layers_.order[layer];
         for (const std::size_t item : order) wishes_[item] = {};
@@ -79,7 +80,7 @@ private:
         place(order);
     }
 
-    /// Lines that go forward are to be straight first, then lanes; nodes do not care much for those that go back.
+    /// Straightness of forward lines has the highest weight, then lanes; backward lines have a low weight at nodes.
     double weight(std::size_t channel, const Net& net, std::size_t item) const {
         if (layers_.depth[net.target] > channel) return 8;
         return layers_.items[item].lane ? 2 : 0.25;
@@ -110,10 +111,10 @@ private:
         return wish.weight == 0 ? layers_.items[item].at : wish.sum / wish.weight;
     }
 
-    /// As near to the wishes as order and gaps allow.
+    /// The nearest positions to the preferred ones under the given order and gaps.
     void place(const std::vector<std::size_t>& order) {
         struct Block {
-            double sum = 0, weight = 0;  ///< of the wishes for where the first item would begin
+            double sum = 0, weight = 0;  ///< of the preferred positions of the first item
             std::size_t items = 0;
             double begin() const { return sum / weight; }
         };
@@ -137,7 +138,7 @@ private:
                 layers_.items[order[k]].at = block.begin() + offsets[k];
     }
 
-    /// Rows are in the order of the places where their lines lead; loops come first, what leads nowhere last.
+    /// Orders rows by the positions of their targets; loops come first, rows without a target last.
     void lay_rows(std::size_t node) {
         Item& item = layers_.items[node];
         std::vector<std::size_t>& arrows = layers_.arrows[node];
@@ -167,7 +168,7 @@ private:
         return forward ? far_place(layers_, net.far.front()) : near_place(layers_, net.near.front());
     }
 
-    /// Moves nodes to where a line from the layer before runs straight into them, where there is room for that.
+    /// Moves nodes so that a line from the previous layer enters straight, if there is space.
     void straighten_nodes(std::size_t layer) {
         constexpr int corner = 10;
         const std::vector<std::size_t>& order = layers_.order[layer];
@@ -185,12 +186,12 @@ private:
         }
     }
 
-    /// Puts the lanes of a line that goes back in one line, as far as there is room between their neighbours.
+    /// Aligns the lanes of a backward line, as far as their neighbours allow.
     void straighten_lanes() {
         std::vector<std::size_t> place_of(layers_.items.size());
         for (const std::vector<std::size_t>& order : layers_.order)
             for (std::size_t k = 0; k < order.size(); ++k) place_of[order[k]] = k;
-        std::map<std::size_t, std::vector<std::size_t>> runs;  // lanes by target, and so by layers
+        std::map<std::size_t, std::vector<std::size_t>> runs;  // lanes by target, in order of layers
         for (std::size_t layer = 0; layer < layers_.order.size(); ++layer)
             for (const std::size_t item : layers_.order[layer])
                 if (layers_.items[item].lane) runs[layers_.items[item].node].push_back(item);
@@ -213,7 +214,7 @@ private:
         }
     }
 
-    /// Between which places the `k`th item of a layer can be moved.
+    /// Range in which the `k`th item of a layer can be moved.
     Extent room_of(const std::vector<std::size_t>& order, std::size_t k) const {
         constexpr double far = std::numeric_limits<double>::infinity();
         const Item& item = layers_.items[order[k]];
@@ -233,9 +234,10 @@ private:
         return sum;
     }
 
-    /// Gives the items of a layer whole places, and nodes an entry, beside no line of another net.
+    /// Rounds positions of the items of a layer, and gives nodes an entry that does not coincide with a line of another
+    /// net.
     void settle(std::size_t layer) {
-        std::map<int, std::size_t> lines;  // that come into the channel before the layer, with their targets
+        std::map<int, std::size_t> lines;  // incoming lines of the channel before the layer, with their targets
         if (layer > 0)
             for (const Net& net : layers_.channels[layer - 1])
                 for (const Port& port : net.near) lines[static_cast<int>(near_place(layers_, port))] = net.target;
@@ -252,9 +254,9 @@ private:
         }
     }
 
-    static constexpr int jog = 12;  ///< no lane turns for less
+    static constexpr int jog = 12;  ///< minimal length of a jog
 
-    /// The place of the line that a lane goes on from, where that is near `at`.
+    /// Position of the line that a lane continues, if it is near `at`.
     static int continued(const Item& lane, int at, int least, const std::map<int, std::size_t>& lines) {
         for (auto line = lines.lower_bound(std::max(least, at - jog)); line != lines.end() && line->first <= at + jog;
              ++line)
@@ -262,8 +264,8 @@ private:
         return at;
     }
 
-    /// Finds an entry for lines to an item that begins at `at`: of a lane, there; of a node, straight on from a line to it,
-    /// else as near to its middle as can be.
+    /// Finds an entry for lines to an item that begins at `at`: for a lane, this position; for a node, straight on from
+    /// an incoming line, otherwise as near to its middle as possible.
     static bool enter(Item& item, int at, const std::map<int, std::size_t>& lines) {
         constexpr int corner = 8;
         const auto is_free = [&](int place) {
@@ -295,18 +297,18 @@ private:
     std::vector<Wish> wishes_;
 };
 
-/// The places of a net on both sides of its track.
+/// Positions of a net on both sides of its track.
 struct Sides {
     std::vector<double> near = {}, far = {};
     Extent extent = {};
 };
 
-/// How many of `places` lie within `extent`.
+/// Number of `places` inside `extent`.
 std::ptrdiff_t within(const std::vector<double>& places, Extent extent) {
     return std::ranges::lower_bound(places, extent.high) - std::ranges::upper_bound(places, extent.low);
 }
 
-/// How many lines cross where the track of `first` comes before that of `second`.
+/// Number of crossings if the track of `first` precedes that of `second`.
 std::ptrdiff_t crossings_between(const Sides& first, const Sides& second) {
     return within(first.far, second.extent) + within(second.near, first.extent);
 }

@@ -14,7 +14,7 @@ namespace grafverif {
 
 namespace {
 
-/// Arrows by where they lead, lines of one pair of nodes together.
+/// Groups arrows by target; lines of one pair of nodes are merged.
 class Arrows {
 public:
     void add(std::size_t from, std::size_t to, std::string line) {
@@ -30,7 +30,7 @@ private:
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> known_ = {};
 };
 
-/// In quotes, as DOT wants it; lines end with `\n`.
+/// A quoted DOT string; lines end with `\n`.
 std::string dot_label(const std::vector<std::string>& lines) {
     std::string text = "\"";
     for (const std::string& line : lines) {

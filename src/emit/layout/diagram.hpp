@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Location automata, Mealy machines (JESA13 Figs. 8, 10, 11) and components of the plant as drawings: Graphviz DOT, and SVG
-// laid out here.
+// Drawings of location automata, Mealy machines (JESA13 Figs. 8, 10, 11) and components: Graphviz DOT, and SVG with
+// built-in layout.
 //
-// A node is a location: its number and situation, below them the outputs that are set. An arrow is an evolution under its
-// condition; inputs that never stabilise are a dashed arrow to nowhere. In a Mealy machine an arrow carries
-// `condition / outputs`; arrows between the same two states are one, their labels below each other. A component has its
-// invariants in the nodes, and each edge as an arrow: at once or timed, under which guard, and what it does.
+// A node is a location: its number and situation, below them the outputs that are set. An arrow is an evolution with
+// its condition; a dashed arrow without target shows inputs for which no stable situation is reached. In a Mealy
+// machine an arrow has a label `condition / outputs`; arrows between the same two states are merged, with one label
+// below the other. A component has its invariants in the nodes and an arrow for each edge: immediate or timed, with its
+// guard and effect.
 #pragma once
 
 #include <cstddef>
@@ -29,13 +30,13 @@ struct Diagram {
     struct Arrow {
         std::size_t from = 0, to = 0;
         std::vector<std::string> lines = {};
-        bool dashed = false;  ///< total instability; `to` is `from`
+        bool dashed = false;  ///< total instability; `to` equals `from`
         bool operator==(const Arrow&) const = default;
     };
     std::string name = {};
     std::vector<Node> nodes = {};
     std::vector<Arrow> arrows = {};
-    bool numbered = true;  ///< nodes are told apart by their numbers; false: by their names
+    bool numbered = true;  ///< nodes are identified by numbers; false: by names
     bool operator==(const Diagram&) const = default;
 };
 
@@ -44,12 +45,12 @@ Diagram diagram(const MealyMachine& machine);
 Diagram diagram(const Component& component);
 
 void emit_dot(const Diagram& diagram, std::ostream& out);
-/// A drawing, or of more nodes than `largest_drawing` a table. `prefix` stands before the ids in it.
+/// A drawing; with more nodes than `largest_drawing` a table. `prefix` is prepended to the ids.
 void emit_svg(const Diagram& diagram, std::ostream& out, std::string_view prefix = "");
 
-/// More nodes than this make no drawing that a person could read.
+/// Number of nodes above which a drawing is unreadable.
 inline constexpr std::size_t largest_drawing = 60;
-/// And more than this no table; Graphviz takes the DOT file.
+/// Number of nodes above which a table is unreadable; the DOT file can be used with Graphviz.
 inline constexpr std::size_t largest_table = 200;
 
 }  // namespace grafverif

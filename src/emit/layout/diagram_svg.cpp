@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Diagrams as SVG: a layered drawing, read in the way that needs the smaller page, or a table. Texts stand in a font in which each
-// character is as wide as the next, so that their boxes hold them wherever they are shown.
+// Diagrams as SVG: a layered drawing, in the direction that needs the smaller page, or a table. Text uses a monospaced
+// font, so that it fits its boxes in every viewer.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ Size text_size(const Lines& lines) {
     return {longest * character_width, static_cast<int>(lines.size()) * line_height};
 }
 
-/// Broken behind operators and commas.
+/// Breaks lines after operators and commas.
 Lines broken(const Lines& lines, std::size_t width) {
     Lines result;
     for (const std::string& line : lines)
@@ -58,15 +58,15 @@ Lines broken(const Lines& lines, std::size_t width) {
     return result;
 }
 
-/// The texts of a diagram in lines, and their places.
+/// The texts of a diagram as lines, with their positions.
 struct Page {
     std::vector<Lines> nodes = {}, arrows = {};
     Layered places = {};
-    /// The longer side, of a page that is wider than high.
+    /// The longer side, relative to the aspect ratio of a page that is wider than high.
     int side() const { return std::max(2 * places.size.width / 3, places.size.height); }
 };
 
-/// Instead of a drawing: the nodes below each other, each with its arrows and the numbers of the nodes they lead to.
+/// The table: all nodes in one column, each with its arrows and the numbers of their targets.
 Layered table(const layout::States& states) {
     constexpr int gap = 10, row_gap = 3;
     Layered places;
@@ -90,7 +90,7 @@ Layered table(const layout::States& states) {
     return places;
 }
 
-/// `direction`: of a drawing; none: the page is a table.
+/// `direction`: of the drawing; none: the page is a table.
 Page page(const Diagram& diagram, std::optional<Direction> direction) {
     constexpr std::size_t node_width = 36;
     const std::size_t label_width = !direction ? 100 : direction == Direction::Across ? 60 : 32;
@@ -169,7 +169,7 @@ private:
              "black");
     }
 
-    /// Arrows that end at one place are one path: what they share is drawn once.
+    /// Arrows with a common end are drawn as one path, so that shared segments are drawn once.
     void lines() {
         std::map<std::pair<int, int>, std::size_t> known;
         Lines paths;

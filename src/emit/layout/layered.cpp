@@ -13,11 +13,11 @@ namespace grafverif::layout {
 
 namespace {
 
-constexpr int beside_line = 5;                                       ///< between a label and its own line, and the box
+constexpr int beside_line = 5;                                       ///< between a label and its line, and the box
 constexpr int loop_depth = 9;                                        ///< between the two lines of a loop
 constexpr int before_tracks = 10, track_gap = 9, after_tracks = 18;  ///< along a channel
 
-/// Along and across, whichever way the drawing is read.
+/// Conversion between along/across and x/y for both directions.
 struct Axes {
     Direction direction = Direction::Across;
 
@@ -32,8 +32,8 @@ struct Axes {
     }
 };
 
-/// Per node the number of arrows from the first one. What those do not reach begins anew behind all that they do, so that
-/// no arrow ever leaps over a layer.
+/// Distance of each node from the first node. Unreachable nodes are placed after all others, so that no arrow skips a
+/// layer forwards.
 std::vector<std::size_t> depths(const States& states) {
     std::vector<std::vector<std::size_t>> next(states.nodes.size());
     for (const States::Arrow& arrow : states.arrows)
@@ -87,7 +87,7 @@ private:
         if (layers_.depth[arrow.to] <= layer) lead_back(arrow.to, layer);
     }
 
-    /// The net of a node in a channel. A new one begins with the port of the node, where the channel is beside it.
+    /// The net of a node in a channel. A new net starts with the port of the node, if the channel is adjacent to it.
     Net& net(std::size_t channel, std::size_t target) {
         std::vector<Net>& nets = layers_.channels[channel];
         const auto [known, added] = layers_.net_of[channel].try_emplace(target, nets.size());
@@ -98,7 +98,7 @@ private:
         return nets.back();
     }
 
-    /// Adds the lanes between the channel behind `layer` and the one behind the target, as far as they are missing.
+    /// Adds the missing lanes between the channel after `layer` and the one after the target.
     void lead_back(std::size_t target, std::size_t layer) {
         layers_.items[target].is_reached_back = true;
         for (; layer > layers_.depth[target] && lanes_.insert({layer, target}).second; --layer) {
@@ -106,7 +106,7 @@ private:
             layers_.items.push_back({.node = target, .lane = true});
             layers_.order[layer].push_back(lane.item);
             std::vector<Port>& near = net(layer, target).near;
-            near.insert(near.begin(), lane);  // the way on comes first
+            near.insert(near.begin(), lane);  // the port towards the target comes first
             net(layer - 1, target).far.push_back(lane);
         }
     }
@@ -119,7 +119,7 @@ private:
         return {to, 8, label + 2 * beside_line + loop};
     }
 
-    /// A node is as large as its text and its rows need.
+    /// Computes the size of a node from its text and rows.
     void measure(std::size_t node) {
         Item& item = layers_.items[node];
         item.rows = item.is_reached_back ? back_room : 0;
@@ -138,7 +138,7 @@ private:
     std::set<std::pair<std::size_t, std::size_t>> lanes_ = {};  ///< by layer and target
 };
 
-/// Turns layers whose items have their places into a drawing.
+/// Converts layers with positioned items into a drawing.
 class Painter {
 public:
     Painter(const States& states, Axes axes, Layers& layers) : states_(states), axes_(axes), layers_(layers) {}
@@ -161,12 +161,12 @@ public:
     }
 
 private:
-    /// Along, where a layer has its nodes, their rows and the channel behind it.
+    /// Positions along: nodes of a layer, their rows and the channel after it.
     struct Place {
         int nodes = 0, rows = 0, channel = 0;
     };
 
-    /// Returns where the next layer begins.
+    /// Returns the start of the next layer.
     int place_layer(std::size_t layer, int along) {
         int nodes = 0, rows = 0;
         for (const std::size_t item : layers_.order[layer]) {
@@ -182,7 +182,7 @@ private:
                            : along + before_tracks + static_cast<int>(tracks) * track_gap + after_tracks;
     }
 
-    /// Of a row with its label.
+    /// Length of a row with its label.
     int length(std::size_t arrow) const { return axes_.along(states_.arrows[arrow].label) + 3 * beside_line; }
 
     int track(std::size_t channel, const Net& net) const {
@@ -229,7 +229,7 @@ private:
         }
     }
 
-    /// The line goes on to there; a place where it does not turn is none of its points.
+    /// Continues the line to a point; points without a turn are omitted.
     void to(int along, int across) {
         const Point next = axes_.point(along, across);
         if (!line_.empty() && line_.back() == next) return;
@@ -242,7 +242,7 @@ private:
 
     void add_joints(const Net& net, int along) {
         const auto [low, high] = extent(layers_, net);
-        std::map<int, int> lines;  // that go off the track, by their places
+        std::map<int, int> lines;  // lines that leave the track, by position
         for (const Port& port : net.near) lines[static_cast<int>(near_place(layers_, port))] |= 1;
         for (const Port& port : net.far) lines[static_cast<int>(far_place(layers_, port))] |= 2;
         for (const auto& [place, sides] : lines)
@@ -255,7 +255,7 @@ private:
     Layers& layers_;
     Layered drawing_ = {};
     std::vector<Place> places_ = {};  ///< per layer
-    std::vector<Point> line_ = {};    ///< the one being drawn
+    std::vector<Point> line_ = {};    ///< the current line
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Labels: each where it overlaps nothing, near what it belongs to, and crossed by no link if that can be had.
+// Label placement: without overlaps, near the labelled element, and if possible not crossed by a link.
 #include "emit/layout/layout.hpp"
 
 #include <algorithm>
@@ -12,19 +12,19 @@
 namespace grafverif::layout {
 namespace {
 
-constexpr std::size_t many_links = 300;  // beyond, links are not kept off the labels
+constexpr std::size_t many_links = 300;  // above this number, links may cross labels
 
 struct Candidate {
     Box box = {};
     double penalty = 0;
-    bool astray = false;  ///< so far off that one has to look for what it belongs to
+    bool astray = false;  ///< too far away to be associated at first sight
 };
 
 Box centred(Vector centre, Size size) {
     return {point({centre.x - size.width / 2.0, centre.y - size.height / 2.0}), size};
 }
 
-/// The box and a little air around it.
+/// The box with a margin.
 Box aired(const Box& box) {
     constexpr int air = 4;
     return {{box.at.x - air, box.at.y - air}, {box.size.width + 2 * air, box.size.height + 2 * air}};
@@ -51,7 +51,7 @@ std::vector<Candidate> around(Vector node, Size size) {
     return list;
 }
 
-/// Along the middle of a link, on its outer and on its inner side.
+/// Next to the middle of a link, on its outer and inner side.
 std::vector<Candidate> along(const Route& route, Size size) {
     std::vector<Candidate> list;
     for (const double gap : {5.0, 14.0, 30.0}) {
@@ -80,7 +80,7 @@ std::vector<Candidate> beyond(const Route& route, Size size) {
     return list;
 }
 
-/// One drawing at one scale.
+/// A layout at one scale.
 struct Attempt {
     Drawing drawing = {};
     int crossings = 0, astray = 0;
@@ -162,7 +162,7 @@ private:
     Attempt* attempt_ = nullptr;
 };
 
-/// Labels without a place, one under the other below everything else.
+/// Places the remaining labels in a column below the drawing.
 void house_below(Attempt& attempt) {
     int y = attempt.plane.bottom() + 40;
     for (const auto& [size, label] : attempt.homeless) {
@@ -180,7 +180,7 @@ Drawing draw(const Graph& graph) {
     for (std::size_t i = 0; i < scales.size(); ++i) {
         const Skeleton lines = skeleton(graph, order, scales[i]);
         Attempt attempt;
-        attempt.drawing.nodes.reserve(graph.nodes.size());  // labels are kept by address
+        attempt.drawing.nodes.reserve(graph.nodes.size());  // labels refer to nodes by address
         attempt.drawing.links.reserve(graph.links.size());
         Placer(graph, lines).place(attempt);
         const auto faults = [](const Attempt& a) { return std::pair(a.homeless.size(), a.crossings + a.astray); };

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// layout: places for the nodes, links and labels of a small drawing, such as an automaton in an editor.
+// layout: positions of nodes, links and labels of a small drawing, such as an automaton in an editor.
 //
-// Nodes stand on a line where the links form a path, else on an ellipse, in an order that keeps links short. Links
-// between the same two nodes run in lanes beside each other, loops are petals that point into the widest gap around
-// their node. Labels are then placed one by one, each at the first of its candidate places that overlaps nothing and
-// is crossed by no link. Where a label finds none, the drawing is stretched and tried again; the best attempt wins, and
-// a label that still has no place (never seen on charts of the samples) is put below the drawing.
+// Nodes are placed on a line if the links form a path, otherwise on an ellipse, in an order that keeps links short.
+// Links between the same two nodes run in parallel lanes, loops are petals that point into the widest gap around their
+// node. Labels are then placed one by one, each at the first of its candidate positions that overlaps nothing and is
+// crossed by no link. If a label finds none, the drawing is stretched and the layout repeated; the best attempt is
+// used. A label that still has no position (not observed on charts of the samples) is put below the drawing.
 //
-// Guaranteed: no two of the boxes of nodes and labels overlap. The result depends on the graph alone.
+// Guaranteed: boxes of nodes and labels do not overlap. The result depends only on the graph.
 #pragma once
 
 #include <cstddef>
@@ -26,19 +26,19 @@ struct Size {
 };
 
 struct Box {
-    Point at = {};  ///< its upper left corner
+    Point at = {};  ///< upper left corner
     Size size = {};
 };
 
 bool overlap(const Box& left, const Box& right);
 
-/// What is to be drawn. An empty size is no label.
+/// The graph to draw. An empty size means no label.
 struct Graph {
     struct Link {
         std::size_t from = 0, to = 0;
         Size label = {};
     };
-    std::vector<Size> nodes = {};  ///< the label of each node
+    std::vector<Size> nodes = {};  ///< label size of each node
     std::vector<Link> links = {};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plane on which a drawing is made: vectors, and what already lies where.
+// The plane of a drawing: vectors, and the elements placed so far.
 #pragma once
 
 #include <cmath>
@@ -25,7 +25,7 @@ inline Vector direction(double angle) { return {std::cos(angle), std::sin(angle)
 inline Vector vector(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 inline Point point(Vector a) { return {static_cast<int>(std::lround(a.x)), static_cast<int>(std::lround(a.y))}; }
 
-/// How far a box reaches from its centre along `along`.
+/// Extent of a box from its centre in the direction `along`.
 inline double reach(Size size, Vector along) {
     return (std::abs(along.x) * size.width + std::abs(along.y) * size.height) / 2;
 }
@@ -34,16 +34,16 @@ struct Segment {
     Vector from = {}, to = {};
 };
 
-/// The boxes and lines drawn so far. Boxes are found by the cells of a grid that they touch.
+/// The boxes and lines drawn so far. Boxes are indexed by the squares of a grid that they touch.
 class Plane {
 public:
     void add(const Box& box);
     void add(const Segment& segment) { segments_.push_back(segment); }
 
     bool is_free(const Box& box) const;
-    /// How many lines run through the box.
+    /// Number of lines that intersect the box.
     int crossings(const Box& box) const;
-    /// The lowest y that any box reaches.
+    /// The largest y of all boxes.
     int bottom() const { return bottom_; }
     int left() const { return left_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Order of the nodes, their places, lanes of parallel links and directions of loops.
+// Order and positions of the nodes, lanes of parallel links and directions of loops.
 #include "emit/layout/skeleton.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using Pair = std::pair<std::size_t, std::size_t>;
 
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t longest_line = 6;   // nodes; a longer path is drawn as a ring
-constexpr std::size_t fully_ordered = 8;  // nodes up to which every order on the ring is tried
+constexpr std::size_t fully_ordered = 8;  // maximal number of nodes for which every order on the ring is tried
 constexpr std::size_t somewhat_ordered = 30;
 constexpr double lane_offset = 16;
 constexpr double label_gap = 6;
@@ -28,7 +28,7 @@ std::set<Pair> connections(const Graph& graph) {
     return pairs;
 }
 
-/// Per node, the nodes it is linked with.
+/// Per node: its neighbours.
 std::vector<std::vector<std::size_t>> neighbours(std::size_t nodes, const std::set<Pair>& pairs) {
     std::vector<std::vector<std::size_t>> next(nodes);
     for (const auto& [a, b] : pairs) {
@@ -38,7 +38,7 @@ std::vector<std::vector<std::size_t>> neighbours(std::size_t nodes, const std::s
     return next;
 }
 
-/// The nodes from one end of the path to the other; empty where the links form no path over all nodes.
+/// The nodes from one end of the path to the other; empty if the links do not form a path over all nodes.
 std::vector<std::size_t> path_order(std::size_t nodes, const std::set<Pair>& pairs) {
     if (nodes == 0 || nodes > longest_line || pairs.size() + 1 != nodes) return {};
     const std::vector<std::vector<std::size_t>> next = neighbours(nodes, pairs);
@@ -59,7 +59,7 @@ std::vector<std::size_t> path_order(std::size_t nodes, const std::set<Pair>& pai
     return order.size() == nodes ? order : std::vector<std::size_t>{};
 }
 
-/// How far apart linked nodes stand on the ring: the squares punish long links.
+/// Sum of the squared distances of linked nodes on the ring; squares penalize long links.
 std::size_t spread(const std::vector<std::size_t>& order, const std::set<Pair>& pairs) {
     std::vector<std::size_t> place(*std::ranges::max_element(order) + 1);
     for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
@@ -72,7 +72,7 @@ std::size_t spread(const std::vector<std::size_t>& order, const std::set<Pair>& 
     return sum;
 }
 
-/// The nodes around the ring: the order as written, unless another one has shorter links.
+/// The order of nodes on the ring: as written, unless another one has shorter links.
 std::vector<std::size_t> ring_order(std::vector<std::size_t> best, const std::set<Pair>& pairs) {
     const std::size_t nodes = best.size();
     if (nodes <= 3) return best;
@@ -102,7 +102,7 @@ std::vector<std::size_t> ring_order(std::vector<std::size_t> best, const std::se
     return best;
 }
 
-/// Nodes with one neighbour stand outside the ring, as long as the others make one.
+/// Nodes with one neighbour are placed outside the ring, as long as the others form one.
 Arrangement ring_with_pendants(std::size_t nodes, const std::set<Pair>& pairs) {
     const std::vector<std::vector<std::size_t>> next = neighbours(nodes, pairs);
     const auto is_pendant = [&](std::size_t node) {
@@ -155,7 +155,7 @@ std::vector<Vector> on_ring(const Graph& graph, const std::vector<std::size_t>& 
     return places;
 }
 
-/// Beside their neighbours, away from the middle; several of one neighbour fan out.
+/// Places pendant nodes next to their neighbours, away from the centre; several pendants of one neighbour fan out.
 void place_pendants(const Graph& graph, const std::vector<Arrangement::Pendant>& pendants, double scale,
                     std::vector<Vector>& places) {
     constexpr double fan = 0.7;
@@ -174,7 +174,7 @@ void place_pendants(const Graph& graph, const std::vector<Arrangement::Pendant>&
     }
 }
 
-/// Where the nodes stand, on a grid of eight pixels.
+/// Positions of the nodes, on a grid of eight pixels.
 std::vector<Vector> places(const Graph& graph, const Arrangement& arrangement, double scale) {
     std::vector<Vector> list =
         arrangement.line ? on_line(graph, arrangement.order, scale) : on_ring(graph, arrangement.order, scale);
@@ -183,7 +183,7 @@ std::vector<Vector> places(const Graph& graph, const Arrangement& arrangement, d
     return list;
 }
 
-/// Whether no two nodes stand close together.
+/// True if no two nodes are too close together.
 bool is_roomy(const std::vector<Vector>& places) {
     for (std::size_t i = 0; i < places.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
@@ -191,13 +191,13 @@ bool is_roomy(const std::vector<Vector>& places) {
     return true;
 }
 
-/// The links between two nodes, each to the side on which it runs.
+/// The links between two nodes, by the side on which they run.
 struct Bundle {
     std::vector<std::size_t> outer = {}, inner = {};
 };
 
-/// Links that go forward in the order of the nodes run outside, those that go back inside; where all go one way, they
-/// share both sides.
+/// Links forward in the order of the nodes run outside, backward links inside; if all have the same direction, they are
+/// distributed over both sides.
 std::map<Pair, Bundle> bundles(const Graph& graph, const Arrangement& arrangement) {
     std::vector<std::size_t> place(graph.nodes.size());
     for (std::size_t i = 0; i < arrangement.order.size(); ++i) place[arrangement.order[i]] = i;
@@ -254,7 +254,8 @@ public:
     }
 
 private:
-    /// Across the straight link of a pair, away from the centre; upwards where the link runs through it.
+    /// Normal of the straight link of a pair, pointing away from the centre; upwards if the link runs through the
+    /// centre.
     Vector outward(const Pair& pair) const {
         const Vector a = skeleton_.nodes[pair.first], b = skeleton_.nodes[pair.second];
         const Vector across = unit(normal(b - a));
@@ -299,7 +300,7 @@ private:
             angles_[node].push_back(std::remainder(side, 2 * pi));
     }
 
-    /// The middle of the widest gap between `angles`; of equal gaps the one that points up most.
+    /// The middle of the widest gap between `angles`; of equal gaps the one nearest to upwards.
     static double widest_gap(std::vector<double> angles) {
         if (angles.empty()) return -pi / 2;
         std::ranges::sort(angles);
@@ -319,7 +320,7 @@ private:
 
     const Graph& graph_;
     Skeleton& skeleton_;
-    std::vector<std::vector<double>> angles_;  // of what leaves each node
+    std::vector<std::vector<double>> angles_;  // angles of the links at each node
     Vector centre_ = {};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The skeleton of a drawing: where the nodes stand and how the links run, before any label is placed.
+// The skeleton of a drawing: positions of nodes and routes of links, before labels are placed.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace grafverif::layout {
 
-/// How the nodes are arranged, whatever the scale.
+/// Arrangement of the nodes, independent of the scale.
 struct Arrangement {
-    bool line = false;                    ///< on a horizontal line; else on an ellipse, clockwise
+    bool line = false;                    ///< on a horizontal line; otherwise on an ellipse, clockwise
     std::vector<std::size_t> order = {};  ///< the nodes on it, first to last
     struct Pendant {
-        std::size_t node = 0, beside = 0;  ///< linked with one node only: stands outside, beside it
+        std::size_t node = 0, beside = 0;  ///< `node` is linked only with the other one and placed outside, next to it
     };
     std::vector<Pendant> pendants = {};
 };
@@ -23,13 +23,13 @@ Arrangement arrangement(const Graph& graph);
 
 struct Route {
     std::vector<Vector> nails = {};
-    Segment middle = {};  ///< the part that carries the label; of a loop: its tip, twice
-    Vector outward = {};  ///< from the middle to where the label should stand, of length 1
+    Segment middle = {};  ///< the part with the label; for a loop its tip, twice
+    Vector outward = {};  ///< unit vector from the middle towards the label
 };
 
 struct Skeleton {
     std::vector<Vector> nodes = {};
-    std::vector<Route> routes = {};  ///< beside Graph::links
+    std::vector<Route> routes = {};  ///< parallel to Graph::links
 };
 
 Skeleton skeleton(const Graph& graph, const Arrangement& arrangement, double scale);

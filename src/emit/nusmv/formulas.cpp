@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Formulas that are passed through, held against the model they are to be written into: NuSMV refuses a whole model for
-// one name that it does not know.
+// Checks formulas for external tools against the model that they are written into, because NuSMV rejects a complete
+// model for one unknown name.
 #include <algorithm>
 #include <functional>
 #include <optional>
@@ -21,7 +21,7 @@ namespace {
 using System = TransitionSystem;
 using Type = FormulaName::Type;
 
-/// The names of a model, and what they stand for.
+/// The names of a model with their meaning.
 class KnownNames {
 public:
     explicit KnownNames(const System& system) : system_(system) {
@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    /// A symbol of main (no instance) or of an instance.
+    /// A symbol of main (invalid instance) or of an instance.
     using Place = std::pair<Id<System::Instance>, Id<System::Symbol>>;
 
     void add(const std::vector<std::string>& names, const std::string& path, Id<System::Instance> instance) {
@@ -63,7 +63,7 @@ private:
         return here.type.boolean ? Type::Boolean : Type::Number;
     }
 
-    /// Whether its value in a state depends on what is chosen in a step.
+    /// True if its value in a state depends on a choice of the step.
     bool is_of_steps(Place place) const {
         System seen = system_;
         Table<System::Symbol>& main = seen.modules[seen.main].symbols;
@@ -83,7 +83,7 @@ private:
     std::unordered_set<std::string> values_ = {};
 };
 
-/// `system` with those properties omitted that `fault` says something of.
+/// `system` with those properties omitted for which `fault` returns a reason.
 System without_faulty(System system, const std::function<std::optional<std::string>(const Property&)>& fault) {
     Table<Property> kept;
     std::vector<System::Omitted> omitted;

@@ -30,7 +30,8 @@ struct ModulePrinter {
     const System::Module& module() const { return system.modules[id]; }
     const std::string& name(Id<System::Symbol> symbol) const { return names.symbols[id.index][symbol.index]; }
     const Exprs& exprs() const { return values.exprs(); }
-    /// `value`, of the type of `symbol` if one is given, as it is written: named values by their names.
+    /// `value` in the notation of the model: values with names, of the type of `symbol` if given, are replaced by
+    /// these.
     Id<Expr> written(Id<Expr> value, Id<System::Symbol> symbol = {}) const { return values.named(id, value, symbol); }
     void print(Id<Expr> value) const { print_expr(out, exprs(), value, nusmv_spelling, leaf); }
 };
@@ -50,7 +51,7 @@ struct Part {
     }
 };
 
-/// A value of `symbol`; one of more than two cases is laid out as such.
+/// Prints a value of `symbol`; more than two cases are printed as `case`.
 void print_value(const ModulePrinter& printer, Id<System::Symbol> symbol, Id<Expr> value) {
     const Exprs& exprs = printer.exprs();
     value = printer.written(value, symbol);
@@ -121,7 +122,7 @@ void print_choices(const ModulePrinter& printer) {
     }
 }
 
-/// Under which heading main lists each of its instances.
+/// The heading in main for each of its instances.
 std::vector<std::string_view> headings(const System& system) {
     const char* of_charts = system.controllers.size() > 1 ? "the controllers" : "the controller";
     std::vector<std::string_view> found(system.instances.size(),
@@ -171,7 +172,7 @@ void print_assignments(const ModulePrinter& printer) {
             print_value(printer, id, value);
             printer.out << ";\n";
         };
-        // NuSMV takes a variable of one value for a constant, and refuses to assign it.
+        // NuSMV treats a variable with a single value as a constant and rejects assignments to it.
         if (state == nullptr || symbol.type.low == symbol.type.high) continue;
         if (state->initial) assignment("init", *state->initial);
         if (state->next) assignment("next", *state->next);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The properties as specifications. `AG x -> y` would be read as `(AG x) -> y`, so operands always stand in brackets.
+// Prints properties as specifications. `AG x -> y` would be parsed as `(AG x) -> y`, so operands are always bracketed.
 //
-// A specification of SMV is true if every initial state satisfies it, under fairness every one from which a fair run
-// starts. That is what all patterns ask but `reachable`: `EF p` is false where p is reached from one initial state and
-// not from another, and where no run is fair it is true of everything. So `reachable p` is asked as `never p`.
+// A specification of SMV is true if every initial state satisfies it; under fairness, every initial state of a fair
+// run. This is the meaning of all patterns except `reachable`: `EF p` is false if p is reachable from one initial state
+// but not from another, and if there is no fair run it is vacuously true. So `reachable p` is written as `never p`.
 #include <ostream>
 
 #include "emit/nusmv/text.hpp"
@@ -33,7 +33,7 @@ struct Printer {
         return '(' + text(term) + ')';
     }
 
-    /// `term`, in settled states only where the property says so; stands in brackets.
+    /// `term`, restricted to quiescent states if the property is `at stable`; bracketed.
     std::string judged(const Property& property, Id<Expr> term) const {
         if (!property.at_stable) return bracketed(term);
         return '(' + bracketed(system.settled) + " & " + bracketed(term) + ')';
@@ -46,7 +46,7 @@ struct Printer {
         return "count(" + list + ") = 1";
     }
 
-    /// `settled -> (invariant)` where the property is judged at stable.
+    /// `settled -> (invariant)` if the property is `at stable`.
     std::string invariant(const Property& property, const std::string& condition) const {
         return property.at_stable ? bracketed(system.settled) + " -> (" + condition + ')' : condition;
     }

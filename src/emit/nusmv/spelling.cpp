@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the model that `emit` writes spells what a flat system has in its tables: the way back from NuSMV's traces.
+// Maps the elements of a flat system to the names in the model that `emit` writes, to read NuSMV's traces.
 #include "emit/nusmv/nusmv.hpp"
 #include "emit/nusmv/text.hpp"
 

@@ -11,7 +11,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// Legal names for `names`; what changed is noted under `scope`.
+/// Legal names for `names`; changed ones are recorded under `scope`.
 std::vector<std::string> legal(Names& result, const std::string& scope, const std::vector<std::string>& names) {
     std::vector<std::string> made = legal_names(Target::Nusmv, names);
     std::vector<Renaming> changes = renamings(names, made);
@@ -19,7 +19,7 @@ std::vector<std::string> legal(Names& result, const std::string& scope, const st
     return made;
 }
 
-/// The names of a module's own symbols; in main those of instances behind them, which share the scope.
+/// Names of the symbols of a module; in main followed by those of instances, which share the scope.
 void name_symbols(Names& result, const System& system, Id<System::Module> id) {
     const System::Module& module = system.modules[id];
     std::vector<std::string> wishes;
@@ -50,7 +50,7 @@ void name_members(Names& result, const System& system) {
     }
 }
 
-/// One name per named value, which no symbol of any module has: NuSMV's constants belong to all of them.
+/// One name per named value, different from the symbols of all modules, because NuSMV's constants are global.
 void name_values(Names& result, const System& system) {
     std::vector<std::string> wishes;
     for (const System::Module& module : system.modules)
@@ -65,7 +65,7 @@ void name_values(Names& result, const System& system) {
     if (!changes.empty()) result.changed.push_back({"of values", std::move(changes)});
 }
 
-/// What a property is asked as: `reachable p` as its opposite, whose name says so.
+/// Name of the specification of a property: `reachable p` is negated, which the name reflects.
 std::string specification_name(const Property& property) {
     return property.pattern == Pattern::Reachable ? "never_" + property.name : property.name;
 }

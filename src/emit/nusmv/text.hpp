@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the parts of the NuSMV emitter share: the names of all entities, and lines of a readable length.
+// Shared parts of the NuSMV emitter: the names of all entities, and line breaking.
 #pragma once
 
 #include <iosfwd>
@@ -18,13 +18,13 @@ namespace grafverif::nusmv {
 
 struct Names {
     std::vector<std::string> modules = {};
-    std::vector<std::vector<std::string>> symbols = {};  ///< per module; a member's is `instance.symbol`
+    std::vector<std::vector<std::string>> symbols = {};  ///< per module; for a member `instance.symbol`
     std::vector<std::string> instances = {};
-    std::vector<std::string> properties = {};  ///< of their specifications; `never_P` of a `reachable` P
-    /// Named values, which NuSMV takes for constants of the whole model: their names, and where each stands there.
+    std::vector<std::string> properties = {};  ///< names of their specifications; `never_P` for a `reachable` P
+    /// Named values, which are global constants in NuSMV: their names, and the index of each name.
     std::vector<std::string> values = {};
     std::unordered_map<std::string, std::size_t> value_places = {};
-    /// What had to change, per scope in which it did.
+    /// Changed names, per scope.
     struct Changed {
         std::string scope = {};
         std::vector<Renaming> renamings = {};
@@ -34,15 +34,15 @@ struct Names {
 
 Names names_of(const TransitionSystem& system);
 
-/// The terms of a system as they are written: numbers that stand for named values become leaves behind the symbols of
-/// their module.
+/// The terms of a system as they are printed: numbers that denote named values become leaves with indices after the
+/// symbols of their module.
 class NamedValues {
 public:
     NamedValues(const TransitionSystem& system, const Names& names)
         : system_(system), names_(names), exprs_(system.exprs) {}
 
     const Exprs& exprs() const { return exprs_; }
-    /// `term` of `module`; `symbol`: whose value it is, where it is a value.
+    /// `term` of `module`; `symbol`: the symbol whose value it is, if any.
     Id<Expr> named(Id<TransitionSystem::Module> module, Id<Expr> term, Id<TransitionSystem::Symbol> symbol = {});
 
 private:
@@ -59,13 +59,13 @@ private:
     std::map<Key, Id<Expr>> known_ = {};
 };
 
-/// Writes the leaves of terms of `module`.
+/// Prints the leaves of terms of `module`.
 LeafPrinter leaf_printer(const Names& names, Id<TransitionSystem::Module> module);
 
-/// `text` as a comment of lines of at most 100 columns.
+/// `text` as a comment with lines of at most 100 columns.
 void print_comment(std::ostream& out, std::string_view text);
 
-/// The specifications of main, in the order of the properties.
+/// Prints the specifications of main, in the order of the properties.
 void print_properties(std::ostream& out, const TransitionSystem& system, const Names& names, NamedValues& values);
 
 }  // namespace grafverif::nusmv

@@ -18,9 +18,9 @@ namespace grafverif::pins {
 
 namespace {
 
-constexpr std::size_t least_slots = 2;  // pins2lts-dist takes no fewer
+constexpr std::size_t least_slots = 2;  // minimum of pins2lts-dist
 
-/// C; arithmetic by functions that notice what has no value, and brackets that keep its compilers quiet.
+/// C operators; arithmetic by functions that detect undefined values, and brackets that avoid compiler warnings.
 Spelling spelling(Op op) {
     switch (op) {
     case Op::Not: return {"!", uppaal_spelling(op).precedence, "(", ")"};
@@ -34,7 +34,7 @@ Spelling spelling(Op op) {
     }
 }
 
-/// `text` within a string or a comment of C.
+/// `text` escaped for a C string or comment.
 std::string harmless(std::string_view text) {
     std::string result;
     for (const char character : printable(text)) {
@@ -374,7 +374,7 @@ void Writer::write_model() {
         out_ << "    \"breaks_off\",\n";
     });
     list("move_names", [&] {
-        UniqueNames unique;  // a chunk of LTSmin has one number
+        UniqueNames unique;  // unique, because LTSmin numbers chunks by value
         for (const Group& group : groups_) fmt::print(out_, "    \"{}\",\n", unique.fresh(name_of(group)));
         out_ << "    \"time passes\",\n";
     });

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// One cycle, every-cycle mode:              with stability search:
-//     sample the timers                         sample the timers
-//     one evolution                             WHILE none yet, or unstable  one evolution;  tell the timers
-//     outputs                                   outputs
-//     tell the timers                           tell the timers
+// The body of a function block: one PLC cycle.
 //
-// Time stands still within a cycle, as it does in the equations: the end of a timer is sampled once, at its start; after
-// that it can only follow what the evolutions change. A TON told FALSE and TRUE again within one cycle begins anew.
+//   every-cycle mode:                         with stability search:
+//     sample the timers                         sample the timers
+//     one evolution                             WHILE none yet, or unstable  one evolution;  update the timers
+//     outputs                                   outputs
+//     update the timers                         update the timers
+//
+// Time is constant within a cycle, as in the equations: the output of a timer is sampled once, at the start of the
+// cycle; after that it changes only as a consequence of evolutions. A TON whose input becomes FALSE and TRUE again
+// within one cycle restarts.
 //
 // REPEAT is not used: a published version of MATIEC compiles `UNTIL c` as `while (c)`, without the negation.
 #include "emit/structured_text/body.hpp"
@@ -77,13 +80,13 @@ private:
         line("{} := {}.Q;", end, timer.off.empty() ? timer.on : timer.off);
     }
 
-    /// Whether the watched term has lasted for the rise time.
+    /// Condition that the observed term has lasted for the rise time.
     const std::string& lasted(std::size_t k) const {
         const TimerNames& timer = names_.timers[k];
         return timer.lasted.empty() ? stored_in(equations_.timers[k].watched) : timer.lasted;
     }
 
-    /// What an evolution changes within the cycle.
+    /// Updates the timer after an evolution within the cycle.
     void follow(std::size_t k) {
         tell(k);
         const std::string& end = stored_in(equations_.timers[k].end);
@@ -136,7 +139,7 @@ private:
         change(&Fault::first, &Kept::first, {});
     }
 
-    /// Faults, and the values after the evolution, as those members say; `title` stands before the values.
+    /// Prints the faults and the values after the evolution that the members select; `title` precedes the values.
     void change(Id<Expr> Fault::*condition, Id<Expr> Kept::*value, std::string_view title) {
         for (const Fault& fault : faults(equations_))
             if ((fault.*condition).valid()) refuse(fault.*condition, fault.variable.valid() ? 2 : 4);
@@ -159,13 +162,13 @@ private:
         change(&Fault::condition, &Kept::next, "steps and stored values");
     }
 
-    /// Sets the fault where `condition` holds.
+    /// Sets the fault if `condition` holds.
     void refuse(Id<Expr> condition, int fault) {
         if (!is_false(equations_.exprs, condition))
             line("IF {} THEN {} := {}; END_IF;", text(condition), names_.fault, fault);
     }
 
-    /// All values are taken before any is changed: where one that comes later reads a target, its new value waits.
+    /// Simultaneous assignment: if a later value reads a target, the new value of the target is stored temporarily.
     void assign_at_once(std::vector<Assignment> updates) {
         std::erase_if(updates, [&](const Assignment& update) {
             const Expr& value = equations_.exprs[update.value];
@@ -220,7 +223,7 @@ private:
 
     // -- outputs --
 
-    /// Nothing where there are none: compilers refuse an `IF` without statements.
+    /// No statement if there are no outputs: compilers reject an empty `IF`.
     void write_outputs() {
         std::vector<std::string> lines;
         for (const Equations::Output& output : equations_.outputs)

@@ -10,7 +10,7 @@ namespace grafverif::structured_text {
 
 struct Body {
     std::string text = {};
-    std::vector<bool> waits = {};  ///< per variable: its new value waits in a variable of its own
+    std::vector<bool> waits = {};  ///< per variable: its new value needs a temporary variable
 };
 
 /// One PLC cycle. Requires verify(equations).empty() and that they are expressible.

@@ -10,10 +10,10 @@ namespace {
 
 using Role = Equations::Role;
 
-/// Names for what stands inside a block: all wishes first, so that making them costs no more than their number.
+/// Names inside a block. All preferred names are collected first, so that the total cost is linear in their number.
 class Inner {
 public:
-    /// `place` gets the name once all are wished; it stays where it is until then.
+    /// `place` receives the name when all are collected; its address must stay valid until then.
     void wish(std::string name, std::string& place) {
         wishes_.push_back(std::move(name));
         places_.push_back(&place);

@@ -12,7 +12,8 @@
 
 namespace grafverif::structured_text {
 
-/// What a tester and a controller must agree on. They come first, so that nothing within a block takes their names.
+/// The names shared by a tester and a controller. They are assigned first, so that no internal name conflicts with
+/// them.
 struct InterfaceNames {
     std::string block = {};
     std::vector<std::string> variables = {};  ///< inputs, then outputs
@@ -22,16 +23,15 @@ InterfaceNames interface_names(const std::string& chart, std::span<const std::st
 
 struct TimerNames {
     std::string on = {};      ///< the TON; empty: no rise time
-    std::string lasted = {};  ///< whether the rise time is over; where there are both times
+    std::string lasted = {};  ///< condition that the rise time has elapsed; only if there are both times
     std::string off = {};     ///< the TOF; empty: no fall time
 };
 
 struct Names {
     std::string block = {};
-    std::vector<std::string> variables = {};  ///< per variable: as the interface has it
-    std::vector<std::string> storage =
-        {};  ///< per variable: where its value is kept; outputs of stored actions: an image
-    std::vector<std::string> fresh = {};  ///< per variable: for its new value, where it has to wait
+    std::vector<std::string> variables = {};  ///< per variable: its name in the interface
+    std::vector<std::string> storage = {};    ///< per variable: its storage; outputs of stored actions have an image
+    std::vector<std::string> fresh = {};      ///< per variable: the temporary variable for its new value, if needed
     std::vector<TimerNames> timers = {};
     std::string started = {}, stable = {}, evolutions = {}, limit = {}, fault = {};
     std::vector<Renaming> changed = {};

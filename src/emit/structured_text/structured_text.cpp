@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The controller's declarations around its body.
+// The declarations of the controller around its body.
 #include "emit/structured_text/structured_text.hpp"
 
 #include <fmt/format.h>
@@ -104,13 +104,14 @@ void emit(const Equations& equations, const Options& options, std::ostream& out)
     print(unit, options.form, out);
 }
 
-// What a block cannot compute exactly as the equations say.
+// Detects constructs that a block cannot compute exactly according to the equations.
 
 namespace {
 
 constexpr std::int64_t longest_ms = std::numeric_limits<std::int32_t>::max();
 
-/// For each term: why DINT arithmetic does not compute it, or an empty text. Children precede parents: one pass.
+/// Per term: the reason why DINT arithmetic does not compute it, or an empty text. One pass, because children precede
+/// parents.
 class Obstacles {
 public:
     explicit Obstacles(const Equations& equations) : exprs_(equations.exprs), reasons_(equations.exprs.size()) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // TestSequence -> a test program: each call is one scan of the controller under test.
 //
-// Each row of the test is one case of CASE: inputs, expected outputs, scans, time to wait. While it waits the controller
-// is not called: its timers run on, and see the time passed at the next scan. The controller's are started before, so that
-// they have ended when the wait ends. An instance of its own for each sequence stands for power-on.
+// Each row of the test is one case of CASE: inputs, expected outputs, scans, waiting time. During a wait the controller
+// is not called: its timers continue, and the elapsed time is visible at the next scan. The timers of the controller
+// are started before that of the wait, so that they have expired when the wait ends. Power-on is represented by a
+// separate instance for each sequence.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +27,7 @@ std::string value_text(const TestSequence::Variable& variable, std::int64_t valu
     return std::to_string(value);
 }
 
-/// The names of the program's own variables: `E_V1` is what output V1 should be.
+/// The names of the program's variables: `E_V1` is the expected value of output V1.
 struct TestNames {
     InterfaceNames interface = {};
     std::vector<std::string> inputs = {}, expected = {};
@@ -125,7 +126,7 @@ private:
         line("END_CASE;");
     }
 
-    /// One scan, and whether an output is wrong after it.
+    /// One scan, and the comparison of the outputs after it.
     void call(std::size_t sequence, const std::string& label) {
         const std::string& controller = names_.controllers[sequence];
         std::string arguments, wrong;

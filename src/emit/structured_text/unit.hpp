@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A program organisation unit of IEC 61131-3 (a program or a function block), and its two forms.
+// A program organization unit of IEC 61131-3 (a program or a function block), and its two forms.
 #pragma once
 
 #include <iosfwd>
@@ -22,14 +22,14 @@ struct UnitVariable {
 };
 
 struct Unit {
-    bool is_program = false;  ///< else a function block
+    bool is_program = false;  ///< otherwise a function block
     std::string name = {};
     std::string comment = {};  ///< lines
     std::vector<UnitVariable> variables = {};
     std::string body = {};
 };
 
-/// `text` as the inside of a comment, which `(*` and `*)` would end or begin anew.
+/// `text` escaped for use inside a comment: `(*` and `*)` are broken up.
 std::string comment_text(std::string text);
 
 void print(const Unit& unit, Form form, std::ostream& out);

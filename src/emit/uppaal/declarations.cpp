@@ -130,7 +130,7 @@ void write_procedure(std::ostream& out, const Network& network, const Terms& ter
     out << "}\n";
 }
 
-/// `reads G_IN, G_OUT`, or nothing where no parameter is of that kind.
+/// `reads G_IN, G_OUT`; empty if there are no parameters of this kind.
 std::string parameters_of_kind(const Network::Template& automaton, const LocalNames& names, Kind kind,
                                std::string_view verb) {
     std::string text;
@@ -150,7 +150,7 @@ std::string argument_text(const Names& names, const Type& type, const Network::A
                       argument);
 }
 
-/// Per process, the controller whose timer it is, where there are several controllers; else nothing.
+/// Per process: the controller whose timer it is, if there are several controllers; otherwise empty.
 std::vector<std::string_view> timer_owners(const Network& network) {
     std::vector<std::string_view> owners(network.processes.size());
     if (network.controllers.size() < 2) return owners;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What UPPAAL's templates cannot say, said otherwise before anything is written (see lower).
+// Replaces constructs that UPPAAL templates do not support, before anything is written (see lower).
 #include <algorithm>
 
 #include "emit/uppaal/uppaal.hpp"
@@ -11,7 +11,7 @@ namespace {
 using Template = Network::Template;
 using Location = Network::Location;
 
-/// The start locations that the processes of each template use, in order of first use.
+/// The start locations of the processes of each template, in order of first use.
 std::vector<std::vector<Id<Location>>> starts(const Network& network) {
     std::vector<std::vector<Id<Location>>> used(network.templates.size());
     for (const Network::Process& process : network.processes) {
@@ -21,14 +21,15 @@ std::vector<std::vector<Id<Location>>> starts(const Network& network) {
     return used;
 }
 
-/// One template per start location: the one it says itself, or the first used, keeps the name.
+/// One template per start location; the one for its own initial location, or otherwise the first used one, keeps the
+/// name.
 void split_by_start(Network& network) {
     const std::vector<std::vector<Id<Location>>> used = starts(network);
     UniqueNames names;
     for (const Template& automaton : network.templates) names.take(automaton.name);
 
     Table<Template> templates;
-    std::vector<std::vector<Id<Template>>> variants(network.templates.size());  // beside `used`
+    std::vector<std::vector<Id<Template>>> variants(network.templates.size());  // parallel to `used`
     for (const Id<Template> id : network.templates.ids()) {
         const Template& automaton = network.templates[id];
         const std::vector<Id<Location>>& list = used[id.index];
@@ -50,7 +51,7 @@ void split_by_start(Network& network) {
     network.templates = std::move(templates);
 }
 
-/// The type of each integer constant: UPPAAL's default integers, or the range of its arguments where those are wider.
+/// The type of each integer constant: UPPAAL's default integers, or the range of its arguments if wider.
 void fit_constants(Network& network) {
     std::vector<std::vector<Type>> hulls;
     for (const Template& automaton : network.templates)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The legal name of every entity of a network in UPPAAL. Variables, processes, templates and the urgent channel share
-// the global scope; the parameters, clocks, locations and procedures of a template share a scope of their own, which
-// must not hide a global that the template reads or writes.
+// the global scope. The parameters, clocks, locations and procedures of a template share a local scope, which must not
+// hide a global that the template reads or writes.
 #pragma once
 
 #include <string>
@@ -14,19 +14,19 @@
 
 namespace grafverif::uppaal {
 
-/// Long guards become functions of their template, called `guard_1`, `guard_2`, ...
+/// Long guards become functions of their template, named `guard_1`, `guard_2`, ...
 inline constexpr std::string_view guard_prefix = "guard_";
 
 struct LocalNames {
     std::vector<std::string> parameters = {}, clocks = {}, locations = {}, procedures = {};
-    std::unordered_set<std::string> taken = {};  ///< all of these, and what else a name added here must not be
+    std::unordered_set<std::string> taken = {};  ///< all of these, and other names that additional names must avoid
 };
 
 struct Names {
     std::vector<std::string> variables = {}, processes = {}, templates = {};
     std::string channel = {};             ///< every urgent edge emits on it
     std::vector<LocalNames> locals = {};  ///< per template
-    std::vector<Renaming> changed = {};   ///< those that differ from the network's; locals as `template.name`
+    std::vector<Renaming> changed = {};   ///< names that differ from the network's; local ones as `template.name`
 };
 
 Names names(const Network& network);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pattern by pattern: what each property means as a formula of UPPAAL, or why it has none.
+// Translates properties to formulas of UPPAAL, pattern by pattern, or states why this is not possible.
 #include "emit/uppaal/queries.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace grafverif::uppaal {
 namespace {
 
-/// Why no formula of UPPAAL says it; empty where one does.
+/// Reason why UPPAAL has no formula for the pattern; empty if it has one.
 std::string_view reason(Pattern pattern) {
     switch (pattern) {
     case Pattern::Always:
@@ -38,7 +38,7 @@ std::string_view reason(Pattern pattern) {
     unreachable();
 }
 
-/// What the second line of the comment tells beside the outcome, where the formula alone does not.
+/// Additional text in the second line of the comment, if the formula alone is not sufficient.
 std::string_view remark(const Property& property) {
     if (property.pattern == Pattern::RawUppaal) return "as written; ";
     if (property.at_stable) return "in settled states; ";
@@ -74,7 +74,7 @@ private:
         list.push_back({id, property.name, formula(property), comment, satisfied});
     }
 
-    /// Why the network has no answer to a formula that is passed through; empty: it has.
+    /// Error in a formula for UPPAAL, unknown names included; empty if there is none.
     std::string what_it_lacks(const std::string& formula) {
         if (known_.empty()) {
             known_.insert(names_.variables.begin(), names_.variables.end());
@@ -91,7 +91,8 @@ private:
         return fault ? fault->what : std::string();
     }
 
-    /// One query per step. Expected violated: some step is out of reach, so no single query is told what to expect.
+    /// One query per step. If `violated` is expected, some step is unreachable, so no single query has an expected
+    /// result.
     void add_steps(std::vector<Query>& list, Id<Property> id) {
         const Property& property = network_.properties[id];
         const bool satisfied = !property.expected_violated;
@@ -139,14 +140,14 @@ private:
 
     std::string settled() { return '(' + terms_.text(network_.settled) + ')'; }
 
-    /// `text` wherever the property is judged.
+    /// `text` in all states in which the property is evaluated.
     std::string guarded(const Property& property, const std::string& text) {
         return property.at_stable ? settled() + " imply " + text : text;
     }
     std::string whenever(const Property& property, Id<Expr> operand) {
         return property.at_stable ? settled() + " imply " + terms_.bracketed(operand) : plain(operand);
     }
-    /// The operand, in a state where the property is judged.
+    /// The operand, in a state in which the property is evaluated.
     std::string also(const Property& property, Id<Expr> operand) {
         return property.at_stable ? settled() + " && " + terms_.bracketed(operand) : plain(operand);
     }
@@ -168,7 +169,7 @@ private:
     Terms terms_;
     const Names& names_;
     std::vector<bool> wide_;
-    std::unordered_set<std::string> known_ = {};  ///< what formulas may name; made when one asks
+    std::unordered_set<std::string> known_ = {};  ///< names that formulas may use; computed on first use
 };
 
 }  // namespace

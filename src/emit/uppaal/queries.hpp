@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Properties as UPPAAL queries. A formula is one line: UPPAAL ends a query at the line's end.
+// Properties as UPPAAL queries. A formula is a single line, because UPPAAL ends a query at the end of the line.
 #pragma once
 
 #include <optional>
@@ -13,11 +13,11 @@ namespace grafverif::uppaal {
 
 struct Query {
     Id<Property> property = {};
-    std::string name = {};               ///< the property's, or `S.X7` of one that expands
-    std::string formula = {};            ///< empty: cannot be said; the comment says why
-    std::string comment = {};            ///< begins with the property's name
-    std::optional<bool> satisfied = {};  ///< expected; nothing where no single query is told what to expect
-    std::string reason = {};             ///< why it cannot be said
+    std::string name = {};               ///< that of the property, or `S.X7` of one that expands
+    std::string formula = {};            ///< empty: not expressible; the comment states why
+    std::string comment = {};            ///< begins with the name of the property
+    std::optional<bool> satisfied = {};  ///< expected result; empty if no single query has one
+    std::string reason = {};             ///< reason why it is not expressible
 };
 
 /// In the order of the properties.

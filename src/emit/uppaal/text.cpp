@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Terms, constraints and assignments as UPPAAL writes them.
+// Terms, constraints and assignments in UPPAAL syntax.
 #include "emit/uppaal/text.hpp"
 
 #include <ostream>

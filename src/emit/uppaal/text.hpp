@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pieces of a UPPAAL project that are text: terms, constraints and assignments under the names of one template, and
-// the three programs of a project (global declarations, declarations of a template, system definition).
+// Textual parts of a UPPAAL project: terms, constraints and assignments with the names of one template, and the three
+// programs of a project (global declarations, declarations of a template, system definition).
 #pragma once
 
 #include <iosfwd>
@@ -13,8 +13,8 @@
 
 namespace grafverif::uppaal {
 
-/// Terms as UPPAAL writes them. Parameters are those of `automaton`; without one (queries) a term may ask where a
-/// process is.
+/// Terms in UPPAAL syntax. Parameters are those of `automaton`; without one (queries) a term may contain location
+/// tests.
 class Terms {
 public:
     Terms(const Network& network, const Names& names, Id<Network::Template> automaton = {});
@@ -27,7 +27,7 @@ public:
     std::string text(const std::vector<Network::ClockConstraint>& constraints) const;
     /// `x = a || b`
     std::string text(const Network::Assignment& assignment) const;
-    /// As a statement, with a condition written as `if`: `if (c) x = a; else if (d) x = b;`
+    /// As a statement, with a condition written as `if`.
     void write_statement(std::ostream& out, const Network::Assignment& assignment) const;
 
 private:
@@ -50,7 +50,7 @@ void write_template_declarations(std::ostream& out, const Network& network, cons
 std::string parameter_list(const Network::Template& automaton, const LocalNames& names);
 void write_system(std::ostream& out, const Network& network, const Names& names);
 
-/// `text` in lines of at most `width` columns where it can be broken: after a comma or a Boolean operator.
+/// `text` in lines of at most `width` columns, broken after a comma or a Boolean operator.
 std::vector<std::string> lines_of(std::string_view text, std::size_t width);
 
 }  // namespace grafverif::uppaal

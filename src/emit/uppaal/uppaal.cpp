@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The project as XML: declarations, templates as drawn by emit/layout, system, queries. Written as text into one
-// buffer: a large chart is one long declaration.
+// buffer, because a large chart is one long declaration.
 //
-// UPPAAL's reader is strict where XML is not: text is never split by comments, and no comment is the last thing in
-// `queries`. A property without formula therefore leaves its comment before the next query, or before the last.
+// UPPAAL's parser is stricter than XML: text must not be split by comments, and a comment must not be the last node in
+// `queries`. The comment of a property without formula is therefore placed before the next query, or before the last
+// one.
 #include "emit/uppaal/uppaal.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace {
 
 constexpr int char_width = 8, line_height = 17;
 constexpr std::size_t label_width = 34;     // columns
-constexpr std::size_t longest_guard = 160;  // characters; beyond, the guard becomes a function
+constexpr std::size_t longest_guard = 160;  // characters; a longer guard becomes a function
 
 /// One label of a location or an edge; several are stacked.
 struct Label {
@@ -40,7 +41,7 @@ layout::Size size_of(const Labels& labels) {
     return size;
 }
 
-/// The labels of one template, and the functions that its long guards become.
+/// The labels of one template, and the functions for its long guards.
 struct Captions {
     std::vector<Labels> locations = {}, edges = {};
     std::vector<GuardFunction> guards = {};
@@ -79,7 +80,7 @@ private:
         return labels;
     }
 
-    /// Data first, then clocks.
+    /// Data conditions first, then clock constraints.
     std::string guard(const Network::Edge& edge) {
         std::string data;
         if (!is_true(network_.exprs, edge.guard)) data = terms_.text(edge.guard);
@@ -184,7 +185,7 @@ private:
         first_location_ += automaton.locations.size();
     }
 
-    /// Ids are unique in the whole document.
+    /// Ids are unique in the document.
     std::string location_id(std::size_t location) const { return "id" + std::to_string(first_location_ + location); }
 
     void write_location(std::size_t index, const Labels& labels, const layout::Drawing::Node& node) {
@@ -207,7 +208,7 @@ private:
         xml_ += "\t\t</transition>\n";
     }
 
-    /// One under the other from `at` on.
+    /// Prints the labels in a column from `at` on.
     void write_labels(const Labels& labels, layout::Point at) {
         for (const auto& [kind, lines] : labels) {
             const bool is_name = kind == "name";
@@ -228,7 +229,7 @@ private:
         const std::vector<Query> list = queries(network_, names_);
         const auto is_said = [](const Query& query) { return !query.formula.empty(); };
         const auto last = std::ranges::find_if(list.rbegin(), list.rend(), is_said);
-        if (last == list.rend()) return;  // the header tells of those left out
+        if (last == list.rend()) return;  // the header lists the omitted properties
         const auto end = last.base();
         xml_ += "\t<queries>\n";
         for (auto query = list.begin(); query != end; ++query) {
