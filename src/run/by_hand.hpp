@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// by_hand: somebody makes a step active, or not, to see what would follow. That is a trial: what comes of it is no run of the
-// chart or of the model any more. The situation that it leads to is one that the rules of hierarchy allow:
+// by_hand: the user activates or deactivates a step to explore the consequences ("what if"). The result is no longer a
+// run of the chart or of the model. The new situation is consistent with the rules of hierarchy:
 //
-//   ordinary step    it alone; a step of an expansion has its macro-steps active with it
+//   ordinary step    only this step; a step of an expansion activates its macro-steps
 //   macro-step       its entry step is activated; all of its expansion is deactivated
-//   enclosing step   its activation links are activated; all that it encloses is deactivated
-//   forcing step     its orders are obeyed
+//   enclosing step   its activation links are activated; all enclosed steps are deactivated
+//   forcing step     its orders take effect
 //
-// Refused is what the rules would take back: a step that an active order holds, one whose enclosing step is not active, and
-// orders that cannot be obeyed together. No stored action is run; continuous ones follow.
+// Rejected are changes that the rules would revert: a step in a chart forced by an active order, a step whose enclosing
+// step is inactive, and contradictory orders. Stored actions are not executed; continuous ones follow the situation.
 #pragma once
 
 #include <string>
@@ -21,16 +21,16 @@ namespace grafverif {
 
 struct ByHand {
     std::vector<bool> situation = {};  ///< per step of the chart
-    std::string refusal = {};          ///< why there is none; empty: there is
+    std::string refusal = {};          ///< reason for rejection; empty if accepted
 };
 
-/// Requires a situation that the rules allow.
+/// Requires a situation that is consistent with the rules.
 ByHand by_hand(const Chart& chart, const std::vector<bool>& situation, Id<Chart::Step> step, bool active);
 
 /// Per step of the chart of `controller`.
 std::vector<bool> situation_of(const Network& network, const NetworkState& state, Id<Network::Controller> controller);
-/// The controller waits for its next cycle, has `situation` from now on, and reason for a cycle; timers of steps that
-/// change are started and stopped.
+/// The controller waits for its next cycle, has `situation` from now on, and is due to run a cycle; timers of steps
+/// that change are started and stopped.
 void put_situation(const Network& network, NetworkState& state, Id<Network::Controller> controller,
                    const std::vector<bool>& situation);
 

@@ -31,7 +31,7 @@ Id<Chart::Step> Levels::exit(Id<Chart::Step> step) const {
     return step;
 }
 
-/// Whether `inner` is `region`, or the expansion of a macro-step in it.
+/// True if `inner` is `region`, or the expansion of a macro-step in it.
 bool Levels::contains(Partial region, Partial inner) const {
     while (inner != region && chart_.partial_charts[inner].kind == Chart::PartialKind::Expansion)
         inner = chart_.steps[chart_.partial_charts[inner].owner].chart;
@@ -73,7 +73,8 @@ std::vector<bool> Levels::initial() const {
     return has_hierarchy_ ? settled(nullptr, marked) : marked;
 }
 
-/// The rules say what is active from what is active; from level to level downwards that comes to rest.
+/// Computes a fixed point: the activity of each level depends on the levels above, so the iteration converges level by
+/// level.
 std::vector<bool> Levels::settled(const std::vector<bool>* old, const std::vector<bool>& cleared) const {
     std::vector<bool> now = cleared;
     for (std::size_t level = 0; level <= 2 * chart_.partial_charts.size() + 1; ++level) {
@@ -112,7 +113,7 @@ std::vector<bool> Levels::round(const std::vector<bool>* old, const std::vector<
         const Chart::PartialChart& partial = chart_.partial_charts[id];
         if (partial.kind == Chart::PartialKind::Enclosed && !now[partial.owner.index]) clear(id, next);
     }
-    for (const Id<Chart::Step> id : chart_.steps.ids())  // a macro-step is active while a step of its expansion is
+    for (const Id<Chart::Step> id : chart_.steps.ids())  // a macro-step is active if a step of its expansion is active
         if (chart_.steps[id].kind == Chart::StepKind::Macro) next[id.index] = false;
     for (const Id<Chart::Step> id : chart_.steps.ids()) {
         if (!next[id.index] || chart_.steps[id].kind == Chart::StepKind::Macro) continue;
@@ -147,7 +148,7 @@ Id<Chart::ForcingOrder> Levels::conflict(const std::vector<bool>& situation) con
     return {};
 }
 
-/// Whether both lead to the same situation of the same chart.
+/// True if both orders force one chart into the same situation.
 bool Levels::agree(const Chart::ForcingOrder& one, const Chart::ForcingOrder& other) const {
     if (one.forced != other.forced) return false;
     const bool first_holds = one.to == Chart::ForcedTo::Current, second_holds = other.to == Chart::ForcedTo::Current;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Macro-steps, enclosing steps and forcing orders by the rules of the standard, on sets of steps: what is active is
-// looked up, level by level, until nothing changes any more.
+// Macro-steps, enclosing steps and forcing orders according to the rules of the standard, on sets of steps: activity is
+// computed level by level up to a fixed point.
 #pragma once
 
 #include <vector>
@@ -9,34 +9,34 @@
 
 namespace grafverif {
 
-/// The structure of a chart, as far as the rules ask for it.
+/// The structure of a chart as far as the rules need it.
 class Levels {
 public:
     explicit Levels(const Chart& chart);
 
-    /// What is activated in the place of `step`: of a macro-step, the entry step of its expansion.
+    /// The step that is activated instead of `step`: for a macro-step, the entry step of its expansion.
     Id<Chart::Step> entry(Id<Chart::Step> step) const;
-    /// What must be active in its place when it is left.
+    /// The step that must be active when `step` is left: for a macro-step, the exit step of its expansion.
     Id<Chart::Step> exit(Id<Chart::Step> step) const;
 
-    /// Whether the rules let `transition` be cleared, were its steps active: no order holds its chart, and a source
-    /// transition of an expansion or enclosed chart has its owner active.
+    /// True if the rules allow clearing `transition` once its steps are active. No order forces its chart, and for a
+    /// source transition of an expansion or enclosed chart the owner is active.
     bool is_free(const Chart::Transition& transition, const std::vector<bool>& situation) const;
 
-    /// The situation after an evolution from `old`, `cleared` being what rules 3 and 5 make of it.
+    /// The situation after an evolution from `old`; `cleared`: the result of rules 3 and 5.
     std::vector<bool> after(const std::vector<bool>& old, const std::vector<bool>& cleared) const;
 
-    /// The situation after somebody has made `step` active, or not, by hand; of a macro-step its expansion. The rules have
-    /// the last word: `step` may not be what it was made.
+    /// The situation after the user activates or deactivates `step`; for a macro-step, its expansion. The rules take
+    /// precedence: the result may have another activity of `step`.
     std::vector<bool> by_hand(const std::vector<bool>& old, Id<Chart::Step> step, bool active) const;
 
-    /// A step whose order holds the partial chart in `situation`; not valid: none does.
+    /// A step whose order forces the partial chart in `situation`; invalid if there is none.
     Id<Chart::Step> holder(Id<Chart::PartialChart> partial, const std::vector<bool>& situation) const;
 
     /// The situation at power-on.
     std::vector<bool> initial() const;
 
-    /// Whether `situation` has two orders that cannot be obeyed together; then one of them.
+    /// One of two contradictory orders that are active in `situation`; invalid if there are none.
     Id<Chart::ForcingOrder> conflict(const std::vector<bool>& situation) const;
 
 private:
@@ -52,7 +52,7 @@ private:
 
     const Chart& chart_;
     bool has_hierarchy_ = false;
-    std::vector<Id<Chart::Step>> entries_ = {}, exits_ = {};  ///< per step: of the expansion of a macro-step
+    std::vector<Id<Chart::Step>> entries_ = {}, exits_ = {};  ///< per macro-step: steps of its expansion
 };
 
 }  // namespace grafverif

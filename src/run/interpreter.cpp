@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// Rules 2 and 4: the transitions to clear, all from the old situation.
+/// Rules 2 and 4: determines the transitions to clear, all from the old situation.
 void clear_transitions(const Chart& chart, const Levels& levels, const State& old, Reader& reader,
                        Evolution& evolution) {
     for (const Id<Chart::Transition> id : chart.transitions.ids()) {
@@ -28,14 +28,14 @@ void clear_transitions(const Chart& chart, const Levels& levels, const State& ol
     }
 }
 
-/// Steps that have become active are new; what is not active has no age.
+/// Steps that have become active have age 0; inactive steps have no age.
 void age(const std::vector<bool>& before, State& state) {
     for (std::size_t step = 0; step < before.size(); ++step)
         if (before[step] != state.situation[step]) state.ages[step] = state.situation[step] ? 0 : -1;
 }
 
-/// Rules 3 and 5: deactivate, then activate, so that activation wins; a step that was active keeps its age then.
-/// Hierarchy has the last word.
+/// Rules 3 and 5: deactivates, then activates, so that activation has priority; a step that was already active keeps
+/// its age. Hierarchy is applied last.
 void change_situation(const Chart& chart, const Levels& levels, const State& old, Evolution& evolution) {
     State& state = evolution.state;
     for (const Id<Chart::Transition> id : evolution.fired)
@@ -46,7 +46,7 @@ void change_situation(const Chart& chart, const Levels& levels, const State& old
     age(old.situation, state);
 }
 
-/// Whether `action` is run in an evolution; empty where its event has no value.
+/// True if `action` is executed in an evolution; empty if its event is undefined.
 std::optional<bool> is_triggered(const Chart::StoredAction& action, const State& old, Reader& reader,
                                  const Evolution& evolution) {
     if (action.on == Chart::StoredOn::Clearing)
@@ -61,7 +61,7 @@ std::optional<bool> is_triggered(const Chart::StoredAction& action, const State&
     return event ? std::optional(*event != 0) : std::nullopt;
 }
 
-/// Runs the stored actions that are triggered. All values are taken before any is stored.
+/// Executes the triggered stored actions. All values are evaluated before any is stored.
 void store(const Chart& chart, const State& old, Reader& reader, Evolution& evolution) {
     std::vector<std::pair<Id<Chart::StoredAction>, std::int64_t>> writes;
     for (const Id<Chart::StoredAction> id : chart.stored.ids()) {
@@ -91,7 +91,7 @@ void store(const Chart& chart, const State& old, Reader& reader, Evolution& evol
     }
 }
 
-/// What edges will compare the next evolution with: values before this one.
+/// Stores the values that edges of the next evolution compare with: those before this one.
 void remember(const Chart& chart, const Memory& memory, Reader& reader, Evolution& evolution) {
     evolution.state.previous.resize(memory.edges.size());
     for (std::size_t place = 0; place < memory.edges.size(); ++place) {
@@ -101,8 +101,8 @@ void remember(const Chart& chart, const Memory& memory, Reader& reader, Evolutio
     }
 }
 
-/// Starts and stops the times of what changed: terms are watched as the evolution leaves them.
-/// Where a term changes in the very moment its t1 is over, `ended` says which of both came first.
+/// Starts and stops the timing of changed terms; terms are evaluated after the evolution.
+/// If a term changes at the instant when its t1 elapses, `ended` determines the order of the two events.
 void watch(const Chart& chart, const Memory& memory, const std::vector<bool>& ended, Reader& reader,
            Evolution& evolution) {
     const std::vector<TimedElement> elements = timed_elements(chart);
@@ -217,7 +217,7 @@ std::optional<std::vector<std::int64_t>> output_values(const Chart& chart, const
 
 namespace {
 
-/// The situations of the loop of `length` evolutions that `state` is on.
+/// The situations on the cycle of `length` evolutions that contains `state`.
 std::vector<std::vector<bool>> loop(const Chart& chart, State state, InputValues inputs, std::size_t length) {
     std::vector<std::vector<bool>> situations;
     for (std::size_t k = 0; k < length; ++k) {
@@ -243,7 +243,7 @@ void write_outputs(const Chart& chart, InputValues inputs, Cycle& result) {
 Cycle cycle(const Chart& chart, const State& state, InputValues inputs, ExecutionMode mode) {
     Cycle result;
     result.state = state;
-    // Brent's search for a loop: compare with one state kept, and keep another one after 1, 2, 4, ... evolutions.
+    // Brent's cycle detection: compare with a stored state, which is replaced after 1, 2, 4, ... evolutions.
     State kept = state;
     std::size_t since_kept = 0;
     std::size_t patience = 1;

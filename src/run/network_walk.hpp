@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Walking through a Network by hand: what may happen next, and how far time can go. Moves themselves are those of
+// Interactive exploration of a Network: possible next events and delays. The moves themselves are those of
 // ir/network_run.
 #pragma once
 
@@ -13,17 +13,17 @@
 
 namespace grafverif {
 
-/// How time can pass from a state on while no edge fires, in time units.
+/// Delays possible from a state without taking an edge, in time units.
 struct Leeway {
     bool may_pass = false;
-    std::optional<std::int64_t> limit = {};   ///< until an invariant stops it; empty: for ever
-    std::optional<std::int64_t> change = {};  ///< until an edge can fire that cannot yet; empty: never
+    std::optional<std::int64_t> limit = {};   ///< until an invariant blocks it; empty: unbounded
+    std::optional<std::int64_t> change = {};  ///< until a disabled edge becomes enabled; empty: never
     bool operator==(const Leeway&) const = default;
 };
 
 Leeway leeway(const Network& network, const NetworkState& state);
 
-/// The processes that hold time up: an urgent edge of theirs can fire, or an invariant is at its bound.
+/// The processes that block delay: an urgent edge is enabled, or an invariant is at its bound.
 std::vector<Id<Network::Process>> impatient(const Network& network, const NetworkState& state);
 
 }  // namespace grafverif

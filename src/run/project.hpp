@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // project: a run of a Network, of a TransitionSystem or of a Chart -> a ChartRun, without rows.
 //
-// What becomes what, of a Network:
-//   edge of an instance, of a timer    a moment; of a timer an internal one, unless a delay of it is over
-//   edge of a PLC                      a moment with the act of its controller, phase by phase as its procedures say
-//   delay                              a moment
-// Of a TransitionSystem, a step becomes what it did, in this order: time that passes; the controllers that did
-// something, with what they found; timers that ended; components that moved; inputs that changed by themselves. Its
-// moments are numbers of steps, or times where the system ticks. A step in which nothing shows is an internal moment.
-// Of a Chart that the interpreter runs, whoever runs it says what is a moment.
+// Mapping for a Network:
+//   edge of an instance, of a timer    an event; for a timer an internal one, unless one of its delays elapses
+//   edge of a PLC                      an event with the actions of its controller, phase by phase as in its procedures
+//   delay                              an event
+// For a TransitionSystem, each step is split into events, in this order: time; the controllers that acted, with their
+// results; timers that expired; components that moved; inputs that changed spontaneously. Events are numbered by steps,
+// or by times if the system has ticks. A step without visible changes is an internal event.
+// For a Chart run by the interpreter, the caller defines the events.
 #pragma once
 
 #include <cstdint>
@@ -25,10 +25,10 @@
 
 namespace grafverif {
 
-/// Where the values of a model's state are what the charts and the plant know; keys are places among those values.
+/// Maps the values of a model's state to the signals of charts and plant; keys are indices of these values.
 class ChartView {
 public:
-    /// Where the controller is not `alone`, names of steps and internal variables begin with its own.
+    /// Unless the controller is `alone`, names of its steps and internal variables are qualified by its name.
     ChartView(ChartRun& run, std::size_t keys, bool alone) : run_(&run), alone_(alone), signals_(keys) {}
 
     /// The controller without timers and images. `add(named, role)` adds the signal of a variable.
@@ -46,9 +46,9 @@ public:
         }
         return made;
     }
-    /// What is there already keeps its role.
+    /// An existing signal keeps its role.
     Id<ChartRun::Signal> add_signal(std::uint32_t key, ChartRun::Signal signal);
-    /// Not valid: the value is none of a signal.
+    /// Invalid if the value belongs to no signal.
     Id<ChartRun::Signal> signal(std::uint32_t key) const { return signals_[key]; }
     ChartRun::State state(std::int64_t time_ms, const std::vector<std::int64_t>& values) const;
 
@@ -61,15 +61,15 @@ private:
     std::vector<std::uint32_t> signal_keys_ = {}, step_keys_ = {};
 };
 
-/// Projects a run while it happens.
+/// Projects a run incrementally.
 class NetworkProjection {
 public:
-    /// Makes `run` one of `network` that begins in `state`. Both outlive the projection.
+    /// Initializes `run` as a run of `network` that begins in `state`. `network` and `run` must outlive the projection.
     NetworkProjection(const Network& network, const NetworkState& state, ChartRun& run);
 
-    /// One move has led from `before` to `after`.
+    /// Appends one move from `before` to `after`.
     void append(const Move& move, const NetworkState& before, const NetworkState& after);
-    /// Somebody has made it so by hand: a moment of the kind `environment` about which there is nothing else to tell.
+    /// Appends a change by the user: an event of the kind `environment` without further data.
     void append_by_hand(const NetworkState& after);
 
 private:
@@ -84,24 +84,24 @@ private:
     const Network& network_;
     ChartRun& run_;
     ChartView view_;
-    std::vector<Id<Network::Controller>> controller_of_ = {};  ///< per process: whose PLC it is
-    std::vector<Id<ChartRun::Instance>> instance_of_ = {};     ///< per process, if it is none
+    std::vector<Id<Network::Controller>> controller_of_ = {};  ///< per process: the controller whose PLC it is
+    std::vector<Id<ChartRun::Instance>> instance_of_ = {};     ///< per process that is not a controller or timer
     std::vector<Id<ChartRun::Timer>> timer_of_ = {};           ///< per process
     std::vector<Id<Network::Variable>> end_of_ = {};           ///< per timer
     std::int64_t time_ms_ = 0;
 };
 
-/// A run of a chart that the interpreter runs, its inputs free: what there is to tell of it, and no moment yet. Its signals
-/// are the variables of the chart, in order; stored outputs have no images.
+/// A run of a chart that the interpreter executes with free inputs: its declarations, without events. Its signals are
+/// the variables of the chart, in order; stored outputs have no images.
 ChartRun project(const Chart& chart, ExecutionMode mode);
-/// What such a run has in `state`.
+/// The signals of such a run in `state`.
 ChartRun::State project(const Chart& chart, const State& state, InputValues inputs, std::int64_t time_ms);
-/// Adds a moment and its row: an instant in which `fired` was cleared, evolution by evolution, and what is so behind it. The
-/// first evolution of a run clears nothing, and a row of its own says so.
+/// Appends an event and its row: an instant in which `fired` was cleared, evolution by evolution, and the state after
+/// it. The first evolution of a run clears nothing, which is shown as a separate row.
 void append_instant(ChartRun& run, std::string what, const std::vector<std::vector<Id<Chart::Transition>>>& fired,
                     ChartRun::State after);
 
-/// Requires that the system or network is one that a stage of ours made, and of a SystemRun that it is one of `system`.
+/// Requires a system or network created by a stage of grafverif, and that a SystemRun belongs to `system`.
 ChartRun project(const Network& network, const Run& run);
 ChartRun project(const TransitionSystem& system, const SystemRun& run);
 

@@ -26,7 +26,7 @@ bool calls(const Network::Edge& edge, Id<Network::Procedure> procedure) {
     return procedure.valid() && std::ranges::find(edge.calls, procedure) != edge.calls.end();
 }
 
-/// The variables that `edge` assigns by itself, each once, in order.
+/// The variables that `edge` itself assigns, without its procedures, each once, in order.
 std::vector<Id<Network::Variable>> assigned(const Slots& slots, const Network::Edge& edge) {
     std::vector<Id<Network::Variable>> found;
     for (const Network::Assignment& assignment : edge.assignments) {
@@ -59,7 +59,7 @@ NetworkProjection::NetworkProjection(const Network& network, const NetworkState&
     }
     ChartRun::Moment power_on;
     for (const Id<Network::Controller> id : network.controllers.ids())
-        if (!network.controllers[id].start.valid())  // the first evolution has nothing to do
+        if (!network.controllers[id].start.valid())  // the first evolution has no effect
             power_on.acts.push_back({.controller = {id.index},
                                      .starts = true,
                                      .inputs = std::vector<std::int64_t>(run_.controllers[{id.index}].inputs.size())});
@@ -68,7 +68,7 @@ NetworkProjection::NetworkProjection(const Network& network, const NetworkState&
 }
 
 void NetworkProjection::add_controllers() {
-    // What a controller has written is an output, even where another one reads it.
+    // A variable written by a controller is an output, even if another controller reads it.
     for (const Network::Controller& from : network_.controllers)
         for (const auto& output : from.words.outputs) add_signal(output.variable, ChartRun::Role::Output);
     for (const Id<Network::Controller> id : network_.controllers.ids()) {
@@ -85,7 +85,7 @@ Id<ChartRun::Signal> NetworkProjection::add_signal(Id<Network::Variable> id, Cha
     return view_.add_signal(id.index, {role, network_.variables[id].name, network_.variables[id].type});
 }
 
-/// An output and its image stand side by side.
+/// Adds the signals; an output and its image are adjacent.
 ChartRun::Controller NetworkProjection::controller_of(const Network::Controller& from) {
     std::vector<Id<ChartRun::Signal>> images;
     ChartRun::Controller controller = view_.controller(from.words, [&](const auto& named, ChartRun::Role role) {
@@ -105,7 +105,7 @@ void NetworkProjection::add_timers(const Network::Controller& from, ChartRun::Co
     for (std::size_t k = 0; k < from.timers.size(); ++k) {
         const Network::Timer& timer = from.timers[k];
         const auto& words = from.words.timers[k];
-        const bool exact = timer.restarts;  // as published they are wrong, and are meant to be
+        const bool exact = timer.restarts;  // timers as published are inexact on purpose
         timer_of_[timer.process.index] =
             run_.timers.add({from.words.name, words.watched, words.step, words.rise_ms, words.fall_ms, exact});
         controller.timers.push_back(timer_of_[timer.process.index]);
@@ -143,7 +143,7 @@ void NetworkProjection::fill(ChartRun::Moment& moment, const Fire& fire, const N
     if (moment.kind == ChartRun::Kind::Controller)
         return moment.acts.push_back(act(controller_of_[fire.process.index], edge, before, after));
     if (edge.from != edge.to || moment.kind == ChartRun::Kind::Timer) moment.location = edge.to.index;
-    if (moment.kind == ChartRun::Kind::Observer) {  // it watches: nothing happens to the loop
+    if (moment.kind == ChartRun::Kind::Observer) {  // observers do not change the loop
         moment.internal = true;
         return;
     }
@@ -159,7 +159,7 @@ void NetworkProjection::fill(ChartRun::Moment& moment, const Fire& fire, const N
     const Id<ChartRun::Timer> timer = timer_of_[fire.process.index];
     if (!timer.valid()) return;
     moment.timer_holds = holds(after, end_of_[timer.index]);
-    // Without a delay the end only follows what the timer watches.
+    // Without a delay the output directly follows the observed term.
     const ChartRun::Timer& of = run_.timers[timer];
     moment.internal = holds(before, end_of_[timer.index]) == moment.timer_holds ||
                       (moment.timer_holds ? of.rise_ms : of.fall_ms) == 0;
@@ -178,10 +178,10 @@ ChartRun::Act NetworkProjection::act(Id<Network::Controller> id, const Network::
         for (const auto& input : from.words.inputs) act.inputs.push_back(before.variables[input.variable.index]);
     for (std::size_t k = 0; k < from.timers.size(); ++k) {
         if (act.samples) act.timers.push_back(holds(before, from.words.timers[k].end));
-        // Its end does not tell, since it may still be true of an earlier rise.
+        // Its output is not sufficient, since it may still be true from an earlier rise.
         if (act.evolves) act.done.push_back(before.locations[from.timers[k].process.index] == from.timers[k].done);
     }
-    // Firing conditions are forgotten by the evolution where it is an edge of its own.
+    // If the evolution is a separate edge, it resets the firing conditions.
     const NetworkState& fired_in = act.samples ? after : before;
     for (std::size_t k = 0; (act.samples || act.evolves) && k < from.words.transitions.size(); ++k)
         if (holds(fired_in, from.words.transitions[k].variable))

@@ -56,7 +56,7 @@ private:
     }
 
     void add_controllers() {
-        // What a controller has written is an output, even where another one reads it.
+        // A variable written by a controller is an output, even if another controller reads it.
         for (const System::Controller& from : system_.controllers)
             for (const System::Named& output : from.words.outputs) add_signal(output, ChartRun::Role::Output);
         for (const System::Controller& controller : system_.controllers) {
@@ -78,7 +78,7 @@ private:
         made_.moments.push_back(std::move(moment));
     }
 
-    /// With the first evolutions that are no steps of the system.
+    /// The event at power-on, including the first evolutions that are not separate steps of the system.
     ChartRun::Moment power_on() const {
         ChartRun::Moment moment;
         for (std::uint32_t index = 0; index < system_.controllers.size(); ++index) {
@@ -96,7 +96,7 @@ private:
         return condition.valid() ? value_in(system_, values, condition) != 0 : otherwise;
     }
 
-    /// Shows the symbol as it is in `next`; whether that is a change.
+    /// Updates the shown value of the symbol to that in `next`; true if it changes.
     bool take(Id<System::Symbol> symbol, const Values& next) {
         std::int64_t& shown = shown_[symbol.index];
         return std::exchange(shown, next[symbol.index]) != next[symbol.index];
@@ -108,7 +108,7 @@ private:
         return changed;
     }
 
-    /// Step `index`, from its state to `next`.
+    /// Projects step `index`, from its state to `next`.
     void project_step(std::size_t index, const Values& next) {
         const Values& before = run_.states[index];
         step_ = index;
@@ -152,14 +152,14 @@ private:
             add({.kind = ChartRun::Kind::Controller, .acts = {std::move(act)}});
     }
 
-    /// Whoever evolves and writes at once writes nothing as long as the search for stability goes on.
+    /// A controller that evolves and writes in one step writes nothing while its search for stability continues.
     static Writes writes(const System::Controller& from, const ChartRun::Act& act) {
         const bool searches = from.words.mode == ExecutionMode::StabilitySearch;
         if (act.starts) return searches ? Writes::No : Writes::Yes;
         return act.evolves && searches ? Writes::IfStable : Writes::Yes;
     }
 
-    /// A timer t1/X matters while its step is active.
+    /// A timer t1/X is relevant while its step is active.
     void project_timers(std::uint32_t index, const Values& before, const Values& next) {
         const auto& from = system_.controllers[index].words;
         for (std::size_t k = 0; k < from.timers.size(); ++k) {
@@ -178,7 +178,7 @@ private:
 
     void project_component(std::uint32_t index, const Values& next) {
         const System::Component& component = system_.components[index];
-        const bool of_model = component.kind == System::Component::Kind::Timer;  // its end is told
+        const bool of_model = component.kind == System::Component::Kind::Timer;  // its expiry is shown
         ChartRun::Moment moment{.kind = kind_of(component.kind), .internal = of_model, .instance = {index}};
         if (component.location.valid() && take(component.location, next))
             moment.location =
@@ -196,7 +196,7 @@ private:
 
     const System& system_;
     const SystemRun& run_;
-    Values shown_;  ///< as the run has it so far
+    Values shown_;  ///< as in the run so far
     ChartRun made_ = {};
     ChartView view_;
     std::size_t step_ = 0;

@@ -35,7 +35,7 @@ Memory memory(const Chart& chart) {
 }
 
 std::optional<std::int64_t> Reader::value(Id<Expr> term) {
-    const bool outer = std::exchange(lost_, false);  // of the term that asks for an output, whose condition this is
+    const bool outer = std::exchange(lost_, false);  // belongs to the term that reads an output with this condition
     const auto result = evaluate(chart_.exprs, term, [this](const Expr& leaf) { return leaf_value(leaf); });
     const bool lost = std::exchange(lost_, outer);
     return lost ? std::nullopt : result;
@@ -83,8 +83,8 @@ std::int64_t Reader::edge_value(const Expr& edge) {
     return edge.op == Op::Rise ? !before && now.value_or(0) != 0 : before && now.value_or(1) == 0;
 }
 
-/// `t1/v/t2`: the clock knows v as the last evolution left it, and v may have changed since. Without t2 a v that is
-/// false now ends the condition at once, without t1 one that is true starts it.
+/// `t1/v/t2`: the timing refers to v after the last evolution, and v may have changed since. Without t2, the condition
+/// ends immediately when v becomes false; without t1, it starts immediately when v becomes true.
 std::int64_t Reader::time_value(std::size_t index) {
     const Chart::TimeCondition& timed = chart_.time_conditions[{static_cast<std::uint32_t>(index)}];
     const bool over = timed_[index];
@@ -107,7 +107,7 @@ std::optional<std::int64_t> Reader::look_up(Id<Chart::Variable> output) {
     return 0;
 }
 
-/// Of an action whose step is active: whether its delay is over, and its limit is not.
+/// For an action whose step is active: true if its delay has elapsed and its limit has not.
 bool Reader::in_time(Id<Chart::ContinuousAction> id) const {
     const Chart::ContinuousAction& action = chart_.continuous[id];
     std::size_t place = first_time_[id.index];

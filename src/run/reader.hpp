@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reader: the values of terms of a chart over one situation, one set of variables and the inputs of one evolution.
-// Memory: the terms of a chart whose past an evolution needs.
+// Reader: evaluates terms of a chart for one situation, one set of variables and the inputs of one evolution.
+// Memory: the terms of a chart whose previous values an evolution needs.
 #pragma once
 
 #include <optional>
@@ -11,16 +11,16 @@
 
 namespace grafverif {
 
-/// What an evolution must remember for the next one, of the terms that something of the chart reads.
+/// Values that an evolution must store for the next one, restricted to terms that the chart reads.
 struct Memory {
     std::vector<Id<Expr>> edges = {};        ///< operands of edges, in order
-    std::vector<std::uint32_t> places = {};  ///< per term: its place in `edges`; empty where there are none
-    std::vector<bool> time_conditions = {};  ///< per time condition: whether it is read
+    std::vector<std::uint32_t> places = {};  ///< per term: its index in `edges`; empty if there are no edges
+    std::vector<bool> time_conditions = {};  ///< per time condition: true if it is read
 };
 
 Memory memory(const Chart& chart);
 
-/// Continuous outputs that conditions read are looked up once each.
+/// Continuous outputs in conditions are evaluated once each.
 class Reader {
 public:
     /// `timed`: as in evolve(). Without `memory`, as in the first evolution, there are no edges.
@@ -28,11 +28,11 @@ public:
            const Memory* memory)
         : chart_(chart), state_(state), inputs_(inputs), timed_(timed), memory_(memory) {}
 
-    /// Empty where the term has no value.
+    /// Empty if the term is undefined.
     std::optional<std::int64_t> value(Id<Expr> term);
-    /// Whether some action sets `output` now.
+    /// True (1) if an action currently sets `output`.
     std::optional<std::int64_t> output(Id<Chart::Variable> output);
-    /// Whether an action stores values in `variable`.
+    /// True if an action stores values in `variable`.
     bool is_stored(Id<Chart::Variable> variable);
 
 private:
@@ -54,8 +54,8 @@ private:
     std::vector<Known> known_ = {};
     std::vector<bool> stored_ = {};
     std::vector<std::vector<Id<Chart::ContinuousAction>>> actions_ = {};
-    std::vector<std::size_t> first_time_ = {};  ///< per continuous action: its first element of `timed`
-    bool lost_ = false;                         ///< something read by the term at hand has no value
+    std::vector<std::size_t> first_time_ = {};  ///< per continuous action: index of its first element in `timed`
+    bool lost_ = false;                         ///< the current term reads an undefined value
 };
 
 }  // namespace grafverif

@@ -20,7 +20,7 @@ std::string listed(const std::vector<std::string>& names) {
     return text + "}";
 }
 
-/// One controller of the run beside its chart.
+/// Replays one controller of the run on its chart.
 class ControllerReplay {
 public:
     ControllerReplay(const ChartRun& run, const ChartRun::Controller& controller, const Chart& chart)
@@ -32,7 +32,7 @@ public:
 
     void pass(std::int64_t milliseconds) { state_ = pass_time(std::move(state_), milliseconds); }
 
-    /// What the run has that the rules do not give; empty: they agree.
+    /// Differences between the run and the rules; empty if they agree.
     std::string does(const ChartRun::Act& act, const ChartRun::State& before, const ChartRun::State& after) {
         if (over_) return {};
         if (act.starts || act.samples) read_inputs(act);
@@ -50,13 +50,13 @@ public:
     }
 
     std::size_t evolutions() const { return evolutions_; }
-    /// Both have met a race: nothing is to be compared behind it.
+    /// Both have a race: nothing after it is compared.
     bool raced() const { return raced_; }
     const std::string& racing() const { return racing_; }
     const std::string& name() const { return controller_.name; }
 
 private:
-    /// The place among the controller's timers of the one that waits for the element.
+    /// The index, among the controller's timers, of the timer for the element.
     std::optional<std::size_t> timer_of(std::size_t element) const {
         const TimedElement& wanted = elements_[element];
         if (wanted.watched.valid()) return controller_.conditions[element];
@@ -67,7 +67,7 @@ private:
         return {};
     }
 
-    /// The variables of a kind, in order: those that the controller's signals of that kind stand for.
+    /// The variables of a kind, in order: they correspond to the controller's signals of that kind.
     template <class Visit>
     void each(Chart::VariableKind kind, Visit visit) const {
         std::size_t place = 0;
@@ -82,7 +82,7 @@ private:
             timed_[k] = act.samples && timers_[k] && act.timers[*timers_[k]];
     }
 
-    /// A timer changes when its duration is over; at that very moment it may not have done so yet.
+    /// A timer expires when its duration has elapsed; at exactly that time it may not have expired yet.
     std::string timers_fault() const {
         for (std::size_t k = 0; k < timers_.size(); ++k) {
             if (!timers_[k] || !run_.timers[controller_.timers[*timers_[k]]].exact) continue;
@@ -108,8 +108,8 @@ private:
         return step_variable(chart_, {static_cast<std::uint32_t>(node.value)});
     }
 
-    /// Per element, whether its t1 is over: a timer may end in the instant of a cycle, after the inputs were sampled
-    /// and before the evolution.
+    /// Per element: true if its t1 has elapsed. A timer may expire in the instant of a cycle, after the sampling of
+    /// inputs and before the evolution.
     std::vector<bool> ended(const ChartRun::Act& act) const {
         if (act.done.empty()) return timed_;
         std::vector<bool> ended;
@@ -132,10 +132,10 @@ private:
         return stored_fault(after);
     }
 
-    /// Which of several faults of one evolution is met first is left open.
+    /// If one evolution has several faults, the order of their detection is unspecified.
     std::string race_fault(const ChartRun::Act& act, const Evolution& result) {
         const bool broken = result.race || result.fault;
-        over_ = broken && act.race.value_or(true);  // a model that does not say goes on, the rules do not
+        over_ = broken && act.race.value_or(true);  // a model without race flags continues, the rules do not
         raced_ = over_ && act.race.has_value();
         if (result.race) racing_ = chart_.variables[result.race->variable].name;
         if (over_ || (!broken && !act.race.value_or(false))) return {};

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Replay of a run on the rules of IEC 60848: what each controller did, evolution by evolution, is done again by the
-// interpreter on the chart itself, with the inputs and the values of time conditions sampled there. A run that does not
-// replay was not one of the chart: a fault of ours, between derive and the engine.
+// Replay of a run according to IEC 60848: the interpreter repeats each action of each controller, evolution by
+// evolution, on the chart itself, with the inputs and the values of time conditions sampled in the run. If a run fails
+// the replay, it is not a run of the chart: an internal error between derive and the engine.
 //
 //   starts      the first evolution: situation and stored variables agree
-//   samples     the age of what a timer watches agrees with it, where timers are exact
-//   evolves     transitions cleared, situation, stored variables agree; stable and races, where the model says so
-//   writes      outputs agree; whoever does not write changes none
+//   samples     the age of the observed term agrees with its timer, if timers are exact
+//   evolves     transitions cleared, situation, stored variables agree; stable and races, if the model includes them
+//   writes      outputs agree; otherwise no output changes
 #pragma once
 
 #include <cstddef>
@@ -21,9 +21,9 @@
 namespace grafverif {
 
 struct Disagreement {
-    std::size_t move = 0;    ///< index in the run that was projected
+    std::size_t move = 0;    ///< index in the projected run
     std::string where = {};  ///< `controller press, evolution 12`
-    std::string what = {};   ///< what the run has and what the rules give
+    std::string what = {};   ///< values in the run and according to the rules
 
     bool operator==(const Disagreement&) const = default;
 };
@@ -32,17 +32,16 @@ struct Disagreement {
 /// accepts.
 std::optional<Disagreement> disagreement(const ChartRun& run, std::span<const Chart* const> charts);
 
-/// What cannot be done together in one evolution.
+/// Contradictory actions in one evolution.
 struct Clash {
     std::string controller = {};
-    std::string variable =
-        {};  ///< two stored actions give it different values; empty: forcing orders contradict each other
+    std::string variable = {};  ///< two stored actions give it different values; empty: contradictory forcing orders
 };
-/// Of a run that ends in a race; nothing where by the rules none is.
+/// The contradiction at the end of a run that ends in a race; empty if the rules find none.
 std::optional<Clash> clash(const ChartRun& run, std::span<const Chart* const> charts);
 
-/// Of an untimed run: two times over one step, of which a cycle samples the longer as over and the shorter as not. No
-/// plant gives such a run.
+/// In an untimed run: two time conditions on one step, of which a cycle samples the longer as true and the shorter as
+/// false. This run is not possible with any plant.
 struct Untimely {
     StepName step = {};
     std::int64_t longer_ms = 0, shorter_ms = 0;

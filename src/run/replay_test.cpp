@@ -15,7 +15,7 @@ public:
     TestReplay(const Chart& chart, const TestSequence& test)
         : chart_(chart), test_(test), inputs_(chart.variables.size()) {}
 
-    /// What is wrong with one step, or nothing.
+    /// Executes one step; returns a description of the difference, or nothing.
     std::string step(const TestSequence::Step& step) {
         pass(step);
         for (std::uint32_t scan = 1; scan <= step.cycles; ++scan) {
@@ -38,7 +38,7 @@ public:
         time_ms_ = 0;
     }
 
-    /// What the chart does in a sequence, as far as it has a meaning.
+    /// The run of the chart in a sequence, up to a fault.
     ChartRun run_of(const TestSequence::Sequence& sequence) {
         power_up();
         told_ = project(chart_, test_.mode);
@@ -62,7 +62,7 @@ private:
         time_ms_ += step.wait_ms;
     }
 
-    /// What keeps the chart from answering, or nothing.
+    /// Executes a scan; returns the fault, or nothing.
     std::string scan(const TestSequence::Step& step) {
         std::size_t input = 0;
         for (const Id<Chart::Variable> id : chart_.variables.ids())
@@ -77,7 +77,7 @@ private:
         return {};
     }
 
-    /// Of the outputs from those expected.
+    /// First difference between the outputs and the expected ones.
     std::string difference(const TestSequence::Step& step) const {
         std::size_t output = 0;
         for (const Id<Chart::Variable> id : chart_.variables.ids()) {
@@ -95,7 +95,7 @@ private:
     State state_ = {};
     std::vector<std::int64_t> inputs_ = {};  ///< per variable of the chart
     std::int64_t time_ms_ = 0;
-    std::optional<ChartRun> told_ = {};  ///< where somebody wants to see it
+    std::optional<ChartRun> told_ = {};  ///< if the run is requested
 };
 
 }  // namespace

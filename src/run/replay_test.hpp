@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A test sequence on the interpreter of the rules of IEC 60848: what a PLC that does as the chart says would answer.
+// Runs a test sequence on the interpreter of IEC 60848: the expected behaviour of a PLC that implements the chart.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,12 @@
 
 namespace grafverif {
 
-/// The first scan in which the chart answers otherwise than `test` expects, in words; empty: it passes. Requires that
-/// the inputs and outputs of the test are those of the chart, in its order.
+/// Describes the first scan in which the outputs of the chart differ from those that `test` expects; empty: it passes.
+/// Requires that the inputs and outputs of the test are those of the chart, in its order.
 std::optional<std::string> disagreement(const Chart& chart, const TestSequence& test);
 
-/// What the chart does in each sequence of a test, whatever that expects: a row per scan. Where the chart has no meaning the
-/// last row says why.
+/// The run of the chart in each sequence of a test, independently of the expected outputs: a row per scan. After a
+/// fault of the chart the last row states the cause.
 std::vector<ChartRun> runs_of(const Chart& chart, const TestSequence& test);
 
 }  // namespace grafverif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scanner: a chart run as a PLC runs it, scan by scan: inputs are read, the whole stability search is made if the mode has
-// one, outputs are written; time passes in between.
+// Scanner: executes a chart as a PLC does, scan by scan: inputs are read, one cycle is executed (with stability search
+// if the mode has it), outputs are written; time passes between scans.
 #pragma once
 
 #include <cstdint>
@@ -12,23 +12,24 @@
 
 namespace grafverif {
 
-/// In the order of their declaration.
+/// In order of declaration.
 std::vector<Id<Chart::Variable>> variables_of_kind(const Chart& chart, Chart::VariableKind kind);
 
 /// `{2, 5}`
 std::string situation_text(const Chart& chart, const std::vector<bool>& situation);
 
-/// What is wrong where a chart goes through the situations of `endless`, at least one, for ever; with its code.
+/// Message for a chart that repeats the situations of `endless`, at least one, forever; with its code.
 std::string instability_text(const Chart& chart, const std::vector<std::vector<bool>>& endless);
-/// What is wrong where stored actions give `variable` different values; empty: where forcing orders contradict each other.
+/// Message for stored actions that give `variable` different values; for contradictory forcing orders if the name is
+/// empty.
 std::string race_text(std::string_view variable);
 
-/// Why `cycle` is none that a PLC can make; empty: it is one.
+/// Reason why a PLC cannot execute `cycle`; empty if it can.
 std::string problem_in(const Chart& chart, const Cycle& cycle);
 
 class Scanner {
 public:
-    /// `chart` outlives it.
+    /// `chart` must outlive the scanner.
     Scanner(const Chart& chart, ExecutionMode mode) : chart_(chart), mode_(mode), state_(power_on(chart)) {}
 
     const std::vector<Id<Chart::Variable>>& inputs() const { return inputs_; }
@@ -36,10 +37,11 @@ public:
     /// Time that passes before the first scan is before power-on.
     void wait(std::int64_t milliseconds);
 
-    /// One scan, of `values` in the order of the inputs; what stops the PLC, or nothing.
+    /// Executes one scan with `values` in the order of the inputs; returns the fault that stops the PLC, or an empty
+    /// string.
     std::string scan(const std::vector<std::int64_t>& values);
 
-    /// As they were written last.
+    /// As last written.
     std::vector<std::int64_t> outputs() const;
     const State& state() const { return state_; }
 

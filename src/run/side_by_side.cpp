@@ -17,7 +17,7 @@ std::vector<Comparison::Variable> plugs(const Chart& chart, Chart::VariableKind 
 
 namespace {
 
-/// Per plug of `chart` the place of the one of that name in `first`.
+/// Per input or output of `chart`: the index of the one with the same name in `first`.
 std::vector<std::size_t> places(const Chart& chart, const Chart& first, Chart::VariableKind kind) {
     const std::vector<Comparison::Variable> known = plugs(first, kind);
     std::vector<std::size_t> found;
@@ -66,7 +66,7 @@ std::optional<std::size_t> SideBySide::difference(const std::vector<Comparison::
     return {};
 }
 
-/// Whether the constraints of both charts allow the inputs.
+/// True if the constraints of both charts allow the inputs.
 bool SideBySide::possible(const Comparison::Scan& scan) const {
     for (const std::size_t k : {0U, 1U}) {
         std::vector<std::int64_t> values(charts_[k]->variables.size());
