@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A location is a state in which the controller waits for its next scan, with no timer marked fresh or falling: nothing
-// has happened yet in the instant that begins. Each location found is looked at once, in the order of discovery.
+// A location is a state in which the controller waits for its next scan, with no timer marked fresh or falling: no
+// event has yet occurred in the instant that begins. Each location is processed once, in the order of discovery.
 //
-// In every_cycle mode a move is an evolution of the automaton, but for the one that changes nothing.
+// In every_cycle mode a move is an evolution of the automaton, except for moves without changes.
 //
-// With stability search the inputs of a move that is not stable are followed, held, through the states they cross, at
-// each of which they split by its moves. Moves of a state are disjoint and cover all inputs, so each input has one path,
-// and a set along a path only shrinks. A path ends where a move is stable, in an arrival, or where it comes to one of its
-// own states again: under held inputs a state decides the next one, so that is a loop for ever, total instability. States
-// are finite, hence one of both happens to every input.
+// With stability search, the inputs of a move that is not stable are kept constant and followed through transient
+// states, in each of which they are split by its moves. Moves of a state are disjoint and cover all inputs, so each
+// input has one path, and a set shrinks along a path. A path ends with a stable move (an arrival), or when it revisits
+// one of its states. In the latter case, since constant inputs make the next state unique, the path cycles forever:
+// total instability. The number of states is finite, hence one of both occurs for every input.
 //
-// Marks of timers live on along a path, for it takes no time, and are written on the evolution that it becomes.
+// Marks of timers are kept along a path, because it takes no time, and are recorded on the resulting evolution.
 #include "conform/automaton.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ using Role = Equations::Role;
 
 // -- paths under held inputs ------------------------------------------------------------------------------------------
 
-/// Where a set of inputs ends up.
+/// Final state for a set of inputs.
 struct Arrival {
     StateId state = 0;  ///< timers that were started on the path are fresh
     Bdd set = {};
@@ -41,7 +41,7 @@ struct Loop {
     Bdd set = {};
 };
 struct Followed {
-    std::vector<Arrival> arrivals = {};  ///< different states
+    std::vector<Arrival> arrivals = {};  ///< distinct states
     std::vector<Loop> loops = {};
 
     void arrive(StateId state, const Bdd& set) {
@@ -51,12 +51,13 @@ struct Followed {
     }
 };
 
-/// Where `moves`, made from `origin` if it is one, lead. A stable move back to it is no arrival.
+/// Results of following `moves`; `origin`: the location in which they start, if any. A stable move back to it is not an
+/// arrival.
 Followed followed(Moves& moves, const std::vector<StateMove>& first, StateId origin = no_state) {
     struct Leg {
         StateId state = 0;
         Bdd set = {};
-        std::size_t depth = 0;  ///< the states of the path before it
+        std::size_t depth = 0;  ///< number of states of the path before it
     };
     Followed result;
     std::vector<StateId> path;
@@ -86,7 +87,7 @@ Followed followed(Moves& moves, const std::vector<StateMove>& first, StateId ori
     return result;
 }
 
-/// Loops through the same states are one; each begins at its least state.
+/// Merges cycles through the same states; each begins with its least state.
 std::vector<Loop> merged(std::vector<Loop> loops) {
     for (Loop& loop : loops) std::ranges::rotate(loop.states, std::ranges::min_element(loop.states));
     std::ranges::stable_sort(loops, {}, &Loop::states);
@@ -117,7 +118,8 @@ public:
                                                              : Id<Automaton::Output>{});
     }
 
-    /// Fills the automaton, whose variables are declared. What has no result is thrown, or said in `diagnostics`.
+    /// Fills the automaton, whose variables are declared. Throws if an evolution has no result, or reports to
+    /// `diagnostics`.
     void run() {
         automaton_.complete = false;
         start();
@@ -158,7 +160,8 @@ private:
         add_instabilities(automaton_.init, all.loops);
     }
 
-    /// Whether the first evolution, which leads to `reached`, changed no variable and emits what power-on did.
+    /// True if the first evolution, which leads to `reached`, changed no variable and emits the same outputs as
+    /// power-on.
     static bool nothing_happened(const Location& init, const Location& reached) {
         return reached.values == init.values && reached.emissions == init.emissions;
     }
@@ -197,7 +200,7 @@ private:
         automaton_.evolutions.push_back(std::move(evolution));
     }
 
-    /// The ends of timers are the last inputs.
+    /// Timer outputs are the last inputs.
     Id<Automaton::Input> timer_input(std::size_t timer) const {
         return {static_cast<std::uint32_t>(automaton_.inputs.size() - equations_.timers.size() + timer)};
     }
@@ -251,7 +254,7 @@ private:
         return result;
     }
 
-    /// Outputs with stored actions, where they are not 0.
+    /// Outputs with stored actions that are not 0.
     std::vector<Automaton::Emission> stored_emissions(const std::vector<std::int64_t>& values) {
         std::vector<Automaton::Emission> result;
         for (std::size_t k = 0; k < equations_.stored.size(); ++k) {
@@ -265,7 +268,7 @@ private:
         return result;
     }
 
-    /// Outputs of the automaton are those of the equations, in order.
+    /// The outputs of the automaton are those of the equations, in order.
     Id<Automaton::Output> output_of(Id<Equations::Variable> variable) const { return outputs_[variable.index]; }
 
     std::string inputs_text(const Bdd& set) const { return space_.witness_text(set & space_.assumed()); }
@@ -292,13 +295,13 @@ private:
 
 // -- declarations ------------------------------------------------------------------------------------------------------
 
-/// As conditions write it: `3s/X2`, `3s/a/2s`.
+/// In the notation of conditions: `3s/X2`, `3s/a/2s`.
 std::string name_of(const Equations& equations, const Equations::Timer& timer) {
     const std::string watched = watched_name(equations, timer);
     return time_text(timer.rise_ms, watched.empty() ? equations.variables[timer.watched].name : watched, timer.fall_ms);
 }
 
-/// Inputs of the chart, then the ends of its timers; per variable of the equations which input it is.
+/// Declares the inputs of the chart, then the outputs of its timers; returns the input per variable of the equations.
 InputOf declare_inputs(const Equations& equations, Automaton& automaton) {
     InputOf inputs(equations.variables.size());
     for (const Id<Equations::Variable> id : equations.variables.ids()) {
@@ -320,7 +323,8 @@ InputOf declare_inputs(const Equations& equations, Automaton& automaton) {
     return inputs;
 }
 
-/// Excludes what timers of one level cannot do: of those that rise later and fall earlier none holds alone.
+/// Excludes impossible combinations of timers with the same observed term: one that rises later and falls earlier
+/// implies the other.
 void order_timers(const Equations& equations, const InputOf& inputs, InputSpace& space) {
     const auto end = [&](const Equations::Timer& timer) { return space.term(*inputs[timer.end.index]).bits.front(); };
     for (const Equations::Timer& one : equations.timers)
@@ -330,7 +334,7 @@ void order_timers(const Equations& equations, const InputOf& inputs, InputSpace&
                 space.assume(~end(one) | end(other));
 }
 
-/// False after an error: JESA13 section 2.2 asks for inputs and outputs.
+/// False after an error: JESA13 section 2.2 requires inputs and outputs.
 bool declare(const Equations& equations, Automaton& automaton, Diagnostics& diagnostics) {
     for (const Equations::Variable& variable : equations.variables)
         if (variable.role == Role::Output) automaton.outputs.add({variable.name, variable.type});
@@ -344,7 +348,7 @@ bool declare(const Equations& equations, Automaton& automaton, Diagnostics& diag
     return inputs && outputs;
 }
 
-/// Restricts the inputs to what the constraints allow; false after an error.
+/// Restricts the inputs by the constraints; false after an error.
 bool assume(const Equations& equations, const InputOf& inputs, InputSpace& space, Diagnostics& diagnostics) {
     BddTerms terms(equations.exprs,
                    [&](const Expr& leaf) { return space.term(inputs[static_cast<std::size_t>(leaf.value)].value()); });

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Equations -> LocationAutomaton: JESA13 Algorithms 3 to 5, for both execution modes.
 //
-// Conditions are decision diagrams over the inputs. In a location every variable of the chart is a constant, so a firing
-// condition becomes a function of the inputs; the sets of simultaneously firable transitions (JESA13 (11) to (13)) are
-// the satisfiable cells that these functions cut the inputs into, and no input is ever looked at by itself.
+// Conditions are decision diagrams over the inputs. In a location every variable of the chart is constant, so a firing
+// condition is a function of the inputs. The sets of simultaneously firable transitions (JESA13 (11) to (13)) are the
+// satisfiable classes of the partition of the inputs by these functions; single inputs are never enumerated.
 //
-// With stability search JESA13's Algorithm 6 is replaced by one that ends: from a stable location each cell is followed
-// through the situations it crosses, shrinking to the inputs that take the same path, until it is stable. Inputs that come
-// to a situation of their own path again never stabilise: total instability.
+// With stability search, JESA13's Algorithm 6 is replaced by a terminating one. From a stable location each class is
+// followed through transient situations, restricted to the inputs with the same path, until it is stable. Inputs that
+// revisit a situation of their path never stabilize: total instability.
 #pragma once
 
 #include <atomic>
@@ -23,8 +23,8 @@
 namespace grafverif {
 
 struct ConformProgress {
-    std::uint64_t locations = 0;  ///< found
-    std::uint64_t done = 0;       ///< of them, whose evolutions are known
+    std::uint64_t locations = 0;  ///< found so far
+    std::uint64_t done = 0;       ///< of these, with known evolutions
     std::uint64_t evolutions = 0;
 };
 
@@ -33,14 +33,15 @@ struct AutomatonOptions {
     std::uint64_t max_locations = 20'000'000;
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< bytes of decision diagrams
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;  ///< set by somebody else
-    bool partial = false;  ///< where a limit, the deadline or `stop` ends the search: what was found, not `complete`
-    std::function<void(const ConformProgress&)> progress = {};  ///< called now and then
+    const std::atomic<bool>* stop = nullptr;  ///< cancellation flag, set by another thread
+    bool partial = false;  ///< if a limit, the deadline or `stop` ends the search: return the automaton found so far,
+                           ///< not `complete`
+    std::function<void(const ConformProgress&)> progress = {};  ///< called periodically
 };
 
-/// The automaton of the chart, or nothing after adding at least one error to `diagnostics`: no inputs, no outputs, a
-/// constraint that excludes every input, an initial situation that never stabilises, two actions that store different
-/// values at once, a value that does not exist or is out of its range, a limit. Requires verify(equations).empty().
+/// The automaton of the chart; empty after at least one error. Errors are: no inputs, no outputs, a constraint that
+/// excludes every input, an initial situation that never stabilizes. Further: two actions that store different values
+/// simultaneously, a value that is undefined or out of range, a limit. Requires verify(equations).empty().
 std::optional<LocationAutomaton> location_automaton(const Equations& equations, const AutomatonOptions& options,
                                                     Diagnostics& diagnostics);
 

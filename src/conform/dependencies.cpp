@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A term says what it is where no transition fires once the firing conditions in it are replaced by `false`: building the
-// term folds the rest. If the next value of a variable comes out as the variable itself, it changes only where a
-// transition fires that it reads. The same holds for a race that comes out as `false`.
+// Computes the value of a term if no transition fires: firing conditions in it are replaced by `false`, and constant
+// folding simplifies the rest. If the next value of a variable is then the variable itself, it changes only if a
+// transition that it reads fires. Similarly, a race that becomes `false` requires such a transition.
 #include "conform/dependencies.hpp"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ private:
         return firing_of_[static_cast<std::size_t>(leaf.value)];
     }
 
-    /// A condition begins with the step upstream, if there is one.
+    /// A condition begins with the upstream step, if there is one.
     void add_guards(Dependencies& result) const {
         result.guarded.resize(layout_.fields.size());
         std::vector<std::optional<std::uint32_t>> field_of(equations_.variables.size());
@@ -63,7 +63,7 @@ private:
         }
     }
 
-    /// `term`, in `scratch`, where no transition fires.
+    /// `term`, in `scratch`, if no transition fires.
     Id<Expr> while_quiet(Id<Expr> term, Exprs& scratch) const {
         return translate(exprs_, term, scratch, [&](const Expr& leaf) {
             return firing_of(leaf) ? scratch.constant(false)
@@ -77,7 +77,8 @@ private:
             if (const auto firing = firing_of(exprs_[leaf])) computed.by_firing[*firing].push_back(number);
     }
 
-    /// `stable` is the negation of a disjunction in which every transition that can fire stands by itself.
+    /// True if `stable` is the negation of a disjunction that contains the firing condition of every transition that
+    /// can fire.
     bool firing_unsettles() const {
         if (exprs_[equations_.stable].op != Op::Not) return false;
         const Id<Expr> changes = exprs_.operands(equations_.stable)[0];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an evolution has to look at. Of the conditions of transitions those whose step upstream is active; of the equations
-// those that a transition which fires can make anything but `keep`. The rest is known beforehand: a large chart has many
+// Dependencies of an evolution: only the conditions of transitions whose upstream step is active, and the equations
+// that depend on a firing transition, need to be evaluated. The others are known in advance. A large chart has many
 // transitions and variables, and an evolution concerns few.
 #pragma once
 
@@ -15,17 +15,17 @@ namespace grafverif::conform {
 struct Dependencies {
     using Numbers = std::vector<std::uint32_t>;
 
-    /// What an evolution computes: whenever one of these transitions fires, or in any case.
+    /// Equations that an evolution evaluates: if one of these transitions fires, or always.
     struct Computed {
         std::vector<Numbers> by_firing = {};
         Numbers always = {};
     };
 
-    std::vector<Numbers> guarded = {};  ///< per field: transitions that fire only where it, a step activity, holds
+    std::vector<Numbers> guarded = {};  ///< per field, a step activity: transitions that fire only if it holds
     Numbers unguarded = {};             ///< the other transitions
     Computed fields = {};               ///< all others keep their values
-    Computed races = {};                ///< stored variables, of which all others do not race
-    bool firing_unsettles = false;      ///< whether no situation in which a transition fires is stable
+    Computed races = {};                ///< stored variables; all others do not race
+    bool firing_unsettles = false;      ///< true if no situation in which a transition fires is stable
 };
 
 Dependencies dependencies(const Equations& equations, const StateLayout& layout);

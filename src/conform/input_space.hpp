@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The inputs of a chart as variables of decision diagrams, and functions of them as terms to read.
+// The inputs of a chart as variables of decision diagrams, and functions of them as readable terms.
 #pragma once
 
 #include <atomic>
@@ -16,10 +16,10 @@
 
 namespace grafverif::conform {
 
-/// The error of a search that decision diagrams stopped: at their memory, at the deadline, or by `stop`.
+/// The error of a search whose decision diagrams reached the memory limit or the deadline, or were stopped by `stop`.
 Diagnostic limit_reached(const BddExhausted& exhausted, Span origin, const std::atomic<bool>* stop);
 
-/// Ends with BddExhausted where the deadline is over or somebody asked to stop.
+/// Throws BddExhausted if the deadline is over or the stop flag is set.
 template <class Options>
 void stop_if_asked(const Options& options) {
     const bool late = options.deadline && std::chrono::steady_clock::now() >= *options.deadline;
@@ -38,7 +38,7 @@ std::vector<NamedInput> named(const Inputs& inputs) {
     return all;
 }
 
-/// Input k is word k; its bits are neighbours, the most significant on top.
+/// Input k is word k; its bits are adjacent, the most significant on top.
 class InputSpace {
 public:
     InputSpace(std::vector<NamedInput> inputs, const BddLimits& limits);
@@ -49,15 +49,15 @@ public:
     const std::vector<std::uint32_t>& bits() const { return bits_; }
     const BddSpace& space() const { return space_; }
 
-    /// The combinations looked at: in the ranges of their types, as `assume` left them.
+    /// The input combinations considered: in the ranges of their types, restricted by `assume`.
     const Bdd& assumed() const { return assumed_; }
     void assume(const Bdd& condition) { assumed_ &= condition; }
 
-    /// Per variable of the space a value, such that `set`, which is not false, holds.
+    /// Per variable of the space a value such that `set` holds. Requires that `set` is not false.
     std::vector<bool> assignment(const Bdd& set) const;
-    /// Per input a value, such that `set`, which is not false, holds.
+    /// Per input a value such that `set` holds. Requires that `set` is not false.
     std::vector<std::int64_t> witness(const Bdd& set) const;
-    /// The witness in words: `s, not h1, level = 3`.
+    /// The witness as text: `s, not h1, level = 3`.
     std::string witness_text(const Bdd& set) const;
 
 private:
@@ -68,14 +68,14 @@ private:
     Bdd assumed_ = Bdd::constant(true);
 };
 
-/// Terms whose Variable leaves are the inputs, as sets of inputs.
+/// Translates terms whose Variable leaves are inputs to sets of inputs.
 class InputSets {
 public:
-    /// Both arguments outlive this.
+    /// Both arguments must outlive this object.
     InputSets(const Exprs& exprs, const InputSpace& space)
         : terms_(exprs, [&space](const Expr& leaf) { return space.term(static_cast<std::size_t>(leaf.value)); }) {}
 
-    /// Where the term has a value and holds.
+    /// The inputs for which the term is defined and true.
     Bdd operator()(Id<Expr> term) {
         const BddTerm& found = terms_(term);
         return found.bits.front() & ~found.undefined;
@@ -86,7 +86,7 @@ private:
 };
 
 /// Functions of inputs as terms of an Exprs whose Variable leaves are the inputs: irredundant sums of products (Minato
-/// 1993), equal to the function wherever the inputs are as assumed. Each function is written once.
+/// 1993), equal to the function under the assumed inputs. Each function is translated once.
 class Conditions {
 public:
     Conditions(const InputSpace& space, Exprs& exprs) : space_(space), exprs_(exprs) {}

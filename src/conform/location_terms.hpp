@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The terms of the equations in a location: what the chart remembers is a constant there, so a term is a number or a
-// function of the inputs. What terms say of inputs alone is found once, and serves all locations.
+// Values of terms of the equations in a location: variables of the chart are constant there, so a term is a number or a
+// function of the inputs. Terms of inputs alone are evaluated once for all locations.
 #pragma once
 
 #include <cstdint>
@@ -15,27 +15,27 @@
 
 namespace grafverif::conform {
 
-/// The values in a location, per variable of the equations; what is said of inputs does not matter.
+/// The values in a location, per variable of the equations; entries of inputs are unused.
 using Values = std::vector<std::int64_t>;
-/// Per variable of the equations the input it is, or nothing.
+/// Per variable of the equations: its input, or empty.
 using InputOf = std::vector<std::optional<std::size_t>>;
 
-/// A term in a location: `number`, or a function of the inputs where `function` is set.
+/// Value of a term in a location: `number`, or a function of the inputs if `function` is set.
 struct LocationValue {
     std::int64_t number = 0;
-    bool none = false;  ///< the constant has no value: division by zero, or too large
+    bool none = false;  ///< the constant is undefined: division by zero, or too large
     std::optional<BddTerm> function = {};
 };
 
 /// A Boolean term in a location.
 struct LocationCondition {
     Bdd holds = {};
-    Bdd undefined = {};  ///< where it has no value
+    Bdd undefined = {};  ///< true where the term is undefined
 };
 
 class LocationTerms {
 public:
-    /// All arguments outlive this.
+    /// All arguments must outlive this object.
     LocationTerms(const Equations& equations, const InputOf& inputs, const InputSpace& space);
 
     LocationValue value(Id<Expr> term, const Values& at);
@@ -43,7 +43,7 @@ public:
 
 private:
     enum class Kind : std::uint8_t { Fixed, OfInputs, Mixed };
-    /// A Mixed And or Or whose terms of inputs alone always have a value: those taken together, and the others.
+    /// A Mixed And or Or whose operands of inputs alone are always defined: these combined, and the others.
     struct Split {
         Bdd inputs = {};
         std::vector<Id<Expr>> others = {};

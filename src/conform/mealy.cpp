@@ -18,15 +18,15 @@ using Automaton = LocationAutomaton;
 using Location = Automaton::Location;
 using State = MealyMachine::State;
 
-/// A location and how long its timers have been running. Per level that timers watch: for how long it has been true, no
-/// longer than the longest rise time; -1: it is not. Per timer with a fall time: since when that runs; -1: it does not.
+/// A location with the elapsed times of its timers. Per level that timers observe: time since it became true, capped at
+/// the longest rise time; -1 if it is false. Per timer with a fall time: time since the fall; -1 if it is not running.
 struct Place {
     Id<Location> location = {};
     std::vector<std::int64_t> ages = {}, falls = {};
     auto operator<=>(const Place&) const = default;
 };
 
-/// What happens in a place: the inputs that lead to each next place, and those that lead nowhere.
+/// Successors of a place: the inputs that lead to each next place, and those without a successor.
 struct Departures {
     std::map<Place, Bdd> to = {};
     Bdd staying = {};  ///< part of `to`
@@ -34,7 +34,7 @@ struct Departures {
     bool operator==(const Departures& other) const { return to == other.to && unstable == other.unstable; }
 };
 
-/// A level that timers watch, with its longest rise time; and a timer over it.
+/// A level that timers observe, with its longest rise time; and a timer for it.
 struct Level {
     Automaton::Input watched = {};
     std::int64_t longest = 0;
@@ -42,7 +42,7 @@ struct Level {
 struct Timer {
     Id<Automaton::Input> input = {};
     std::size_t level = 0;
-    std::size_t fall = 0;  ///< place in Place::falls, of a timer with a fall time
+    std::size_t fall = 0;  ///< index in Place::falls of a timer with a fall time
     std::int64_t rise_ms = 0, fall_ms = 0;
 };
 
@@ -106,7 +106,7 @@ private:
         return grafverif::level(automaton_.locations[location], level.watched);
     }
 
-    /// The place after `evolution`: the times of `before`, but of what was started anew.
+    /// The place after `evolution`: the times of `before`, except those that are restarted.
     Place arrival(const Place& before, const Automaton::Evolution& evolution) const {
         Place place{evolution.to, {}, before.falls};
         for (std::size_t k = 0; k < levels_.size(); ++k)
@@ -126,7 +126,7 @@ private:
         return place;
     }
 
-    /// The ends of the timers in `place`, as a cube. Before the first cycle none holds.
+    /// The outputs of the timers in `place` as a cube. All are false before the first cycle.
     Bdd timer_ends(const Place& place) const {
         std::vector<BddLiteral> literals;
         for (const Timer& timer : timers_) {
@@ -158,8 +158,8 @@ private:
         return result;
     }
 
-    /// Where the controller is if nothing happens. With stability search it may stay in INIT: the location of the
-    /// initial situation is the same to everybody.
+    /// The place if no event occurs. With stability search the controller may stay in INIT, which is equivalent to the
+    /// location of the initial situation.
     Place staying_place(const Place& place) const {
         if (place.location != automaton_.init) return place;
         Place same = place;
@@ -171,7 +171,7 @@ private:
         return same;
     }
 
-    /// Merges INIT with the location of the initial situation, where both mean the same (JESA13 section 6).
+    /// Merges INIT with the location of the initial situation if both are equivalent (JESA13 section 6).
     void begin() {
         const Place init = place_of_init();
         const Departures first = departures(init);
@@ -243,7 +243,7 @@ private:
         if (place.location != automaton_.init) add_waits(from, place, now.staying);
     }
 
-    /// Lets time pass until the next timer ends, under inputs that the place is stable for.
+    /// Adds the transition in which time passes until the next timer event, under inputs for which the place is stable.
     void add_waits(Id<State> from, const Place& place, const Bdd& staying) {
         const std::int64_t wait = next_end(place);
         if (wait == 0 || staying.is_false()) return;
@@ -258,7 +258,7 @@ private:
             if (const Bdd both = set & staying; !both.is_false()) add_transition(from, to, both, wait);
     }
 
-    /// The time until the next end of a timer rises, or a fall time is over; 0: nothing runs.
+    /// Time until a timer output rises or a fall time has elapsed; 0 if no timer is running.
     std::int64_t next_end(const Place& place) const {
         std::int64_t next = 0;
         const auto consider = [&next](std::int64_t wait) { next = next == 0 ? wait : std::min(next, wait); };
@@ -275,7 +275,7 @@ private:
             machine_.transitions.push_back({from, state(to), conditions_.term(part), answer, wait});
     }
 
-    /// What is written on arrival in `place`, by the inputs.
+    /// Outputs written on arrival in `place`, as a function of the inputs.
     std::vector<std::pair<Id<MealyMachine::Answer>, Bdd>> answers(const Place& place, const Bdd& set) {
         struct Part {
             Bdd set = {};
@@ -321,10 +321,10 @@ private:
     InputSpace space_;
     InputSets sets_;
     Conditions conditions_;
-    std::vector<std::uint32_t> bits_ = {};  ///< of the inputs proper
+    std::vector<std::uint32_t> bits_ = {};  ///< bits of inputs, timer outputs excluded
     std::vector<Level> levels_ = {};
     std::vector<Timer> timers_ = {};
-    std::size_t falls_ = 0;           ///< timers with a fall time
+    std::size_t falls_ = 0;           ///< number of timers with a fall time
     std::vector<Place> places_ = {};  ///< per state
     std::map<Place, Id<State>> known_ = {};
     std::map<std::vector<std::int64_t>, Id<MealyMachine::Answer>> answer_of_ = {};

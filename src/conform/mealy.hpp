@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// LocationAutomaton -> MealyMachine (JESA13 section 6), symbolically: one transition per next state and answer, under a
+// LocationAutomaton -> MealyMachine (JESA13 section 6), symbolically: one transition per next state and output, with a
 // set of inputs.
 //
-// A chart with timers becomes a machine that knows how long each timer has been running, so that what it answers is
-// exact: time passes in `wait` transitions alone, each until the next timer ends, and from states that are stable under
-// the inputs held. The cycles of the controller take no time.
+// A chart with timers becomes a machine whose states include the elapsed times of all timers, so its outputs are exact.
+// Time passes only in `wait` transitions, each until the next timer event, from states that are stable under the
+// current inputs. Cycles of the controller take no time.
 #pragma once
 
 #include <atomic>
@@ -22,15 +22,15 @@ struct MealyOptions {
     std::uint64_t max_states = 20'000'000;
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< bytes of decision diagrams
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;  ///< set by somebody else
+    const std::atomic<bool>* stop = nullptr;  ///< cancellation flag, set by another thread
 };
 
-/// The machine of the automaton, or nothing after an error: a limit. Requires verify(automaton).empty().
+/// The machine of the automaton; empty after an error: a limit. Requires verify(automaton).empty().
 std::optional<MealyMachine> mealy_machine(const LocationAutomaton& automaton, const MealyOptions& options,
                                           Diagnostics& diagnostics);
 
-/// The least machine that gives the same answers to the same inputs from its initial state: states that nobody can tell
-/// apart become one (Moore 1956), named after the situations of all of them. Nothing after an error at `origin`: a limit.
+/// The minimal equivalent machine: equivalent states are merged (Moore 1956) and named after the situations of all of
+/// them. Empty after an error at `origin`: a limit.
 std::optional<MealyMachine> minimised(const MealyMachine& machine, const MealyOptions& options, Span origin,
                                       Diagnostics& diagnostics);
 

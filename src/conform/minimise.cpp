@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Partition refinement (Moore 1956): two states stay together while they answer alike and go to states that are together,
-// under the same inputs.
+// Partition refinement (Moore 1956): two states stay in one class while, under the same inputs, they have the same
+// outputs and successors in the same class.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -32,9 +32,9 @@ public:
     }
 
 private:
-    /// To which class a state goes, with which answer, after which wait; `no_class`: it never stabilises.
+    /// Class of the successor, output and waiting time; `no_class`: it never stabilizes.
     using Response = std::tuple<std::uint32_t, std::uint32_t, std::int64_t>;
-    /// What tells states apart: the inputs of each response.
+    /// Distinguishes states: the inputs of each response.
     using Signature = std::map<Response, Bdd>;
     static constexpr std::uint32_t no_class = 0xFFFFFFFFU;
 
@@ -49,7 +49,7 @@ private:
         return all;
     }
 
-    /// One round; the number of classes after it. Classes are numbered by their first states.
+    /// One refinement round; returns the number of classes. Classes are numbered by their first states.
     std::size_t refine() {
         struct Less {
             bool operator()(const Signature& a, const Signature& b) const {

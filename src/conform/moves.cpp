@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: MIT
-// What an evolution does is found by cutting the inputs, coarsely first:
+// The result of an evolution is computed by successive partitions of the inputs:
 //
-//   cells     In a state what the chart remembers is constant, so the condition of each transition is a set of inputs.
-//             These sets cut the inputs into cells in each of which exactly one set of transitions fires (JESA13 (11) to
-//             (13)). No input is looked at by itself, and of 2^n sets of transitions only those that occur.
-//   parts     In a cell the firing conditions are constant too. A next value is then a number or, seldom, a function of
-//             the inputs; by its values the cell falls into parts. What dependencies.hpp leaves out keeps its value.
-//   stable    A part is cut in two where the equations call the situation stable: nothing changes there.
-//   levels    The levels that timers watch are terms over the new values and the inputs: they cut once more.
+//   classes   In a state the variables of the chart are constant, so the condition of each transition is a set of
+//             inputs.
+//             These sets partition the inputs into classes in each of which exactly one set of transitions fires
+//             (JESA13
+//             (11) to (13)). Single inputs are never enumerated, and of the 2^n sets of transitions only those that
+//             occur.
+//   parts     In a class the firing conditions are constant too. A next value is then a number or, rarely, a function
+//             of
+//             the inputs; its values split the class into parts. Variables without dependencies (dependencies.hpp) are
+//             unchanged.
+//   stable    A part is split by the stability condition of the equations: nothing changes where it holds.
+//   levels    The levels that timers observe are terms over the new values and the inputs: they are split once more.
 //
-// Each cut is one of the whole that is cut, so the moves are disjoint and cover what was there at first: the inputs that
-// are assumed and agree with what is known of timers. Every step takes values and returns others; what a cell starts from,
-// `at`, is constant to all of them. A value that does not exist or fit, or a race, for some input of a part ends the
-// search (NoResult): the chart has no location automaton.
+// Each step is a partition, so the moves are disjoint and cover the initial set: the assumed inputs that are consistent
+// with the known timer outputs. Every step is a function from values to values; the state before the evolution, `at`,
+// is constant. An undefined or out-of-range value, or a race, for some input of a part ends the search (NoResult): the
+// chart has no location automaton.
 #include "conform/moves.hpp"
 
 #include <algorithm>
@@ -50,7 +55,7 @@ const std::vector<StateMove>& Moves::of(StateId state) {
 
 namespace {
 
-/// What is said of `moves` that happen only where `known` holds; those that cannot are dropped.
+/// Restricts `moves` to inputs in `known`; moves that become impossible are dropped.
 std::vector<StateMove> supposing(const Bdd& known, std::vector<StateMove> moves) {
     if (known.is_true()) return moves;
     for (StateMove& move : moves) move.set = cofactor(move.set & known, known);
@@ -58,7 +63,7 @@ std::vector<StateMove> supposing(const Bdd& known, std::vector<StateMove> moves)
     return moves;
 }
 
-/// Stable moves first; several sets of transitions that lead to one state are one move.
+/// Stable moves first; moves with different sets of transitions that lead to one state are merged.
 std::vector<StateMove> merged(std::vector<StateMove> moves) {
     std::ranges::stable_partition(moves, &StateMove::stable);
     std::vector<StateMove> result;
@@ -78,7 +83,7 @@ std::vector<StateMove> Moves::moves_of(StateId state) {
     const Values before = values(state);
     const Bdd known = known_ends(state, before);
     std::vector<StateMove> moves;
-    Values at = before;  // and what fires in the cell at hand; one copy serves all cells
+    Values at = before;  // plus the transitions firing in the current class; one copy serves all classes
     for (const Cell& cell : cells(before, space_.assumed() & known)) {
         for (const std::uint32_t firing : cell.fired) at[equations_.firings[firing].variable.index] = 1;
         check_races(cell, at);
@@ -90,13 +95,13 @@ std::vector<StateMove> Moves::moves_of(StateId state) {
 
 // -- cells -------------------------------------------------------------------------------------------------------------
 
-/// Cells in which some transition fires, cut by one transition after the other.
+/// Classes in which some transition fires, refined by one transition after the other.
 class Moves::Partition {
 public:
-    /// `firing` fires where `condition` holds.
+    /// Transition `firing` fires under `condition`.
     void cut(std::uint32_t firing, const Bdd& condition) {
         const Bdd alone = condition & ~touched_;
-        if (!(alone == condition)) {  // somewhere others fire as well
+        if (!(alone == condition)) {  // other transitions fire there as well
             const std::size_t count = cells_.size();
             for (std::size_t k = 0; k < count; ++k) {
                 Bdd both = cells_[k].set & condition;
@@ -114,7 +119,7 @@ public:
         touched_ |= condition;
     }
 
-    /// All cells of `within`; that in which nothing fires is the first.
+    /// All classes of `within`; the one in which no transition fires comes first.
     std::vector<Cell> cells(const Bdd& within) && {
         Bdd quiet = within & ~touched_;
         if (!quiet.is_false()) cells_.insert(cells_.begin(), {std::move(quiet), {}});
@@ -123,7 +128,7 @@ public:
 
 private:
     std::vector<Cell> cells_ = {};
-    Bdd touched_ = {};  ///< all of them together
+    Bdd touched_ = {};  ///< union of the classes
 };
 
 std::vector<Moves::Cell> Moves::cells(const Values& at, const Bdd& within) {
@@ -175,7 +180,7 @@ std::vector<Moves::Part> Moves::evolved(const Cell& cell, const Values& at) {
 
 namespace {
 
-/// `within` by the values of `term`.
+/// Partition of `within` by the values of `term`.
 std::vector<std::pair<Bdd, std::int64_t>> by_value(const BddTerm& term, const Bdd& within, const InputSpace& space) {
     std::vector<std::pair<Bdd, std::int64_t>> pieces;
     for (Bdd rest = within; !rest.is_false();) {
@@ -189,7 +194,7 @@ std::vector<std::pair<Bdd, std::int64_t>> by_value(const BddTerm& term, const Bd
 
 }  // namespace
 
-/// Gives `field` the value of `term` in each part; a part in which the inputs decide on it falls apart.
+/// Sets `field` to the value of `term` in each part; a part in which it depends on the inputs is split.
 std::vector<Moves::Part> Moves::given(std::vector<Part> parts, std::uint32_t field, Id<Expr> term, const Values& at) {
     const Equations::Variable& variable = equations_.variables[layout_.fields[field].kept.variable];
     const LocationValue found = terms_.value(term, at);
@@ -215,7 +220,7 @@ std::vector<Moves::Part> Moves::given(std::vector<Part> parts, std::uint32_t fie
     return found.function ? std::move(pieces) : std::move(parts);
 }
 
-/// The part by the levels that timers watch, as it leaves them.
+/// Splits the part by the new values of the levels that timers observe.
 std::vector<Moves::Part> Moves::with_levels(Part part, const Values& at) {
     std::vector<Part> parts;
     parts.push_back(std::move(part));
@@ -242,7 +247,8 @@ std::vector<Moves::Part> Moves::with_levels(Part part, const Values& at) {
 
 // -- states ------------------------------------------------------------------------------------------------------------
 
-/// `state` after the changes; its timers are marked by what happened to the levels they watch, which were as in `before`.
+/// `state` after the changes. Its timers are marked according to the changes of their levels, whose old values are in
+/// `before`.
 StateId Moves::changed(StateId state, const Changes& changes, const Values& before) {
     const std::span<const std::uint64_t> old = store_.at(state);
     PackedState now(old.begin(), old.end());
@@ -276,7 +282,7 @@ std::vector<std::size_t> Moves::marked(StateId state, std::uint32_t StateLayout:
     return timers;
 }
 
-/// The ends of timers that what happened within the instant decides on.
+/// The outputs of timers that are determined by the events of the current instant.
 Bdd Moves::known_ends(StateId state, const Values& at) const {
     std::vector<BddLiteral> known;
     for (std::size_t k = 0; k < layout_.timers.size(); ++k) {
@@ -291,8 +297,8 @@ Bdd Moves::known_ends(StateId state, const Values& at) const {
     return cube(space_.space(), known);
 }
 
-/// Before power-on no level holds and no timer has ended. Where an end can outlast its level, that it has not is said in
-/// the sets as well.
+/// Before power-on no level holds and no timer has expired. If an output can outlast its level, the sets also exclude
+/// this.
 std::vector<StateMove> Moves::first() {
     const Values& at = initial_;
     PackedState initial(layout_.words);
@@ -333,7 +339,7 @@ void Moves::check_races(const Cell& cell, const Values& at) {
     }
 }
 
-/// That `race` never holds in `within`, and always has a value: each value stored has one.
+/// Checks that `race` never holds in `within` and is always defined: each stored value is defined.
 void Moves::check_race(Id<Expr> race, const Equations::Variable& variable, const Bdd& within, const Values& at) {
     const LocationCondition condition = terms_.condition(race, at);
     const Bdd both = condition.holds & ~condition.undefined & within;

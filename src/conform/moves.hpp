@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Moves: one evolution of the chart from a state, for all inputs at once: disjoint sets of inputs that together are all
-// that is assumed, each with the state that follows.
+// Moves: one evolution of the chart from a state, for all inputs simultaneously: disjoint sets of inputs that cover the
+// assumed ones, each with the next state.
 //
-// Ends of timers are inputs. In the sets of a state those do not occur whose value is known: `3s/v` is false where v is,
-// or has just become true; `v/2s` is true where v is, or has just become false.
+// Timer outputs are inputs. Those with known values do not occur in the sets of a state: `3s/v` is false if v is false
+// or has just become true; `v/2s` is true if v is true or has just become false.
 #pragma once
 
 #include <cstdint>
@@ -25,17 +25,17 @@ namespace grafverif::conform {
 struct StateMove {
     Bdd set = {};
     StateId next = 0;
-    bool stable = false;  ///< nothing changes under these inputs but levels that timers watch, and they no more then
+    bool stable = false;  ///< these inputs change only levels that timers observe, and these only once
 };
 
-/// Thrown where the equations give some evolution no result: a race, a value that does not exist or fit.
+/// Thrown if an evolution has no result: a race, or a value that is undefined or out of range.
 struct NoResult {
     Diagnostic why;
 };
 
 class Moves {
 public:
-    /// All arguments outlive this. Throws NoResult, as what follows does.
+    /// All arguments must outlive this object. The constructor and the functions below throw NoResult.
     Moves(const Equations& equations, const InputOf& inputs, const InputSpace& space);
 
     /// The evolution that activates the initial steps.
@@ -45,11 +45,11 @@ public:
 
     /// The state with no timer fresh or falling.
     StateId settled(StateId state);
-    /// Timers of the equations, by index, that are fresh, or falling, in `state`.
+    /// Indices of the timers of the equations that are fresh, or falling, in `state`.
     std::vector<std::size_t> fresh(StateId state) const { return marked(state, &StateLayout::Timer::fresh); }
     std::vector<std::size_t> falling(StateId state) const { return marked(state, &StateLayout::Timer::falling); }
 
-    /// The values in `state`; what it does not hold never changes.
+    /// The values in `state`; variables that it does not contain never change.
     Values values(StateId state) const;
     LocationCondition condition(Id<Expr> term, const Values& at) { return terms_.condition(term, at); }
 
@@ -60,7 +60,7 @@ private:
     };
     class Partition;
     using Changes = std::vector<std::pair<std::uint32_t, std::int64_t>>;  ///< field, value
-    /// A part of a cell, and what the evolution changes there.
+    /// A part of a class, and the changes of the evolution there.
     struct Part {
         Bdd set = {};
         Changes changes = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The arcs that a cover asks for, their tour, and the tour as steps of a test.
+// Computes the arcs to cover, their tour, and the tour as steps of a test.
 #include <algorithm>
 #include <map>
 
@@ -20,7 +20,7 @@ public:
     Writer(const MealyMachine& machine, const TestOptions& options)
         : machine_(machine), options_(options), space_(named(machine.inputs), {}), sets_(machine.exprs, space_) {
         space_.assume(sets_(machine.assumed));
-        std::uint32_t stride = 1;  // meant for TestCover::Transitions, whose combinations are few
+        std::uint32_t stride = 1;  // used by TestCover::Transitions, which limits the number of combinations
         weights_.resize(space_.space().variables());
         for (std::size_t input = machine.inputs.size(); input-- > 0;) {
             strides_.push_back(stride);
@@ -58,7 +58,7 @@ public:
 private:
     Bdd set_of(Id<Expr> condition) { return sets_(condition) & space_.assumed(); }
 
-    /// Every combination of `set`, by its number.
+    /// Calls `visit` with the number of every combination in `set`.
     template <class Visit>
     void for_each_combination(const Bdd& set, Visit visit) {
         for_each_cube(set, [&](std::span<const BddLiteral> cube) {
@@ -83,8 +83,8 @@ private:
         return std::uint64_t{state} * combinations_ + inputs;
     }
 
-    /// One arc per state and combination of inputs. A transition that stays costs no step of its own where another one
-    /// arrives with its inputs and holds them, or where a wait follows.
+    /// One arc per state and input combination. A transition that stays in its state needs no separate step if another
+    /// one arrives with its inputs and keeps them, or if a wait follows.
     void list_all() {
         combinations_ = 1;
         for (const MealyMachine::Variable& input : machine_.inputs)
@@ -131,8 +131,8 @@ private:
         to_cover_ = static_cast<std::uint64_t>(std::ranges::count(entered, true));
     }
 
-    /// The inputs under which the machine stays where `arrival` leads to, and answers the same again. Where states were
-    /// merged it may answer something else.
+    /// The inputs under which the machine stays in the target of `arrival` with the same output. If states were merged,
+    /// the output may differ.
     const Bdd& staying(const MealyMachine::Transition& arrival) {
         const auto [place, added] = staying_.try_emplace({arrival.to, arrival.answer});
         if (!added) return place->second;
@@ -161,7 +161,7 @@ private:
     TestSequence::Sequence steps(const std::vector<std::uint32_t>& tour) {
         TestSequence::Sequence sequence;
         const TestSequence::Step* last = nullptr;
-        bool held = false;  // the machine stays under the inputs of the last step, which says so
+        bool held = false;  // the last step keeps the machine in its state under its inputs
         for (const std::uint32_t index : tour) {
             const TourArc& arc = arcs_[index];
             const std::vector<std::int64_t> inputs = values(arc.inputs);
@@ -184,7 +184,7 @@ private:
                }).value_or(0) != 0;
     }
 
-    /// What is written in `state` while it stays.
+    /// Output of `state` while it stays there.
     std::vector<std::int64_t> staying_answer(std::uint32_t state, const std::vector<std::int64_t>& inputs) const {
         for (const MealyMachine::Transition& transition : transitions_from(machine_, {state}))
             if (transition.to.index == state && transition.wait_ms == 0 && holds(transition.condition, inputs))
@@ -204,16 +204,16 @@ private:
     InputSpace space_;
     InputSets sets_;
     std::uint64_t combinations_ = 0;
-    std::vector<std::uint32_t> strides_ = {};  ///< per input, in the numbers of combinations
+    std::vector<std::uint32_t> strides_ = {};  ///< per input: its factor in the numbers of combinations
     std::vector<std::uint32_t> weights_ = {};  ///< per variable of the space
     std::vector<TourArc> arcs_ = {};
     std::vector<std::vector<std::int64_t>> witnesses_ = {};
     std::map<std::pair<Id<State>, Id<MealyMachine::Answer>>, Bdd> staying_ = {};
     std::uint64_t to_cover_ = 0;
-    std::uint64_t crossed_before_waits_ = 0;  ///< stable transitions that only the step before a wait crosses
+    std::uint64_t crossed_before_waits_ = 0;  ///< stable transitions covered only by the step before a wait
 };
 
-/// The bits that all inputs together have.
+/// Total number of bits of all inputs.
 std::size_t input_bits(const MealyMachine& machine) {
     std::size_t bits = 0;
     for (const MealyMachine::Variable& input : machine.inputs) bits += bit_count(input.type);

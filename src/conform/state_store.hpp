@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// States: what the chart remembers between two evolutions, packed into words, each stored once.
+// States: the values that the chart stores between evolutions, packed into words and hash-consed.
 //
-// A state holds step activities, stored variables, previous values, the levels that timers watch, and of each timer what
-// happened to its level within the same instant: it became true (`fresh`), its fall time may have started (`falling`).
+// A state contains step activities, stored variables, previous values, the levels that timers observe, and for each
+// timer the events of its level within the current instant: it became true (`fresh`), its fall time may have started
+// (`falling`).
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@ namespace grafverif::conform {
 
 using PackedState = std::vector<std::uint64_t>;
 
-/// Where each thing stands in a packed state.
+/// Positions of the fields in a packed state.
 struct StateLayout {
     struct Field {
         Kept kept = {};
@@ -26,8 +27,8 @@ struct StateLayout {
         std::uint64_t mask = 0;  ///< before the shift
     };
     struct Timer {
-        std::uint32_t fresh = 0, falling = 0;  ///< bits
-        std::uint32_t level = 0;               ///< the bit of what it watches
+        std::uint32_t fresh = 0, falling = 0;  ///< bit positions
+        std::uint32_t level = 0;               ///< bit position of the observed level
     };
 
     explicit StateLayout(const Equations& equations);
@@ -35,8 +36,8 @@ struct StateLayout {
     std::int64_t value(std::span<const std::uint64_t> state, std::uint32_t field) const;
     void set(PackedState& state, std::uint32_t field, std::int64_t value) const;
 
-    std::vector<Field> fields = {};  ///< those of watched levels are the last
-    std::size_t evolving = 0;        ///< fields before those
+    std::vector<Field> fields = {};  ///< those of observed levels come last
+    std::size_t evolving = 0;        ///< number of fields before those
     std::vector<Timer> timers = {};
     std::size_t words = 1;  ///< of 64 bits
 };
@@ -57,7 +58,7 @@ public:
         return {packed_.data() + std::size_t{state} * words_, words_};
     }
 
-    /// The number of the state, new or known.
+    /// Returns the number of the state, which is stored if it is new.
     StateId intern(std::span<const std::uint64_t> state);
 
 private:

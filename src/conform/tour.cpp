@@ -18,20 +18,20 @@ namespace grafverif::conform {
 namespace {
 
 // Minimum-cost flow on arcs of unlimited capacity, by the primal-dual method: shortest distances under reduced costs,
-// then as much flow as the arcs of reduced cost zero take.
+// then a maximal flow along arcs of reduced cost zero.
 
 class Flow {
 public:
     explicit Flow(std::size_t nodes) : out_(nodes), supply_(nodes) {}
 
-    /// An arc of unlimited capacity; its number. `cost` is not negative.
+    /// Adds an arc of unlimited capacity and returns its number. Requires `cost` >= 0.
     std::size_t add_arc(std::uint32_t from, std::uint32_t to, std::int64_t cost);
-    /// What has to leave `node` (negative: has to enter it). All supplies together are 0.
+    /// Adds supply (negative: demand) at `node`. All supplies must sum up to 0.
     void add_supply(std::uint32_t node, std::int64_t amount) { supply_[node] += amount; }
 
-    /// Meets the supplies, as far as they can be met, at the least cost.
+    /// Computes a flow of minimal cost that satisfies the supplies as far as possible.
     void solve();
-    /// After solve: how much goes over arc `arc`.
+    /// After solve: the flow on arc `arc`.
     std::int64_t flow(std::size_t arc) const { return halves_[2 * arc + 1].capacity; }
 
 private:
@@ -52,8 +52,8 @@ private:
     }
 
     std::vector<Half> halves_ = {};
-    std::vector<std::vector<std::uint32_t>> out_ = {};  ///< per node: halves
-    std::vector<std::int64_t> supply_ = {};             ///< still to leave, or to enter
+    std::vector<std::vector<std::uint32_t>> out_ = {};  ///< per node: half arcs
+    std::vector<std::int64_t> supply_ = {};             ///< remaining supply or demand
     std::vector<std::int64_t> potential_ = {};
 };
 
@@ -72,15 +72,15 @@ void Flow::solve() {
     while (std::ranges::any_of(supply_, [](std::int64_t amount) { return amount > 0; }) && shortest_paths()) saturate();
 }
 
-/// Distances from the nodes with supply, by which the potentials grow (Dijkstra under reduced costs); whether a node
-/// with demand is within reach.
+/// Computes distances from the nodes with supply and adds them to the potentials (Dijkstra under reduced costs). True
+/// if a node with demand can be reached.
 bool Flow::shortest_paths() {
     std::vector<std::int64_t> distance(out_.size(), unlimited);
     using Entry = std::pair<std::int64_t, std::uint32_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
     for (std::uint32_t node = 0; node < out_.size(); ++node)
         if (supply_[node] > 0) open.emplace(distance[node] = 0, node);
-    std::int64_t nearest = unlimited;  // demand
+    std::int64_t nearest = unlimited;  // with demand
     while (!open.empty()) {
         const auto [far, node] = open.top();
         open.pop();
@@ -99,7 +99,7 @@ bool Flow::shortest_paths() {
     return true;
 }
 
-/// Sends as much as goes over arcs of reduced cost zero: rounds of levels and blocking flows (Dinic).
+/// Computes a maximal flow along arcs of reduced cost zero: level graphs and blocking flows (Dinic).
 void Flow::saturate() {
     while (const std::optional<std::vector<std::uint32_t>> levels = levels_to_demand()) {
         std::vector<std::size_t> next(out_.size());
@@ -107,7 +107,8 @@ void Flow::saturate() {
     }
 }
 
-/// Per node its distance from those with supply, in arcs of reduced cost zero; nothing where none that demands is reached.
+/// Distance of each node from those with supply, in arcs of reduced cost zero; empty if no node with demand can be
+/// reached.
 std::optional<std::vector<std::uint32_t>> Flow::levels_to_demand() const {
     constexpr std::uint32_t unseen = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> level(out_.size(), unseen), order;
@@ -126,9 +127,10 @@ std::optional<std::vector<std::uint32_t>> Flow::levels_to_demand() const {
     return found ? std::optional(std::move(level)) : std::nullopt;
 }
 
-/// Sends what `source` supplies, from level to level, as far as it goes. `next`: per node the first half not tried in vain.
+/// Sends the supply of `source` along the level graph as far as possible. `next`: per node the first half arc that is
+/// not exhausted.
 void Flow::drain(std::uint32_t source, const std::vector<std::uint32_t>& level, std::vector<std::size_t>& next) {
-    std::vector<std::uint32_t> path;  // halves
+    std::vector<std::uint32_t> path;  // half arcs
     while (supply_[source] > 0) {
         const std::uint32_t node = path.empty() ? source : halves_[path.back()].to;
         if (supply_[node] < 0) {
@@ -151,7 +153,7 @@ void Flow::drain(std::uint32_t source, const std::vector<std::uint32_t>& level, 
     }
 }
 
-/// As much as `source` has, `target` wants and the path carries.
+/// Sends the minimum of the supply of `source`, the demand of `target` and the capacity of the path.
 void Flow::send(std::uint32_t source, std::uint32_t target, const std::vector<std::uint32_t>& path) {
     std::int64_t amount = std::min(supply_[source], -supply_[target]);
     for (const std::uint32_t index : path) amount = std::min(amount, halves_[index].capacity);
@@ -165,7 +167,7 @@ void Flow::send(std::uint32_t source, std::uint32_t target, const std::vector<st
 
 constexpr std::uint32_t none = 0xFFFFFFFFU;
 
-/// Arcs by the node they leave: those of node n are order[first[n]] to order[first[n + 1] - 1].
+/// Arcs by source node: those of node n are order[first[n]] to order[first[n + 1] - 1].
 struct Leaving {
     std::vector<std::uint32_t> first = {}, order = {};
 
@@ -193,7 +195,7 @@ std::vector<std::uint32_t> distinct_arcs(const std::vector<TourArc>& arcs) {
     return all;
 }
 
-/// Whether `start`, from which every node can be reached, can be reached from every node.
+/// True if the graph is strongly connected. Requires that every node can be reached from `start`.
 bool strongly_connected(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs,
                         const std::vector<std::uint32_t>& distinct) {
     std::vector<std::vector<std::uint32_t>> before(nodes);
@@ -211,19 +213,20 @@ bool strongly_connected(std::uint32_t nodes, std::uint32_t start, const std::vec
     return count == nodes;
 }
 
-/// How often each arc is crossed, and how often the controller is switched off and on again in each node.
+/// How often each arc is traversed, and how often the controller is power-cycled in each node.
 struct Crossings {
     std::vector<std::uint32_t> arcs = {};
     std::vector<std::int64_t> ends = {};  ///< per node
     std::int64_t starts = 1;
 };
 
-/// Balances what enters and leaves each node, at least cost. Node `nodes` is the controller switched off: sequences
-/// start and end there.
+/// Balances incoming and outgoing arcs of each node at minimal cost. Node `nodes` represents the controller switched
+/// off: sequences start and end there.
 Crossings balanced(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs) {
     const std::vector<std::uint32_t> distinct = distinct_arcs(arcs);
     const bool several = !strongly_connected(nodes, start, arcs, distinct);
-    const std::int64_t step_cost = several ? std::int64_t{1} << 32U : 1;  // fewer sequences only where no step is lost
+    const std::int64_t step_cost = several ? std::int64_t{1} << 32U : 1;  // the number of sequences is minimized only
+                                                                          // among tours of minimal length
     Flow flow(nodes + 1);
     for (const TourArc& arc : arcs) {
         flow.add_supply(arc.to, 1);
@@ -243,8 +246,8 @@ Crossings balanced(std::uint32_t nodes, std::uint32_t start, const std::vector<T
     return crossings;
 }
 
-/// An Eulerian circuit of all crossings through the node of the controller switched off (Hierholzer 1873). Where it can, a
-/// wait follows the step with its inputs at once.
+/// An Eulerian circuit of all traversals through the node of the controller switched off (Hierholzer 1873). If
+/// possible, a wait directly follows a step with the same inputs.
 class Circuit {
 public:
     Circuit(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs, Crossings crossings)
@@ -260,7 +263,7 @@ public:
 
     std::vector<std::vector<std::uint32_t>> sequences() {
         std::vector<Visit> path{{nodes_, none}};
-        std::vector<std::uint32_t> reversed;  // arcs; `none` where the controller is switched on
+        std::vector<std::uint32_t> reversed;  // arcs; `none` at power-on
         while (!path.empty()) {
             const Visit here = path.back();
             if (const std::uint32_t arc = onwards(here); arc != none) {
@@ -287,7 +290,7 @@ public:
 private:
     struct Visit {
         std::uint32_t node = 0;
-        std::uint32_t arc = none;  ///< that led here
+        std::uint32_t arc = none;  ///< incoming arc
     };
 
     static std::uint64_t key(std::uint32_t node, std::uint32_t inputs) { return (std::uint64_t{node} << 32U) | inputs; }
@@ -309,7 +312,7 @@ private:
     const std::vector<TourArc>& arcs_;
     Crossings left_;
     Leaving leaving_;
-    std::vector<std::uint32_t> next_;  ///< per node: the first of its arcs that may have crossings left
+    std::vector<std::uint32_t> next_;  ///< per node: the first of its arcs that may have remaining traversals
     std::unordered_map<std::uint64_t, std::uint32_t> waits_ = {};
 };
 
@@ -324,13 +327,13 @@ Tour least_tour(std::uint32_t nodes, std::uint32_t start, const std::vector<Tour
 
 namespace {
 
-/// Breadth-first searches for the nearest node wanted.
+/// Breadth-first searches for the nearest node in a set.
 class NearestSearch {
 public:
     NearestSearch(std::uint32_t nodes, const std::vector<TourArc>& arcs)
         : arcs_(arcs), leaving_(nodes, arcs), seen_in_(nodes), by_(nodes) {}
 
-    /// The arcs of a shortest path from `start` on to a node wanted, the last first; empty: none is in reach.
+    /// The arcs of a shortest path from `start` to a node in `wanted`, last first; empty if none can be reached.
     std::vector<std::uint32_t> path(std::uint32_t start, const std::vector<bool>& wanted) {
         ++round_;
         std::deque<std::uint32_t> queue{start};
@@ -360,7 +363,7 @@ private:
     const std::vector<TourArc>& arcs_;
     Leaving leaving_;
     std::uint32_t round_ = 0;
-    std::vector<std::uint32_t> seen_in_, by_;  ///< per node: the last search that saw it, and the arc it came by
+    std::vector<std::uint32_t> seen_in_, by_;  ///< per node: the last search that visited it, and its incoming arc
 };
 
 }  // namespace
@@ -374,7 +377,7 @@ Tour visiting_tour(std::uint32_t nodes, std::uint32_t start, const std::vector<T
     std::uint32_t here = start;
     for (auto open = std::ranges::count(wanted, true); open > 0;) {
         const std::vector<std::uint32_t> path = search.path(here, wanted);
-        if (path.empty()) {  // what is left can be reached from power-on only
+        if (path.empty()) {  // the remaining nodes can only be reached from power-on
             here = start;
             tour.sequences.emplace_back();
             continue;
