@@ -11,12 +11,12 @@ namespace grafverif {
 
 namespace {
 
-/// The owner's name before `name`, if it has one.
+/// `name`, qualified by its owner if there is one.
 std::string within(std::string_view owner, std::string_view name) {
     return owner.empty() ? std::string(name) : fmt::format("{}.{}", owner, name);
 }
 
-/// `own`: the last part of the step's name, as it is spelled.
+/// `own`: the last part of the step's name, as written.
 std::vector<Id<ChartRun::Step>> matching(const ChartRun& run, std::string_view name, std::string_view before_own) {
     std::vector<Id<ChartRun::Step>> whole, shortened;
     for (const ChartRun::Controller& controller : run.controllers)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a name means in a run, as a person writes it: what a trace, an automaton or a test prints, and what a property takes.
+// Resolves names in a run as users write them: in the notation of traces, automata, tests and properties.
 #pragma once
 
 #include <cstdint>
@@ -11,35 +11,36 @@
 
 namespace grafverif {
 
-/// The steps that may be meant: by their whole name, else by what is left of it without the controller or the partial chart.
+/// The candidate steps: those with this complete name, otherwise those with this name after the qualifier by controller
+/// or partial chart.
 std::vector<Id<ChartRun::Step>> steps_called(const ChartRun& run, std::string_view name);
-/// The same of a step variable: `X3`, `G1.X3`, `press.G1.X3`.
+/// The same for a step variable: `X3`, `G1.X3`, `press.G1.X3`.
 std::vector<Id<ChartRun::Step>> step_variables_called(const ChartRun& run, std::string_view name);
 
-/// The signals that may be meant: `N`, `press.N`; of an instance's own `Gate.X`, or `Gate_X`, as models call it.
+/// The candidate signals: `N`, `press.N`; for an internal variable of an instance `Gate.X`, or `Gate_X` as in models.
 std::vector<Id<ChartRun::Signal>> signals_called(const ChartRun& run, std::string_view name);
 
-/// `Gate.open`, the location of an instance; not valid: there is none of that name.
+/// `Gate.open`, the location of an instance; invalid if there is none of that name.
 struct LocationOfRun {
     Id<ChartRun::Instance> instance = {};
     std::string location = {};
 };
 LocationOfRun location_called(const ChartRun& run, std::string_view name);
 
-/// What a claim may name: signals, step variables.
+/// Names allowed in an expectation: signals and step variables.
 std::vector<std::string> names_of(const ChartRun& run);
-/// Whom somebody may make move.
+/// Instances that commands can move.
 std::vector<std::string> instances_of(const ChartRun& run);
 
-/// As a condition writes it: `press.G1.X3`, and without the controller where there is one alone.
+/// Name in conditions: `press.G1.X3`, without the controller if it is the only one.
 std::string variable_of(const ChartRun::Step& step);
 
-/// Why a variable of that type cannot have the value; empty: it can.
+/// Reason why a variable of this type cannot have the value; empty if it can.
 std::string range_words(std::string_view name, const Type& type, std::int64_t value);
 
-/// Several are called `name`; `all` are their whole names.
+/// Message: several elements are called `name`; `all`: their complete names.
 std::string ambiguous_words(std::string_view name, const std::vector<std::string>& all);
-/// There is no `what` of that name; the one that may be meant is told.
+/// Message: there is no `what` of this name; suggests the nearest known one.
 std::string unknown_words(std::string_view what, std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace grafverif

@@ -19,7 +19,7 @@ namespace grafverif {
 
 namespace {
 
-/// Where the name and the type of a timer stand in conditions: `X2`, `a`; of longer terms empty.
+/// The term that a timer observes, if it is a name, in the notation of conditions: `X2`, `a`; otherwise empty.
 std::string watched_words(const Chart& chart, const TimedElement& element) {
     if (element.step.valid()) return step_variable(chart, element.step);
     const Expr& term = chart.exprs[element.watched];
@@ -131,7 +131,7 @@ std::vector<std::string> ChartSimulation::broken_constraints() const {
     return broken;
 }
 
-/// `reads`: it samples the inputs and the ends of timers.
+/// `reads`: samples the inputs and timer outputs.
 ChartRun::Act ChartSimulation::act_of(bool reads) const {
     ChartRun::Act act{.controller = {0}};
     for (const Id<Chart::Variable> id : chart_.variables.ids())
@@ -141,7 +141,7 @@ ChartRun::Act ChartSimulation::act_of(bool reads) const {
     return act;
 }
 
-/// Tells the evolutions of `made`, the cycle that follows, each with its situation, and what is written in the end.
+/// Appends the evolutions of the cycle `made`, each with its situation, and the outputs written at its end.
 void ChartSimulation::tell_evolutions(const Cycle& made) {
     for (std::size_t k = 0; k < made.fired.size(); ++k) {
         const bool first = !state_.started;
@@ -174,7 +174,8 @@ std::string ChartSimulation::cycle() {
     return problem;
 }
 
-/// Cycles until one changes nothing. Where each cycle is one evolution, Brent's search notices when that is never.
+/// Runs cycles until one changes nothing. If each cycle is one evolution, Brent's cycle detection finds infinite
+/// sequences.
 std::string ChartSimulation::follow() {
     State kept = state_;
     std::vector<std::vector<bool>> since_kept;
@@ -202,7 +203,7 @@ std::string ChartSimulation::settle() {
     return problem;
 }
 
-/// How long until a delay is over.
+/// Time until the next delay has elapsed.
 std::optional<std::int64_t> ChartSimulation::next_end() const {
     std::optional<std::int64_t> soonest;
     const auto offer = [&](std::int64_t left) {
@@ -305,7 +306,7 @@ std::string ChartSimulation::force(std::string_view step, bool active) {
     return make(*trial);
 }
 
-/// Requires one that was not refused.
+/// Requires a step change that was not rejected.
 void ChartSimulation::put(const Trial& trial) {
     ByHand made = by_hand(chart_, state_.situation, {static_cast<std::uint32_t>(trial.step)}, trial.active);
     if (auto state = with_situation(chart_, state_, std::move(made.situation), inputs_)) state_ = std::move(*state);

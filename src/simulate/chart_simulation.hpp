@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// ChartSimulation: a chart alone, moved by hand on the rules of IEC 60848. Whoever moves it sets inputs and lets time
-// pass; after each, cycles of the PLC follow until they change nothing more. Inputs set by one command change at once.
+// ChartSimulation: interactive simulation of a single chart according to IEC 60848. Commands set inputs and let time
+// pass; after each, cycles of the PLC are executed until they change nothing. Inputs set by one command change
+// simultaneously.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,7 @@ namespace grafverif {
 
 class ChartSimulation {
 public:
-    /// `chart`, one that `derive` accepts, outlives the simulation.
+    /// Requires that `derive` accepts `chart`, and that `chart` outlives the simulation.
     ChartSimulation(const Chart& chart, ExecutionMode mode, Detail detail);
     ChartSimulation(const ChartSimulation&) = delete;
     ChartSimulation& operator=(const ChartSimulation&) = delete;
@@ -28,14 +29,14 @@ public:
     const ChartRun& told() const { return told_; }
     ChartRun retold(Detail detail) const;
 
-    /// The next values of each input that break no constraint, or none more.
+    /// The adjacent values of each input that violate no more constraints than the current values.
     std::vector<Choice> choices() const;
     std::size_t choice_count() const { return settings().size(); }
     Patience patience() const;
-    /// The constraints that the inputs break now; they are allowed to, in a simulation.
+    /// The constraints that the inputs currently violate; a simulation allows this.
     std::vector<std::string> broken_constraints() const;
 
-    /// As those of a loop. A command that went wrong may have changed inputs and let time pass.
+    /// As in LoopSimulation. A command that returns an error may have changed inputs and let time pass.
     std::string settle();
     std::string choose(std::size_t choice);
     std::string wait(std::int64_t milliseconds);
@@ -44,10 +45,10 @@ public:
     std::string set(const std::vector<Setting>& settings);
     std::string act(std::string_view instance, std::string_view location);
     std::string force(std::string_view step, bool active);
-    /// The first row that is no run of the chart any more.
+    /// The first row that is no longer part of a run of the chart.
     std::optional<std::size_t> trial_row() const { return trial_row_; }
     bool back();
-    /// How many there are to undo.
+    /// Number of commands that can be undone.
     std::size_t commands() const { return commands_.size(); }
 
 private:

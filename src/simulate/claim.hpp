@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A claim about the moment at hand of a simulation, as `expect` and `wait until` take it:
+// Expectations about the current state of a simulation, as used by `expect` and `wait until`:
 //
-//   X3                    the step 3 is active; `press.X3`, `G1.X3` where there are several controllers or partial charts
-//   LAMP, not LAMP        an input, output, internal variable or variable of the plant is true, or not
-//   LEVEL >= 3            =, ==, !=, <, <=, >, >=; of Booleans `LAMP = true`
+//   X3                    the step 3 is active; `press.X3`, `G1.X3` with several controllers or partial charts
+//   LAMP, not LAMP        an input, output, internal variable or variable of the plant is true, or false
+//   LEVEL >= 3            =, ==, !=, <, <=, >, >=; for Booleans `LAMP = true`
 //   Gate in open          the instance Gate is in its location open
 //
-// and several of these with `and` or `,` between them.
+// and conjunctions of these with `and` or `,`.
 #pragma once
 
 #include <cstddef>
@@ -28,20 +28,20 @@ struct Claim {
         std::string name = {};
         Relation relation = Relation::Equal;
         std::int64_t value = 0;
-        std::string location = {};  ///< of In and NotIn
+        std::string location = {};  ///< for In and NotIn
         bool operator==(const Part&) const = default;
     };
-    std::vector<Part> parts = {};  ///< all are to hold; at least one
+    std::vector<Part> parts = {};  ///< conjunction; at least one
     std::string text = {};         ///< as written
     bool operator==(const Claim&) const = default;
 };
 
-/// A whole number; empty: the text is none.
+/// An integer; empty if the text is not one.
 std::optional<std::int64_t> number_of(std::string_view text);
-/// `true`, `false` or a whole number, as commands and claims give values.
+/// `true`, `false` or an integer, as values are written in commands and expectations.
 std::optional<std::int64_t> value_of(std::string_view text);
 
-/// Or what is wrong with the text.
+/// Parses an expectation; returns a message if the text is invalid.
 std::variant<Claim, std::string> claim_of(std::string_view text);
 
 /// Location of the instance of that name after the event in question; empty: there is no such instance.

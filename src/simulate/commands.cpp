@@ -16,7 +16,7 @@ std::string_view without_comment(std::string_view line) {
     return line.substr(0, std::min(line.find('#'), line.find("//")));
 }
 
-/// Words are separated by blanks; `=` and `,` are words of their own.
+/// Splits a line into words separated by spaces; `=` and `,` are separate words.
 std::vector<std::string> words(std::string_view line) {
     std::vector<std::string> list;
     bool open = false;
@@ -51,7 +51,7 @@ Command set_of(const std::vector<std::string>& list) {
     return set;
 }
 
-/// Without the first `count` words.
+/// The line without its first `count` words.
 std::string_view behind(std::string_view line, std::size_t count) {
     for (; count > 0; --count) {
         line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));

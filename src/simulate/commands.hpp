@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The commands of `simulate`, one per line, typed or from a script:
+// Commands of `simulate`, one per line, interactive or from a script:
 //
-//   NAME = VALUE         make an input (or a variable of the plant) true, false, or a number; of a chart alone also
-//                        `NAME = VALUE, NAME = VALUE`, at once
-//   wait 3s              let time pass: ms, s or min;  `wait` alone: until something happens by itself, or can
-//   do INSTANCE          the instance does what it can;  `do INSTANCE LOCATION`: what leads it to the location
-//   force STEP on        a trial: the step is made active by hand, or not (`off`); no run of the model from then on
-//   3                    the third of the choices listed
+//   NAME = VALUE         set an input (or a variable of the plant) to true, false, or a number; for a single chart also
+//                        `NAME = VALUE, NAME = VALUE`, simultaneously
+//   wait 3s              let time pass: ms, s or min;  `wait` alone: until the next spontaneous or possible event
+//   do INSTANCE          take the first enabled edge of the instance;  `do INSTANCE LOCATION`: one to the location
+//   force STEP on        activate (`off`: deactivate) a step by hand; from then on not a run of the model
+//   3                    the third of the listed choices
 //   back, undo           undo the last command
-//   expect CLAIM         it holds now (simulate/claim.hpp);  `expect within 5s CLAIM`: it does in at most so much time
+//   expect CLAIM         it holds now (simulate/claim.hpp);  `expect within 5s CLAIM`: it becomes true within this time
 //   wait until CLAIM     let time pass until it holds
-//   show                 the values of everything now
-//   repeat 3 {           in a script: what follows, up to a line `}`, so many times
-//   save FILE            write what was done as a script
-//   quit                 end;  so does the end of the input
+//   show                 print all current values
+//   repeat 3 {           in a script: repeat the lines up to a line `}`
+//   save FILE            write the commands so far as a script
+//   quit                 end; the end of the input has the same effect
 //
-// Empty lines and what stands behind `//` or `#` mean nothing.
+// Empty lines are ignored, as is text after `//` or `#`.
 #pragma once
 
 #include <array>
@@ -55,7 +55,7 @@ struct ChooseCommand {
 struct BackCommand {
     bool operator==(const BackCommand&) const = default;
 };
-/// `patience_ms`: until then; 0: now; empty: as long as something happens by itself.
+/// `patience_ms`: time limit; 0: now; empty: as long as spontaneous events occur.
 struct ExpectCommand {
     Claim claim = {};
     std::optional<std::int64_t> patience_ms = 0;
@@ -85,7 +85,7 @@ struct HelpCommand {
 struct NoCommand {
     bool operator==(const NoCommand&) const = default;
 };
-/// What is wrong with the line.
+/// Message for an invalid line.
 struct BadCommand {
     std::string complaint = {};
     bool operator==(const BadCommand&) const = default;
@@ -95,7 +95,7 @@ using Command =
     std::variant<SetCommand, WaitCommand, DoCommand, ForceCommand, ChooseCommand, BackCommand, ExpectCommand,
                  ShowCommand, RepeatCommand, EndCommand, SaveCommand, QuitCommand, HelpCommand, NoCommand, BadCommand>;
 
-/// The words that a command can begin with.
+/// Words that begin a command.
 inline constexpr std::array<std::string_view, 12> command_words = {
     "back", "do", "expect", "force", "help", "quit", "repeat", "save", "show", "undo", "wait", "wait until"};
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What may be typed next in a simulation.
+// Completion of command lines in a simulation.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace grafverif {
 
-/// The words that the last word of `line`, which may be empty, is the beginning of: commands and names that make sense there.
+/// The commands and names allowed at this position that begin with the last word of `line`, which may be empty.
 std::vector<std::string> completions(const Simulation& simulation, std::string_view line);
 
-/// Where the last word of `line` begins.
+/// Start of the last word of `line`.
 std::size_t last_word(std::string_view line);
 
 }  // namespace grafverif

@@ -27,7 +27,7 @@ const Network::Edge& edge_of(const Network& network, const Fire& fire) {
     return network.templates[network.processes[fire.process].automaton].edges[fire.edge];
 }
 
-/// The situations that controllers go through.
+/// The situations of controllers within an instant.
 class Course {
 public:
     Course(const Network& network, const std::vector<const Chart*>& charts) : network_(network), charts_(charts) {}
@@ -41,7 +41,7 @@ public:
         others_moved_ = others_moved_ || of_plant(network_, fire);
         note(state);
     }
-    /// Of one that has come back to its beginning.
+    /// Message for a sequence that has returned to its first state.
     std::string endless_text() const {
         const auto moved = std::ranges::find_if(situations_, [](const auto& each) { return each.size() > 1; });
         if (others_moved_ || moved == situations_.end()) return "this goes on for ever within the instant";
@@ -102,7 +102,7 @@ std::vector<Choice> LoopSimulation::choices() const {
     return list;
 }
 
-/// By the name of the instance, where that is enough.
+/// Command by the name of the instance, if it is unambiguous.
 std::string LoopSimulation::command_of(const std::vector<Fire>& moves, std::size_t choice) const {
     const auto target = [&](const Fire& fire) { return edge_of(network_, fire).to; };
     const auto same = [&](const Fire& other) {
@@ -163,7 +163,7 @@ std::optional<Fire> LoopSimulation::next_by_itself() const {
         const auto found = std::ranges::find_if(moves, wanted);
         return found == moves.end() ? std::nullopt : std::optional(*found);
     };
-    // An instance with one urgent edge takes it: its timed edges are alternatives that need not be taken.
+    // An instance with a single urgent edge takes it: its timed edges are alternatives that need not be taken.
     const auto alone = [&](const Fire& fire) {
         const auto& count = edge_of(network_, fire).urgent ? urgent_options : options;
         return of_plant(network_, fire) && count[fire.process.index] == 1;
@@ -179,7 +179,7 @@ std::optional<Fire> LoopSimulation::next_by_itself() const {
         [&](const Fire& fire) { return alone(fire) && std::ranges::find(hurried, fire.process) != hurried.end(); });
 }
 
-/// What happens by itself within this instant. Brent's search notices when it goes on for ever.
+/// Executes the spontaneous moves of this instant. Brent's cycle detection finds infinite sequences.
 std::string LoopSimulation::follow() {
     if (detail_ == Detail::Everything) return {};
     NetworkState kept = state_;
@@ -378,7 +378,7 @@ ByHand LoopSimulation::forced(const Trial& trial) const {
                    {static_cast<std::uint32_t>(trial.step)}, trial.active);
 }
 
-/// Requires one that was not refused.
+/// Requires a step change that was not rejected.
 void LoopSimulation::put(const Trial& trial) {
     put_situation(network_, state_, {trial.controller.index}, forced(trial).situation);
     trials_.push_back({run_.moves.size(), trial});

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// LoopSimulation: a closed loop, moved by hand. Whoever moves it chooses what the plant and its environment do, sets inputs
-// and lets time pass; the rest follows by itself, in a fixed order, until somebody has to choose again:
+// LoopSimulation: interactive simulation of a closed loop. Commands choose moves of the plant and its environment, set
+// inputs and let time pass. The remaining moves are executed automatically, in a fixed order, until a choice is
+// required:
 //
-//   1  urgent edges of the plant and its environment, where an instance has one only: sensors follow the plant
+//   1  urgent edges of the plant and its environment, if an instance has only one: sensors follow the plant
 //   2  timers
 //   3  PLC cycles
-//   4  edges that an invariant forces now, where an instance has one only: movements go on
+//   4  edges that an invariant forces now, if an instance has only one: movements continue
 //
-// By hand a step can be forced besides, as a trial, between two cycles of its PLC.
+// A step can also be forced by hand, between two cycles of its PLC (what-if run).
 //
-// With Detail::Everything nothing follows by itself: every edge is a choice.
+// With Detail::Everything no move is automatic: every edge is a choice.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +32,7 @@ namespace grafverif {
 
 class LoopSimulation {
 public:
-    /// `network` and `charts`, those of its controllers, outlive the simulation.
+    /// `network` and `charts`, those of its controllers, must outlive the simulation.
     LoopSimulation(const Network& network, std::vector<const Chart*> charts, Detail detail);
     LoopSimulation(const LoopSimulation&) = delete;
     LoopSimulation& operator=(const LoopSimulation&) = delete;
@@ -44,41 +45,41 @@ public:
     std::size_t choice_count() const { return fires().size(); }
     Patience patience() const;
 
-    /// Each of these is one command: it makes its moves and lets the rest follow. The answer says what went wrong;
-    /// empty: all is well. A command that went wrong may have made some moves.
+    /// Each of the following is one command: it makes its moves and executes the automatic ones. Returns an error
+    /// message or an empty string. After an error, some moves may have been made.
     std::string settle();
-    /// Of the choices, counted from 0.
+    /// Makes a choice; numbers count from 0.
     std::string choose(std::size_t choice);
     std::string wait(std::int64_t milliseconds);
-    /// Until something changes by itself, or can.
+    /// Lets time pass until the next spontaneous or possible event.
     std::string wait();
-    /// Makes the first choice after which the input, or variable of the plant, has its value.
+    /// Makes the first choice after which the input, or variable of the plant, has the given value.
     std::string set(const std::vector<Setting>& settings);
-    /// Makes the first choice of `instance` that leads to `location`; empty: the first.
+    /// Takes the first edge of `instance` to `location`; if that is empty, the first enabled edge.
     std::string act(std::string_view instance, std::string_view location);
-    /// Makes the step active, or not, by hand.
+    /// Activates or deactivates a step by hand.
     std::string force(std::string_view step, bool active);
-    /// The first row that is no run of the network any more.
+    /// The first row that is no longer part of a run of the network.
     std::optional<std::size_t> trial_row() const { return trial_row_; }
-    /// How long until something happens by itself, or can be chosen; empty: for ever.
+    /// Time until the next spontaneous or possible event; empty: unbounded.
     std::optional<std::int64_t> soonest_ms() const;
-    /// Location of the instance after the event `moment` of `told`; empty: there is no such instance.
+    /// Location of the instance after an event of the recorded run; empty: there is no such instance.
     std::optional<std::string> location_of(std::string_view instance, std::size_t moment) const;
-    /// What the variable behind a port is called: of `Main.FLOW` that what the output writes, of an input what it reads;
-    /// empty: there is no such port, or what it reads is a term.
+    /// Name of the variable connected to a port: for `Main.FLOW` the one that the output writes, for an input the one
+    /// that it reads. Empty if there is no such port, or if it reads a term.
     std::string behind_port(std::string_view name) const;
-    /// Undoes the last command; false: there is none.
+    /// Undoes the last command; false if there is none.
     bool back();
-    /// How many there are to undo.
+    /// Number of commands that can be undone.
     std::size_t commands() const { return commands_.size(); }
 
 private:
-    /// A trial, before the move of that number.
+    /// A forced step change before the move with this number.
     struct Forced {
         std::size_t at = 0;
         Trial trial = {};
     };
-    /// What there was before a command.
+    /// State before a command.
     struct Mark {
         std::size_t moves = 0, trials = 0;
     };
@@ -89,7 +90,7 @@ private:
     ByHand forced(const Trial& trial) const;
     std::vector<Fire> fires() const;
     std::string choose(const Fire& fire);
-    /// One edge, nothing follows. False: it cannot be made, or broke the model off.
+    /// Executes one edge without automatic moves. False if it is disabled or causes a model error.
     bool move(const Move& move, std::string& problem);
     std::string command_of(const std::vector<Fire>& moves, std::size_t choice) const;
     std::string follow();

@@ -29,7 +29,7 @@ std::string Recording::obey(const Command& command, std::string_view line) {
     std::string text(trimmed(line));
     if (const auto* const choice = std::get_if<ChooseCommand>(&command); choice && choice->number > 0) {
         const std::vector<Choice> choices = simulation_.choices();
-        if (choice->number <= choices.size()) text = choices[choice->number - 1].command;  // a name says more
+        if (choice->number <= choices.size()) text = choices[choice->number - 1].command;  // a name is more informative
     }
     std::string problem = simulation_.obey(command);
     while (!lines_.empty() && lines_.back().commands > simulation_.undoable()) lines_.pop_back();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Recording: what somebody does with a simulation, as a script that does it again and expects what was seen.
+// Recording: records an interactive simulation as a script that repeats the commands and expects the observed values.
 #pragma once
 
 #include <string>
@@ -12,20 +12,20 @@ namespace grafverif {
 
 class Recording {
 public:
-    /// `simulation`, which has begun, outlives the recording.
+    /// `simulation` must have begun and must outlive the recording.
     explicit Recording(Simulation& simulation) : simulation_(simulation) {}
 
-    /// As Simulation::obey; `line` is what was typed.
+    /// Like Simulation::obey; `line`: the text of the command.
     std::string obey(const Command& command, std::string_view line);
 
-    /// What has been done, without what was undone or refused; behind each command an `expect` of the steps, outputs and
-    /// internal variables that it changed.
+    /// The executed commands, without undone and rejected ones; each is followed by an `expect` of the steps, outputs
+    /// and internal variables that it changed.
     std::string script() const;
 
 private:
     struct Line {
         std::string text = {}, claim = {};
-        std::size_t commands = 0;  ///< that there are to undo with it
+        std::size_t commands = 0;  ///< number of commands of the simulation to undo with it
     };
 
     std::string claim(const ChartRun::State& before) const;
@@ -34,7 +34,7 @@ private:
     std::vector<Line> lines_ = {};
 };
 
-/// What a script that was saved begins with.
+/// First line of a saved script.
 inline constexpr std::string_view saved_session = "// A session of `grafverif simulate`";
 
 }  // namespace grafverif

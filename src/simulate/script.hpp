@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A script of commands, read whole before anything moves.
+// A script of commands, parsed completely before execution.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct Script {
         std::uint32_t number = 0;
     };
     std::vector<Line> lines = {};
-    std::vector<std::pair<std::uint32_t, std::string>> complaints = {};  ///< the line, and what is wrong with it
+    std::vector<std::pair<std::uint32_t, std::string>> complaints = {};  ///< line number and message
 };
 
 Script script_of(std::string_view text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What simulations of loops and of charts have in common: what somebody may do next.
+// Common types of loop and chart simulations: inputs to set and possible delays.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,19 @@
 
 namespace grafverif {
 
-/// An input and the value it is to have.
+/// An input with its new value.
 struct Setting {
     std::string name = {};
     std::int64_t value = 0;
     bool operator==(const Setting&) const = default;
 };
 
-/// How time can pass while nobody chooses, in units.
+/// Possible delays without a choice, in time units.
 struct Patience {
     std::int64_t unit_ms = 1;
     bool may_pass = false;
-    std::optional<std::int64_t> limit = {};   ///< until something must be chosen; empty: for ever
-    std::optional<std::int64_t> change = {};  ///< until something happens by itself or can be chosen; empty: never
+    std::optional<std::int64_t> limit = {};   ///< until a choice is required; empty: unbounded
+    std::optional<std::int64_t> change = {};  ///< until the next spontaneous or possible event; empty: never
     bool operator==(const Patience&) const = default;
 };
 

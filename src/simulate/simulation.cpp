@@ -14,7 +14,8 @@ std::string Simulation::begin() {
     return std::visit([](auto& of) { return of.settle(); }, of_);
 }
 
-/// A command may be several moves: time passes by and by until a claim holds. What moved nothing there is nothing to undo of.
+/// A command may consist of several moves: time passes stepwise until an expectation holds. A command without moves
+/// cannot be undone.
 std::string Simulation::obey(const Command& command) {
     unmet_ = false;
     if (std::holds_alternative<BackCommand>(command)) return undo();
@@ -69,7 +70,7 @@ std::optional<std::string> Simulation::unmet_at(const Claim& claim, std::size_t 
 }
 
 /// An instant can contain several evolutions, so the situation after it hides a step that is left in the same instant.
-/// Only a claim that becomes true counts: what the last command ended was true before it.
+/// Only an expectation that becomes true counts: states ended by the last command were true before it.
 bool Simulation::met_in_passing(const Claim& claim) {
     const ChartRun& run = told();
     const std::int64_t now = run.moments.back().after.time_ms;
@@ -92,10 +93,10 @@ bool Simulation::met_in_passing(const Claim& claim) {
     return false;
 }
 
-/// Time passes from one event that happens by itself to the next: nothing changes between them.
+/// Time passes from one spontaneous event to the next, because no value changes between them.
 std::string Simulation::expect(const ExpectCommand& wish) {
     Claim claim = wish.claim;
-    for (Claim::Part& part : claim.parts) {  // a port is what stands behind it, where its name is no other
+    for (Claim::Part& part : claim.parts) {  // a port denotes its variable, unless the name is used otherwise
         const auto* const loop = std::get_if<LoopSimulation>(&of_);
         const bool known =
             !signals_called(told(), part.name).empty() || location_called(told(), part.name).instance.valid();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A trial: somebody makes a step active, or not, by hand and looks what would follow. From its row on what is told is no run
-// of the model, and says so.
+// What-if step: the user activates or deactivates a step by hand to see the consequences. From its row on, the
+// recording is not a run of the model and is marked accordingly.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +15,14 @@ namespace grafverif {
 
 struct Trial {
     Id<ChartRun::Controller> controller = {};
-    std::size_t step = 0;  ///< of the controller's
+    std::size_t step = 0;  ///< index among the controller's steps
     bool active = false;
 };
 
-/// `3`, `X3`, `G1.3`, `press.G1.3` (see steps_called); empty: `problem` says why no step is meant.
+/// `3`, `X3`, `G1.3`, `press.G1.3` (see steps_called); empty after an error, with the reason in `problem`.
 std::optional<Trial> trial_of(const ChartRun& run, std::string_view step, bool active, std::string& problem);
 
-/// Adds the row of a trial, whose moment is the last of the run and has not been told yet. The place of the row.
+/// Adds the row of the change, whose event is the last of the run and has no row yet. Returns the index of the row.
 std::size_t tell_trial(ChartRun& run, Teller& teller, const Trial& trial);
 
 }  // namespace grafverif
