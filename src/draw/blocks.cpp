@@ -11,18 +11,19 @@ namespace grafverif::draw {
 
 namespace {
 
-/// An edge of the graph that melts, between two ends.
+/// An edge of the graph that is reduced, between two ends.
 struct Edge {
     std::size_t from = 0, to = 0, block = 0;
-    std::vector<std::size_t> hanging = {};  ///< on ends within it, and longer than it is
+    std::vector<std::size_t> hanging = {};  ///< at inner ends, and longer than the edge
     bool gone = false;
 };
 
-/// Where edges meet. The only edge of a side is known by the exclusive or of all that are left there.
+/// A vertex of the reduced graph. A single remaining edge of a side is the exclusive or of the edge numbers of this
+/// side.
 struct End {
     std::size_t in_count = 0, out_count = 0;
     std::size_t in = 0, out = 0;
-    std::vector<std::size_t> from_nowhere = {}, to_nowhere = {};  ///< blocks that hang on it
+    std::vector<std::size_t> from_nowhere = {}, to_nowhere = {};  ///< blocks attached to it
     bool gone = false;
 };
 
@@ -119,7 +120,7 @@ private:
         return edge;
     }
 
-    /// A block of `parts`; blocks of its own kind among them are taken apart.
+    /// A block of `parts`; parts of the same type are flattened.
     std::size_t joined(Block::Kind kind, const std::vector<std::size_t>& parts) {
         if (parts.size() == 1 && kind != Block::Kind::Core) return parts.front();
         Block block{.kind = kind, .key = nowhere};
@@ -139,7 +140,7 @@ private:
         return blocks.size() - 1;
     }
 
-    /// `block` with those of `hanging` beside it that are no longer than it is, or with all of them.
+    /// `block` in parallel with those of `hanging` that are not longer, or with all of them.
     std::size_t beside(std::size_t block, std::vector<std::size_t>& hanging, bool all = false) {
         std::vector<Block>& blocks = result_.blocks;
         std::vector<std::size_t> parts{block}, others;
@@ -180,7 +181,7 @@ private:
         }
     }
 
-    /// An edge and what hangs on its free end, as something that hangs on the other.
+    /// Attaches an edge, with the blocks attached to its free end, to the other end.
     void hang(const std::vector<std::size_t>& free, Edge& edge, bool below, std::vector<std::size_t>& list) {
         std::size_t block = edge.block;
         if (!free.empty()) {
@@ -190,7 +191,7 @@ private:
         list.push_back(beside(block, edge.hanging, true));
     }
 
-    /// The last end of a part of the flow that nothing joins with the others.
+    /// The last end of a connected component of the flow.
     void finish(const End& end) {
         std::vector<std::size_t> halves;
         for (const std::vector<std::size_t>* hanging : {&end.from_nowhere, &end.to_nowhere})
@@ -225,7 +226,7 @@ private:
             if (!core.empty()) parts_.push_back(joined(Block::Kind::Core, core));
     }
 
-    /// Of all that the root is made of; the parts of a Parallel are put in the order of their keys.
+    /// Sets the parents of all descendants of the root; the parts of a Parallel are sorted by their keys.
     void settle_parents() {
         std::vector<Block>& blocks = result_.blocks;
         if (blocks.empty()) return;
@@ -247,12 +248,12 @@ private:
     const Flow& flow_;
     const Order& order_;
     Blocks result_ = {};
-    std::vector<End> ends_;  ///< of node n: 2n above it, 2n + 1 below
+    std::vector<End> ends_;  ///< for node n: 2n above it, 2n + 1 below
     std::vector<Edge> edges_ = {};
     std::unordered_map<std::uint64_t, std::size_t> between_ = {};
     std::deque<std::size_t> waiting_ = {};
-    std::vector<std::size_t> parts_ = {};  ///< of the flow that nothing joins
-    std::vector<std::size_t> part_ = {};   ///< per end: one of the same part
+    std::vector<std::size_t> parts_ = {};  ///< connected components of the flow
+    std::vector<std::size_t> part_ = {};   ///< per end: union-find parent in its component
 };
 
 }  // namespace

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// mark_changes: what a drawing has that another drawing of nearly the same chart has not.
+// mark_changes: compares a drawing with that of a slightly different chart.
 #pragma once
 
 #include "grafverif/ir/drawing.hpp"
 
 namespace grafverif::draw {
 
-/// Gives the class `changed` to each element of `drawing` that says what none of `other` says: a step, transition, condition or
-/// action of another title or class, a link between other ends. An element that only has another number is the same.
+/// Adds the class `changed` to each element of `drawing` without a counterpart in `other`: a step, transition,
+/// condition or action with another title or class, a link between other ends. Elements that differ only in their
+/// numbers are equal.
 void mark_changes(Drawing& drawing, const Drawing& other);
 
 }  // namespace grafverif::draw

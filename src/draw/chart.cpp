@@ -18,7 +18,7 @@ using Element = Drawing::Element;
 using Point = Drawing::Point;
 
 constexpr int margin = 16, title_height = 22, title_size = 13;
-constexpr int greatest_page = 1400;  ///< partial charts are placed within this width, or that of the widest
+constexpr int greatest_page = 1400;  ///< maximal width for placing partial charts, unless one is wider
 
 void shift(Element& element, Point by) {
     const auto move = [&](Point& point) { point = {point.x + by.x, point.y + by.y}; };
@@ -32,13 +32,13 @@ Drawing::Text heading(int x, int y, const std::string& text) {
     return {{x, y}, {{text, false}}, Drawing::Anchor::Start, title_size, width_of(text, title_size), "title"};
 }
 
-/// A partial chart, laid out with its upper left corner at (0, 0).
+/// The layout of a partial chart, with its upper left corner at (0, 0).
 struct Panel {
     std::vector<Element> elements = {};
     Drawing::Size size = {};
 };
 
-/// The nodes of one partial chart and the links between them, the number of each in the flow.
+/// The nodes of one partial chart and the links between them, with their indices in the flow.
 struct Members {
     std::vector<Id<Chart::Step>> steps = {};
     std::vector<Id<Chart::Transition>> transitions = {};
@@ -74,7 +74,7 @@ private:
         parts_.push_back(std::move(symbol));
     }
 
-    /// A step leads to its transitions in their order; the links into a transition follow.
+    /// Adds the links of each step to its transitions in their order; the links into a transition follow.
     void add_links(const Members& members) {
         for (std::size_t k = 0; k < members.transitions.size(); ++k) {
             const Chart::Transition& transition = chart_.transitions[members.transitions[k]];
@@ -147,7 +147,7 @@ std::string title_of(const Chart& chart, const Chart::PartialChart& partial) {
     return name;
 }
 
-/// With a frame and a title around it, where the partial chart has a name.
+/// Adds a frame and a title, if the partial chart has a name.
 Panel framed(const Chart& chart, Id<Chart::PartialChart> id, const std::string& element_id, Panel panel) {
     const Chart::PartialChart& partial = chart.partial_charts[id];
     Element frame{.id = element_id, .classes = "partial-chart"};
@@ -169,12 +169,12 @@ Panel framed(const Chart& chart, Id<Chart::PartialChart> id, const std::string& 
     return panel;
 }
 
-/// Puts each panel where it is highest on the page, then leftmost.
+/// Places each panel as high as possible on the page, then as far left as possible.
 class Skyline {
 public:
     Skyline(int top, int right) : levels_({{margin, top}}), right_(right) {}
 
-    /// Where a panel fits below all that is there.
+    /// Lowest free position for a panel.
     Point place(Drawing::Size size) {
         std::size_t best = 0;
         int y = std::numeric_limits<int>::max();
@@ -199,7 +199,7 @@ private:
         return lowest;
     }
 
-    std::vector<Point> levels_;  ///< from x to the next one, the page is free from y on
+    std::vector<Point> levels_;  ///< the page is free from y on, from x to the next entry
     int right_;
 };
 
@@ -207,7 +207,7 @@ struct Packing {
     std::vector<Point> places = {};
     Drawing::Size size = {};
 
-    /// The height of a page of the usual proportions that holds it.
+    /// The height of a page of the usual proportions that contains it.
     int page() const { return std::max(size.width * 10 / 14, size.height); }
 };
 
@@ -222,7 +222,7 @@ Packing packed(const std::vector<Panel>& panels, int top, int right) {
     return made;
 }
 
-/// Of pages of several widths the smallest.
+/// Tries several page widths and uses the smallest page.
 void place(std::vector<Panel> panels, int top, Drawing& drawing) {
     constexpr int tries = 12;
     int widest = 0;

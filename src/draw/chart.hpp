@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// drawing_of: a chart as a drawing. Partial charts stand side by side, named ones in a frame with their name; each is
-// laid out by itself: Flow, Order, Blocks, Columns, Routes. Equal charts give equal drawings, in linear time.
+// drawing_of: a chart as a drawing. Partial charts are placed next to each other, named ones in a frame with their
+// name. Each is laid out separately: Flow, Order, Blocks, Columns, Routes. Equal charts give equal drawings, in linear
+// time.
 #pragma once
 
 #include "draw/chart_text.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ChartText: what a file says of a chart and the Chart does not keep, in the order of its tables. Empty texts, and lists,
-// say nothing.
+// ChartText: texts of the source file that the Chart does not contain, in the order of its tables. Empty texts and
+// lists are ignored.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 namespace grafverif {
 
 struct ChartText {
-    std::vector<std::string> comments = {};                      ///< of steps; they are drawn
+    std::vector<std::string> comments = {};                      ///< comments of steps; they are drawn
     std::vector<std::string> transitions = {}, continuous = {};  ///< conditions as written; drawn in Notation::Text
-    std::vector<std::string> events = {}, values = {};           ///< of stored actions, likewise
+    std::vector<std::string> events = {}, values = {};           ///< of stored actions, as written
 };
 
 }  // namespace grafverif

@@ -10,18 +10,18 @@ namespace grafverif::draw {
 
 namespace {
 
-constexpr int gap = 14;                 ///< between what stands beside each other
-constexpr std::size_t rounds = 8;       ///< of ordering the strips of a core
-constexpr std::size_t far_enough = 32;  ///< neighbours looked at to choose a side
+constexpr int gap = 14;                 ///< between parallel elements
+constexpr std::size_t rounds = 8;       ///< iterations for ordering the strips of a core
+constexpr std::size_t far_enough = 32;  ///< number of neighbours considered to choose a side
 
-/// How far a block reaches from its axis, and its axis from that of its parent.
+/// Extent of a block on both sides of its axis, and offset of its axis from that of its parent.
 struct Reach {
     int left = 0, right = 0, offset = 0;
 };
 
 enum class Side : unsigned char { Left, Right };
 
-/// Lanes beside one block on one side.
+/// Lanes next to one block on one side.
 struct Beside {
     std::vector<std::size_t> lanes = {};
     int width = 0;
@@ -72,8 +72,8 @@ private:
         return stub != nowhere ? stub : blocks_.of_node[flow_.arcs[arc].to];
     }
 
-    /// How many of the nearest neighbours, to the left less those to the right, a line from `block` to the side of
-    /// `whole` crosses in `channel`.
+    /// Number of the nearest neighbours that a line from `block` to the side of `whole` crosses in `channel`: those to
+    /// the left minus those to the right.
     int leaning(std::size_t block, std::size_t whole, std::size_t channel) const {
         int crossed = 0;
         for (; block != whole; block = at(block).parent) {
@@ -114,7 +114,8 @@ private:
         for (std::size_t lane = 0; lane < places.size(); ++lane) beside_[places[lane]].lanes.push_back(lane);
     }
 
-    /// Short lanes nearest to the block; lanes that do not meet may be above each other. `x` counts from the block.
+    /// Places short lanes nearest to the block; lanes whose rows are disjoint may share a column. `x` is relative to
+    /// the block.
     void pack_lanes() {
         for (auto& [place, beside] : beside_) {
             std::vector<std::set<std::pair<std::size_t, std::size_t>>> taken;  // low and high, per column
@@ -163,8 +164,8 @@ private:
         }
     }
 
-    /// Parts below each other share the axis. What hangs on one of them may reach into the rows of others: from there on
-    /// the parts stand beside those before.
+    /// Consecutive parts share the axis. A branch attached to one of them may extend into the rows of others: from
+    /// there on the parts are placed to the right of those before.
     void measure_series(std::size_t number) {
         std::vector<Strip> strips;
         each_part(number, [&](std::size_t part) {
@@ -179,14 +180,14 @@ private:
         settle(number, strips.front().reach.offset);
     }
 
-    /// What is in it stands on one axis.
+    /// A group of parts on one axis.
     struct Strip {
         std::size_t low = 0, high = 0;
         Reach reach = {};
         std::vector<std::size_t> parts = {};
     };
 
-    /// Each strip as far to the left as those before it allow.
+    /// Places each strip as far to the left as those before it allow.
     void pack(std::size_t number, std::vector<Strip>& strips) {
         const std::size_t low = at(number).low;
         std::vector<int> skyline(at(number).high - low + 1, 0);
@@ -199,7 +200,7 @@ private:
         }
     }
 
-    /// The axis is between the first and the last of those that reach from end to end.
+    /// The axis is centred between the first and the last of the parts that extend from end to end.
     void measure_parallel(std::size_t number) {
         int right = 0, first = 0, last = 0;
         bool any = false;
@@ -231,7 +232,7 @@ private:
         });
     }
 
-    /// In an order that keeps short what joins them.
+    /// Orders the strips so that their connections are short.
     void measure_core(std::size_t number) {
         std::vector<std::size_t> parts;
         each_part(number, [&](std::size_t part) { parts.push_back(part); });
@@ -244,7 +245,7 @@ private:
     }
 
     void order_strips(std::vector<std::size_t>& strips) const {
-        std::map<std::size_t, std::vector<std::size_t>> ends;  // the strips that meet there
+        std::map<std::size_t, std::vector<std::size_t>> ends;  // the strips that meet at each end
         for (const std::size_t strip : strips)
             for (const std::size_t end : {at(strip).above, at(strip).below})
                 if (end != nowhere) ends[end].push_back(strip);
@@ -269,7 +270,7 @@ private:
         return places;
     }
 
-    /// The barycentre of all that a strip meets.
+    /// The barycentre of all strips connected to a strip.
     static std::map<std::size_t, double> centres_of(const std::vector<std::size_t>& strips, const Ends& ends) {
         const std::map<std::size_t, double> places = places_of(strips);
         std::map<std::size_t, std::pair<double, double>> sums;

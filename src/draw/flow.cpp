@@ -7,7 +7,7 @@ namespace grafverif::draw {
 
 namespace {
 
-/// Depth first, without recursion: charts may be long.
+/// Iterative depth-first search, because charts may be long.
 class Search {
 public:
     explicit Search(const Flow& flow) : flow_(flow), state_(flow.nodes.size(), State::New) {
@@ -56,7 +56,7 @@ private:
         }
     }
 
-    /// Nodes are left after all that they lead to.
+    /// Nodes are finished after all their successors.
     void settle_rows() {
         std::vector<bool> led_to(flow_.nodes.size(), false);
         for (std::size_t node = 0; node < flow_.nodes.size(); ++node)
@@ -73,7 +73,7 @@ private:
         for (const std::size_t row : order_.rows) order_.row_count = std::max(order_.row_count, row + 1);
     }
 
-    /// A source transition stands just above what it activates.
+    /// Places a source transition directly above the steps that it activates.
     void lower_source(std::size_t node) {
         std::size_t lowest = 0;
         for (const std::size_t arc : flow_.nodes[node].out) {

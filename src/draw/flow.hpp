@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Flow: the graph of one partial chart as its layout sees it, and the order in which it is read: rows from top to bottom.
+// Flow: the graph of one partial chart for layout, and its reading order: rows from top to bottom.
 //
-// Steps stand in even rows, transitions in odd ones. The search goes depth first from the roots; an arc back to a node
-// that the search has not left yet is an upward link. Without those, a node stands one row below the lowest that leads
-// to it. Everything here is linear in nodes and arcs, and depends on their order alone.
+// Steps are in even rows, transitions in odd ones. A depth-first search starts at the roots; an arc to an unfinished
+// node is an upward link. Without those, a node is one row below the lowest of its predecessors. All algorithms are
+// linear in nodes and arcs, and the result depends only on their order.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,15 @@
 
 namespace grafverif::draw {
 
-/// What a node takes up around its centre, its lines to left and right and its texts included.
+/// Space that a node occupies around its centre, including its lines to the left and right and its texts.
 struct Room {
     int left = 0, right = 0, up = 0, down = 0;
 };
 
 struct Flow {
     struct Node {
-        bool bar = false;  ///< a transition: several links meet it in a double line
-        int port = 0;      ///< from the centre up and down to where links begin
+        bool bar = false;  ///< a transition: several links join in a double line
+        int port = 0;      ///< distance from the centre up and down to the ends of links
         Room room = {};
         std::vector<std::size_t> in = {}, out = {};  ///< arcs, in their order
     };
@@ -28,7 +28,7 @@ struct Flow {
     };
     std::vector<Node> nodes = {};
     std::vector<Arc> arcs = {};
-    std::vector<std::size_t> roots = {};  ///< where a reader begins; the nodes that they do not reach follow
+    std::vector<std::size_t> roots = {};  ///< starting points of the reader; unreachable nodes follow
 
     std::size_t add(bool bar, int port, Room room) {
         nodes.push_back({.bar = bar, .port = port, .room = room});
@@ -43,7 +43,7 @@ struct Flow {
 
 struct Order {
     std::vector<std::size_t> rows = {};   ///< per node
-    std::vector<std::size_t> found = {};  ///< per node: when the search came to it
+    std::vector<std::size_t> found = {};  ///< per node: discovery index in the search
     std::vector<bool> upward = {};        ///< per arc
     std::size_t row_count = 0;
 };

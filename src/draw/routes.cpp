@@ -15,20 +15,20 @@ using Point = Drawing::Point;
 using Line = Drawing::Line;
 
 constexpr int track_pitch = 12, channel_margin = 10;
-constexpr int double_line = 4;  ///< from one of its lines to the other
+constexpr int double_line = 4;  ///< distance between its two lines
 constexpr int overhang = 10;    ///< of a double line
-constexpr int piece_gap = 36;   ///< between pieces side by side
+constexpr int piece_gap = 36;   ///< between adjacent pieces
 constexpr int page_height = 1600;
-constexpr double page_shape = 1.3;  ///< height by width
+constexpr double page_shape = 1.3;  ///< height divided by width
 
-/// Lines across that share the upper or the lower part of a channel; a track each where they would meet.
+/// Horizontal lines in the upper or lower part of a channel, on separate tracks if they would overlap.
 class Tracks {
 public:
     void add(int low, int high, std::size_t& track) { spans_.push_back({low, high, &track}); }
 
     int assign() {
         std::ranges::stable_sort(spans_, {}, &Span::low);
-        std::set<std::pair<int, std::size_t>> free_from;  // per track: behind what lies on it
+        std::set<std::pair<int, std::size_t>> free_from;  // per track: end of its last line
         for (const Span& span : spans_) {
             const auto first = free_from.begin();
             if (first == free_from.end() || first->first >= span.low) {
@@ -73,7 +73,7 @@ public:
     }
 
 private:
-    /// Nothing joins links there: no line across is needed.
+    /// No horizontal line is needed because no links join there.
     static constexpr std::size_t straight = nowhere;
 
     struct Place {
@@ -86,7 +86,7 @@ private:
     bool meets_below(std::size_t node) const { return flow_.nodes[node].bar && flow_.nodes[node].out.size() > 1; }
     bool meets_above(std::size_t node) const { return flow_.nodes[node].bar && flow_.nodes[node].in.size() > 1; }
 
-    /// Where a link leaves the line below its first node, and where it enters that above its last.
+    /// Positions at which a link leaves the line below its first node and enters the line above its last node.
     int leaves_at(std::size_t arc) const {
         if (!order_.upward[arc]) return columns_.arcs[arc];
         return has_exit(arc) ? columns_.exits[arc] : lane(arc).x;
@@ -174,7 +174,7 @@ private:
 
     // -- folding -----------------------------------------------------------------------------------------------------
 
-    /// Per channel: how many vertical lines pass its middle.
+    /// Per channel: number of vertical lines that cross its middle.
     std::vector<int> passing() const {
         std::vector<int> changes(rows_ + 2, 0);
         const auto pass = [&](std::size_t first, std::size_t last) {
@@ -211,7 +211,7 @@ private:
         measure_pieces();
     }
 
-    /// From where to where each piece reaches across, by what lies in it.
+    /// Computes the horizontal extent of each piece from its contents.
     void measure_pieces() {
         const std::size_t count = begins_.size();
         std::vector<int> left(count, columns_.width), right(count, 0);
@@ -258,7 +258,7 @@ private:
 
     // -- lines -------------------------------------------------------------------------------------------------------
 
-    /// On the track below the row above `channel`, and on that above the row below it.
+    /// Points on the track below the row above `channel`, and on the track above the row below it.
     Place upper(int x, std::size_t channel, std::size_t track) const {
         return {x, upper_y(channel, track), piece_of_row(channel == 0 ? 0 : channel - 1)};
     }
@@ -285,7 +285,7 @@ private:
             meet(span_below(node), port(node, 1), upper(columns_.nodes[node], row + 1, below_[node]), double_line);
     }
 
-    /// The way of a link from where it begins to the column in which it goes on.
+    /// Path of a link from its beginning to the column in which it continues.
     std::vector<Place> beginning(std::size_t arc) const {
         const std::size_t node = flow_.arcs[arc].from, channel = order_.rows[node] + 1;
         if (meets_below(node)) {
@@ -315,7 +315,7 @@ private:
         add_lines(places);
     }
 
-    /// Down to its lane, up, with an arrow beside the node that it leads to, and down into it.
+    /// Down to its lane, up with an arrow next to the target node, and down into it.
     void route_upward(std::size_t arc) {
         const auto [from, to] = flow_.arcs[arc];
         const int x = lane(arc).x;
@@ -337,7 +337,7 @@ private:
         add_lines(down);
     }
 
-    /// The lines through `places`, cut where they go from piece to piece.
+    /// Adds the lines through `places`, cut at the boundaries of pieces.
     void add_lines(const std::vector<Place>& places) {
         std::vector<Line>& lines = routes_.arcs[arc_];
         lines.emplace_back();
@@ -368,7 +368,7 @@ private:
         }
     }
 
-    /// The name of the line at `x` that is cut between two pieces, once at each end.
+    /// Adds the label of the line at `x` that is cut between two pieces, one at each end.
     void refer(Point at, bool below, int x, std::size_t boundary) {
         const std::size_t number = numbers_.try_emplace({boundary, x}, numbers_.size() + 1).first->second;
         if (named_.emplace(number, below).second) routes_.references.push_back({at, below, number, arc_});
@@ -378,7 +378,7 @@ private:
     const Order& order_;
     const Columns& columns_;
     std::size_t rows_;
-    std::vector<std::size_t> below_ = {}, above_ = {};  ///< per node: its tracks
+    std::vector<std::size_t> below_ = {}, above_ = {};  ///< tracks per node
     std::vector<std::size_t> exit_ = {}, entry_ = {};   ///< per arc
     std::vector<int> upper_count_ = {}, lower_count_ = {};
     std::vector<int> tops_ = {}, middles_ = {}, bottoms_ = {};         ///< per channel

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Routes: how far down everything stands, and the lines between. Lines go across only between two rows, in tracks: those
-// that leave the row above in the upper ones, those that enter the row below in the lower ones, so that a line never
-// turns back. A long flow is folded: cut between two rows where few lines pass, the pieces put side by side, each line
-// that is cut named by a number at both ends.
+// Routes: vertical positions, and the connecting lines. Horizontal lines are only between two rows, on tracks: those
+// from the row above on the upper tracks, those to the row below on the lower ones, so that a line never reverses. A
+// long flow is folded: it is cut between two rows where few lines pass, and the pieces are placed side by side. Each
+// cut line is labelled with a number at both ends.
 #pragma once
 
 #include <string>
@@ -20,12 +20,12 @@ struct Routes {
         std::size_t node = 0;
         std::vector<Drawing::Line> lines = {};
     };
-    /// A line that is cut here.
+    /// The end of a cut line.
     struct Reference {
-        Drawing::Point at = {};  ///< the end of the line
-        bool below = false;      ///< the name stands below it
+        Drawing::Point at = {};  ///< end point of the line
+        bool below = false;      ///< the label is below it
         std::size_t number = 0;
-        std::size_t arc = 0;  ///< one of those that it carries
+        std::size_t arc = 0;  ///< one of the arcs of the line
     };
     std::vector<Drawing::Point> nodes = {};  ///< centres
     std::vector<std::vector<Drawing::Line>> arcs = {};
@@ -36,7 +36,7 @@ struct Routes {
 
 inline constexpr int reference_height = 12;
 
-/// `pieces`: into which the flow is folded; 0: as many as make a page of it.
+/// `pieces`: number of pieces into which the flow is folded; 0: chosen for a good page shape.
 Routes routes_of(const Flow& flow, const Order& order, const Columns& columns, int pieces);
 
 }  // namespace grafverif::draw

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A drawing as SVG. Colours are `currentColor` and `none`, and of what is `changed` a red for it, given by attributes, so that the style of a page wins over
-// them (docs/drawing.md); it has no style sheet, no script and no ids but those of its elements.
+// A drawing as SVG. Colours are `currentColor` and `none`, and red for `changed` elements. They are set by attributes,
+// so that the style of a page overrides them (docs/drawing.md). There are no style sheets, no scripts, and no ids
+// except those of the elements.
 #pragma once
 
 #include <iosfwd>

@@ -13,7 +13,7 @@ namespace {
 
 using Anchor = Drawing::Anchor;
 
-constexpr int half_step = 20;  ///< of a step's height, and of its width where its name is short
+constexpr int half_step = 20;  ///< half the height of a step, and half its width if its name is short
 constexpr int half_bar = 15;
 constexpr int box_height = 24;  ///< of an action
 constexpr int line_height = 15;
@@ -49,7 +49,7 @@ int widest_of(const std::vector<Runs>& lines, int size) {
 
 }  // namespace
 
-/// A box on a step or a transition.
+/// A box attached to a step or a transition.
 struct Symbols::Action {
     enum class Sign { None, Up, Down, Event };
     Drawing::Element element = {};
@@ -67,7 +67,7 @@ struct Symbols::Action {
     }
     int foot() const { return sign == Sign::Down ? 10 : 0; }
 
-    /// With its left edge and its middle there.
+    /// The element with its left edge and vertical centre at this position.
     Drawing::Element at(int left, int middle) const {
         Drawing::Element drawn = element;
         const int top = middle - box_height / 2;
@@ -113,7 +113,7 @@ Runs Symbols::runs(const std::vector<std::string>& written, std::uint32_t index,
     return writing_.runs(term);
 }
 
-/// At the right of the step and of its actions, in quotation marks as IEC 60848 has it.
+/// To the right of the step and its actions, in quotation marks as in IEC 60848.
 void Symbols::add_comment(const std::string& comment, Symbol& symbol) const {
     if (comment.empty()) return;
     const std::vector<Runs> lines =
@@ -146,7 +146,7 @@ std::string Symbols::title(Id<Chart::Transition> id) const {
 
 // -- actions ---------------------------------------------------------------------------------------------------------
 
-/// Its condition, and its delay and limit as terms of it: `3s/X2`, not `8s/X2`.
+/// Its condition, with its delay and limit as time conditions: `3s/X2`, not `8s/X2`.
 Symbols::Action Symbols::continuous(Id<Chart::ContinuousAction> id) const {
     const Chart::ContinuousAction& action = chart_.continuous[id];
     const std::string step = writing_.step(action.step);
@@ -155,7 +155,7 @@ Symbols::Action Symbols::continuous(Id<Chart::ContinuousAction> id) const {
     if (!is_true(chart_.exprs, action.condition)) {
         Runs condition = runs(text_.continuous, id.index, action.condition);
         const bool alone = action.delay_ms == 0 && action.limit_ms == 0;
-        // Written text may have a disjunction where the term, simplified, has none.
+        // The source text may have a disjunction that the simplified term lacks.
         const std::string text = plain_text(condition);
         const bool disjunction =
             iec ? chart_.exprs[action.condition].op == Op::Or
@@ -226,8 +226,8 @@ Symbols::Action Symbols::forcing(Id<Chart::ForcingOrder> id) const {
             .twofold = true};
 }
 
-/// In a row, joined with the node by a line; a stack where they have conditions or would be too wide, joined by a line
-/// at its left.
+/// Draws actions in a row, connected with the node by a line. If they have conditions or the row would be too wide,
+/// they are stacked and connected by a line at the left.
 void Symbols::add_actions(std::vector<Action> actions, int left, Symbol& symbol) const {
     if (actions.empty()) return;
     int width = 0;

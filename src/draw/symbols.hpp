@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Symbols: the steps, transitions, actions and forcing orders of a chart as IEC 60848 draws them (clause 5; clause 7 for
-// macro-steps, enclosing steps and forcing orders), each around its own centre.
+// Symbols: the steps, transitions, actions and forcing orders of a chart in the notation of IEC 60848 (clause 5; clause
+// 7 for macro-steps, enclosing steps and forcing orders), each relative to its centre.
 #pragma once
 
 #include <string>
@@ -14,16 +14,16 @@
 
 namespace grafverif::draw {
 
-/// The marks of one node and of what hangs on it, around (0, 0).
+/// The symbol of one node with everything attached to it, around (0, 0).
 struct Symbol {
     Room room = {};
-    int port = 0;  ///< from the centre up and down to where links begin
+    int port = 0;  ///< distance from the centre up and down to the ends of links
     std::vector<Drawing::Element> elements = {};
 };
 
 class Symbols {
 public:
-    /// `chart` and `text` outlive the symbols.
+    /// `chart` and `text` must outlive the symbols.
     Symbols(const Chart& chart, const DrawOptions& options, const ChartText& text);
 
     const ElementIds& ids() const { return ids_; }
@@ -38,7 +38,7 @@ private:
     Action continuous(Id<Chart::ContinuousAction> action) const;
     Action stored(Id<Chart::StoredAction> action) const;
     Action forcing(Id<Chart::ForcingOrder> order) const;
-    /// `term` as the file has it in Notation::Text, if `written` has its text.
+    /// `term` as in the source file if Notation::Text is selected and `written` contains its text.
     Runs runs(const std::vector<std::string>& written, std::uint32_t index, Id<Expr> term) const;
     void add_comment(const std::string& comment, Symbol& symbol) const;
     std::string names_of(const std::vector<Id<Chart::Step>>& steps) const;

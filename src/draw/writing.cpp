@@ -13,7 +13,7 @@ namespace grafverif::draw {
 
 namespace {
 
-/// Thousandths of an em, from the blank to the tilde.
+/// Widths in thousandths of an em, from space to tilde.
 constexpr std::array<int, 95> widths = {318,  401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361, 318, 337,
                                         636,  636, 636, 636, 636, 636, 636, 636, 636, 636, 337, 337, 838, 838, 838, 556,
                                         1015, 684, 686, 722, 770, 667, 611, 778, 752, 295, 500, 667, 557, 863, 748, 787,
@@ -22,7 +22,8 @@ constexpr std::array<int, 95> widths = {318,  401, 460, 838, 636, 950, 780, 275,
                                         635,  635, 411, 521, 392, 634, 592, 818, 592, 592, 525, 636, 337, 636, 838};
 constexpr int width_of_others = 1100;
 
-constexpr char over_begins = '\x0E', over_ends = '\x0F';  ///< around what has a line above, until runs are made of it
+constexpr char over_begins = '\x0E', over_ends = '\x0F';  ///< markers around text with an overline, until it is split
+                                                          ///< into runs
 
 bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
@@ -56,7 +57,7 @@ Spelling iec_spelling(Op op) {
     return spelling;
 }
 
-/// One line above at a time: what is negated within it is written with a sign and brackets.
+/// Overlines are not nested: an inner negation is written with a sign and brackets.
 Runs runs_of_marked(std::string_view marked) {
     Runs runs;
     int depth = 0;
