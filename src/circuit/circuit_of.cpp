@@ -98,7 +98,7 @@ private:
     static Gate is_of_type(const Term& term, Type type) { return within(term, type.low, type.high); }
     static Gate truth(const Term& term) { return term.bits.front() & ~term.undefined; }
 
-    // -- what a variable is now --------------------------------------------------------------------------------------
+    // -- current values ----------------------------------------------------------------------------------------------
 
     /// The first value of a variable as a term; an input if the variable is free.
     const Term& first_value(Id<Variable> id) {
@@ -156,7 +156,7 @@ private:
         }
     }
 
-    // -- what steps do -----------------------------------------------------------------------------------------------
+    // -- steps -------------------------------------------------------------------------------------------------------
 
     void add_constraints() {
         Gate kept =

@@ -29,7 +29,7 @@ using Automaton = LocationAutomaton;
 using Location = Automaton::Location;
 using Role = Equations::Role;
 
-// -- paths under held inputs ------------------------------------------------------------------------------------------
+// -- paths under constant inputs --------------------------------------------------------------------------------------
 
 /// Final state for a set of inputs.
 struct Arrival {
@@ -225,7 +225,7 @@ private:
         return known;
     }
 
-    // -- what is said of a state ---------------------------------------------------------------------------------------
+    // -- data of a state -----------------------------------------------------------------------------------------------
 
     std::vector<Id<Automaton::Step>> situation(const Values& values) const {
         std::vector<Id<Automaton::Step>> active;

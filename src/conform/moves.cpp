@@ -93,7 +93,7 @@ std::vector<StateMove> Moves::moves_of(StateId state) {
     return merged(supposing(known, std::move(moves)));
 }
 
-// -- cells -------------------------------------------------------------------------------------------------------------
+// -- classes -----------------------------------------------------------------------------------------------------------
 
 /// Classes in which some transition fires, refined by one transition after the other.
 class Moves::Partition {
@@ -323,7 +323,7 @@ std::vector<StateMove> Moves::first() {
     return supposing(known, std::move(moves));
 }
 
-// -- what has no result ------------------------------------------------------------------------------------------------
+// -- evolutions without a result ---------------------------------------------------------------------------------------
 
 void Moves::check_races(const Cell& cell, const Values& at) {
     const auto check = [&](std::uint32_t stored) {

@@ -138,7 +138,7 @@ private:
         }
     }
 
-    // -- widths, from the parts to the whole --------------------------------------------------------------------------
+    // -- widths, bottom-up --------------------------------------------------------------------------------------------
 
     void measure(std::size_t number) {
         const Block& block = at(number);
@@ -298,7 +298,7 @@ private:
         return sum;
     }
 
-    // -- places, from the whole to the parts --------------------------------------------------------------------------
+    // -- positions, top-down ------------------------------------------------------------------------------------------
 
     void place() {
         std::vector<int> axes(blocks_.root + 1, 0);

@@ -292,7 +292,7 @@ Id<Symbol> out_of_range(Draft& draft, std::vector<Id<Expr>> faults) {
     return flag;
 }
 
-// -- who moves --------------------------------------------------------------------------------------------------------
+// -- choice of the edge -----------------------------------------------------------------------------------------------
 
 /// Constrains the choice by the guards of the edges and the discipline; in rounds adds `done`.
 void add_transitions(const Declared& declared, const std::vector<Id<Expr>>& guards, AutomatonModule& made) {

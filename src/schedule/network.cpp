@@ -42,7 +42,7 @@ std::vector<bool> shared_variables(const Network& network) {
     return shared;
 }
 
-// -- who moves --------------------------------------------------------------------------------------------------------
+// -- choice of the moving process -------------------------------------------------------------------------------------
 
 /// The choice of the moving process; the value `none` follows the processes, and time follows it.
 struct Turn {
@@ -105,7 +105,7 @@ Offers add_offers(const PlantInstances& plant, const Turn& move, bool discrete) 
     return offers;
 }
 
-// -- what is asked ----------------------------------------------------------------------------------------------------
+// -- properties -------------------------------------------------------------------------------------------------------
 
 /// Adds the property of the network that expresses `property` by its observer (compose/observe.hpp), and its probes.
 void add_watched(const LoopMeaning& meaning, const PlantInstances& plant, const Property& property) {
@@ -153,7 +153,7 @@ System::Parts parts(const PlantInstances& plant, const Turn& move, const Offers&
     return made;
 }
 
-// -- what traces say --------------------------------------------------------------------------------------------------
+// -- names for traces -------------------------------------------------------------------------------------------------
 
 /// True in steps in which the PLC takes an edge that calls the procedure; invalid if there is no such procedure.
 Id<Expr> calls(const PlantInstances& plant, Id<Network::Process> plc, Id<Network::Procedure> procedure) {

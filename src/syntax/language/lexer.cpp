@@ -116,7 +116,7 @@ Token Lexer::next() {
     return token;
 }
 
-// -- what the rules of the scanner call ------------------------------------------------------------------------------
+// -- called by the rules of the scanner ------------------------------------------------------------------------------
 
 void Lexer::advance(std::string_view match) {
     match_ = match;
@@ -248,7 +248,7 @@ void Lexer::report(Diagnostic diagnostic) {
     if (!recovering_) diagnostics_->add(std::move(diagnostic));
 }
 
-// -- what has been read -----------------------------------------------------------------------------------------------
+// -- tokens returned so far -------------------------------------------------------------------------------------------
 
 bool Lexer::nests_too_deep(Kind next) const {
     switch (next) {

@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    // -- what parts may be --------------------------------------------------------------------------------------------
+    // -- type checks --------------------------------------------------------------------------------------------------
 
     void require(const Part& part, Type type, std::string_view who) {
         if (part.type == Type::Any || part.type == type) return;
@@ -111,7 +111,7 @@ private:
         return logical({"U", "S", "V", "T"}, [this] { return path(); });
     }
 
-    // -- operators of paths -------------------------------------------------------------------------------------------
+    // -- path operators -----------------------------------------------------------------------------------------------
 
     bool at_unary_path() const {
         return ltl_ ? is_one_of({"X", "Y", "Z", "G", "H", "F", "O"})

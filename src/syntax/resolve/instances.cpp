@@ -30,7 +30,7 @@ void fail(LoopScope& scope, Binding& binding, Diagnostic diagnostic) {
     binding.wrong = true;
 }
 
-// -- which argument is which parameter's ------------------------------------------------------------------------------
+// -- assignment of arguments to parameters ----------------------------------------------------------------------------
 
 Id<Component> component_named(LoopScope& scope, tree::Name name) {
     const auto found = scope.components.find(scope.text(name));
