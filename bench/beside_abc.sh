@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The engines for properties about states beside each other and beside ABC, a property at a time: transfer lines of 4, 16, 32
-# and 50 cells, and long threads of the samples. bench/beside_abc.sh [BUILD [SECONDS]]. BUILD (build/release) has
-# bench_engine and bench_states; berkeley-abc is on the PATH; what takes more than SECONDS (60) of the clock is ended.
+# Compares the engines for state properties with each other and with ABC, one property at a time, on transfer lines of
+# 4, 16, 32 and 50 cells and on long threads of the samples.
+# Usage: bench/beside_abc.sh [BUILD [SECONDS]]. BUILD (build/release) contains bench_engine and bench_states;
+# berkeley-abc must be on the PATH; each run is stopped after SECONDS (60) of real time.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=${1:-build/release} most=${2:-60}
@@ -10,7 +11,7 @@ command -v berkeley-abc >/dev/null || { echo "berkeley-abc is not on the PATH" >
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# rows NAME FILE PROPERTY...
+# rows NAME FILE PROPERTY...: prints table rows for the properties of FILE
 rows() {
     local name=$1 file=$2
     shift 2

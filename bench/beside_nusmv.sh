@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The symbolic engine beside NuSMV with dynamic reordering, processor seconds of both for all properties of a model, one
-# run each: bench/beside_nusmv.sh [BUILD [SECONDS]]. BUILD (build/release) has bench_symbolic; NuSMV is on the PATH; what
-# takes more than SECONDS (60) of the processor is ended.
+# Compares the symbolic engine with NuSMV with dynamic reordering: processor seconds for all properties of a model in
+# one run each.
+# Usage: bench/beside_nusmv.sh [BUILD [SECONDS]]. BUILD (build/release) contains bench_symbolic; NuSMV must be on the
+# PATH; each run is stopped after SECONDS (60) of processor time.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=${1:-build/release} most=${2:-60}
@@ -11,7 +12,7 @@ bench=$build/bench/bench_symbolic
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# seconds OUTPUT COMMAND...: processor seconds of COMMAND, or `>` and how many it had
+# seconds OUTPUT COMMAND...: processor seconds of COMMAND, or `>` and the limit
 seconds() {
     local out=$1
     shift
@@ -21,7 +22,7 @@ seconds() {
         awk -v most="$most" '{ if ($1 + $2 >= most - 1) print ">" most; else printf "%.2f\n", $1 + $2 }'
 }
 
-# row WORDS...: of bench_symbolic
+# row WORDS...: prints a table row for these arguments of bench_symbolic
 row() {
     local theirs ours states
     "$bench" "$@" nusmv >"$folder/model.smv"

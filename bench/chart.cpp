@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// bench_chart SIZE: prints the generated ring of SIZE steps; bench_chart line CELLS: the production line of so many cells.
+// bench_chart SIZE: prints a generated ring of SIZE steps; bench_chart line CELLS: prints a production line of CELLS
+// cells.
 #include <cstdio>
 #include <cstdlib>
 #include <string>

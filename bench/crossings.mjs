@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Crossings and links against the reading direction in drawings of `grafverif draw`, and in the layered layout of ELK of
-// the same graph: node crossings.mjs FOLDER_OF_ELKJS FILE.svg...  (npm install elkjs)
+// Counts crossings, and links against the reading direction, in drawings of `grafverif draw` and in the layered layout
+// of the same graph by ELK: node crossings.mjs FOLDER_OF_ELKJS FILE.svg...  (npm install elkjs)
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { basename } from 'node:path';
@@ -36,7 +36,7 @@ async function laidOut({ nodes, links }) {
   }));
 }
 
-// Where a line across meets one along, inside both: each place once.
+// Crossings of horizontal and vertical lines in the interior of both, each point once.
 function crossings(links) {
   const across = [], along = [], places = new Set();
   for (const { lines } of links)

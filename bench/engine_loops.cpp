@@ -41,7 +41,7 @@ T required(std::optional<T> value, const Diagnostics& diagnostics, const Sources
     throw std::invalid_argument(text.str());
 }
 
-/// Every variable, process and property of `network` under another name; indices stay.
+/// Appends `suffix` to the names of all variables, processes and properties of `network`; indices are unchanged.
 Network renamed(Network network, const std::string& suffix) {
     for (Network::Variable& variable : network.variables) variable.name += suffix;
     for (Network::Process& process : network.processes) process.name += suffix;
@@ -50,7 +50,7 @@ Network renamed(Network network, const std::string& suffix) {
     return network;
 }
 
-/// Both networks in one, the second one's indices behind the first one's.
+/// The union of both networks; the indices of the second one follow those of the first.
 Network beside(Network left, const Network& right) {
     const auto variables = static_cast<std::uint32_t>(left.variables.size());
     const auto processes = static_cast<std::uint32_t>(left.processes.size());
@@ -76,12 +76,12 @@ Network beside(Network left, const Network& right) {
     return left;
 }
 
-/// The names of a file, so that copies of it stand beside each other.
+/// The declared names of a file, renamed so that several copies of it can be combined.
 class Numbered {
 public:
     explicit Numbered(const std::string& text) {
-        // what is declared: after `grafcet`, `plant`, `environment`, `property`, in lists of inputs and outputs, and
-        // what is bound to a port (the word after `=`, where it is no component)
+        // declared names: after `grafcet`, `plant`, `environment`, `property`, in lists of inputs and outputs, and
+        // names bound to ports (the word after `=`, unless it is a component)
         static const std::regex declared("(?:grafcet|plant|environment|property) (\\w+)|[(,]\\s*\\w+ = ([A-Z]\\w*)");
         for (std::sregex_iterator found(text.begin(), text.end(), declared), end; found != end; ++found)
             names_.insert((*found)[1].matched ? (*found)[1].str() : (*found)[2].str());
@@ -94,7 +94,7 @@ public:
             if (text.find("grafcet " + name + " {") != std::string::npos) chart_ = name;
     }
 
-    /// `text` with `_k` after each name; a step of a property is one of its chart.
+    /// `text` with `_k` appended to each name; steps in properties are those of the chart.
     std::string with(int k, const std::string& text) const {
         static const std::regex word("[A-Za-z_]\\w*");
         const std::string number = "_" + std::to_string(k);

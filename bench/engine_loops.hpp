@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Closed loops for the measurements of the engines, read from the samples or made as text, and composed.
+// Closed loops for measurements of the engines, read from the samples or generated as text, and composed.
 #pragma once
 
 #include <string>
@@ -21,20 +21,21 @@ struct LoopParts {
     Network plant = {};
 };
 
-/// Those of `text`. Throws std::invalid_argument with the first errors where it does not read.
+/// The parts of the first loop of `text`. Throws std::invalid_argument with the first errors if it is invalid.
 LoopParts parts(const std::string& text);
 
-/// The first loop of `text`, composed. Throws likewise.
+/// The first loop of `text`, composed. Throws std::invalid_argument if it is invalid.
 Network loop(const std::string& text, Grain grain = Grain::Phased);
 
-/// Two testing stations side by side in one network, which share nothing but time.
+/// Two testing stations in one network, which share only time.
 Network two_stations(Grain grain = Grain::Phased);
 
-/// `count` testing stations in one loop, each with a controller of its own, which share nothing but time: the text of the
-/// sample once per station, its names numbered (`P15_2`).
+/// `count` testing stations in one loop, each with a separate controller, which share only time: the text of the sample
+/// once per station, its names numbered (`P15_2`).
 std::string stations(int count);
 
-/// A transfer line of `cells` drilling cells between buffers, run by one PLC: the sample of three cells is this text.
+/// A transfer line of `cells` drilling cells between buffers, controlled by one PLC; the sample with three cells is
+/// this text.
 std::string transfer_line(int cells);
 
 /// One chart that drives `cylinders` cylinders, each out and in again with its three sensors, all started together.

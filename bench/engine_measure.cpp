@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// bench_engine WHAT [safety] [jobs=N] [atomic|text]: checks one model with the timed engine and prints what it took: states,
-// transitions per second, bytes per state, verdicts; with `safety` only properties about single states, with `jobs` in N
-// threads. WHAT: `station`, `two` (two stations in one network, searched as a whole), `cylinders N`, `stations N` (in one
-// loop, by sub-loops), `line N` (a transfer line of N cells, its safety by cells), or a sample's path. With `text` a model that has a number is
-// printed instead.
+// bench_engine WHAT [safety] [jobs=N] [atomic|text]: checks one model with the timed engine. Prints states, transitions
+// per second, bytes per state and verdicts.
+// safety: only state properties. jobs: number of threads. text: prints the generated model instead.
+// WHAT is one of `station`, `two` (two stations in one network, explored as one), `cylinders N`, `stations N` (in one
+// loop, checked compositionally), `line N` (a transfer line of N cells, its safety by localization).
+// Otherwise WHAT is the path of a sample.
 #include <fmt/core.h>
 #include <sys/resource.h>
 
@@ -21,7 +22,7 @@ namespace {
 
 using namespace grafverif;
 
-/// Seconds of the processor that this process has taken; other work on the machine does not count.
+/// Processor seconds of this process; other processes do not count.
 double processor_seconds() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -58,7 +59,7 @@ void print(const TimedResult& result, double seconds) {
     fmt::print("  peak {} MiB, {:.2f} s of the processor in all\n", usage.ru_maxrss / 1024, processor_seconds());
 }
 
-/// The text of a model with a size; of others nothing.
+/// The text of a generated model; otherwise empty.
 std::string made(const std::string& what, int count, char** values) {
     const int size = count > 2 ? std::atoi(values[2]) : 3;
     if (what == "cylinders") return bench::cylinders(size);
@@ -100,7 +101,7 @@ int main(int count, char** values) {
     if (said("safety", count, values)) options.properties = about_states(network);
     const double before = processor_seconds();
     const std::string what = values[1];
-    if (what == "line")  // `no timelock` asks for the whole, which nobody has the memory for
+    if (what == "line")  // `no timelock` needs the complete network, which exceeds the memory
         for (const Property& property : network.properties)
             if (property.pattern == Pattern::Never) options.properties.push_back(property.name);
     const bool by_parts = what == "stations" || what == "line";

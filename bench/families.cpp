@@ -66,7 +66,7 @@ void add_ring(Family& family, std::size_t steps) {
     family.steps += steps;
 }
 
-/// The steps with which the branches below `step` close.
+/// Adds the steps that close the branches below `step`.
 std::vector<std::size_t> add_branches(Family& family, std::size_t step, std::size_t levels, std::size_t branches) {
     std::vector<std::size_t> opened, closing;
     for (std::size_t k = 0; k < branches; ++k) opened.push_back(family.step());

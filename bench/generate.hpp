@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Generated charts and closed loops of any size, as text.
+// Generates charts and closed loops of any size, as text.
 #pragma once
 
 #include <cstddef>
@@ -7,15 +7,15 @@
 
 namespace grafverif::bench {
 
-/// A closed loop whose chart is one ring of `steps` steps with as many transitions, 16 inputs from free push-buttons,
+/// A closed loop whose chart is one ring of `steps` steps with as many transitions, 16 inputs from free push buttons,
 /// 16 outputs; every tenth step has a time condition, every tenth counts.
 std::string ring(std::size_t steps);
 
-/// A chart of `count` assembly stations (DESDES06 Fig. 2) that have nothing to do with each other.
+/// A chart of `count` independent assembly stations (DESDES06 Fig. 2).
 std::string assembly_stations(std::size_t count);
 
-/// A supervisor that forces and holds `count` cells, each of nine steps with six inputs and five stored actions. Six cells
-/// make 60 steps, 67 transitions, 7 partial charts, 7 forcing orders, 33 stored actions and 38 inputs.
+/// A supervisor with forcing orders for `count` cells, each of nine steps with six inputs and five stored actions. Six
+/// cells have 60 steps, 67 transitions, 7 partial charts, 7 forcing orders, 33 stored actions and 38 inputs.
 std::string production_line(std::size_t count);
 
 }  // namespace grafverif::bench

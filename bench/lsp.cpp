@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The language server while somebody types in a chart: bench_lsp [STEPS [KEYSTROKES]].
+// Response times of the language server during typing: bench_lsp [STEPS [KEYSTROKES]].
 //
-// Each keystroke is a change of one character. Measured is, by the clock and of the processor (what goes on in the
-// background included), what it takes until the server has told what is wrong with the text, and then until it has
-// answered what an editor asks after it.
+// Each keystroke changes one character. Measured in real time and in processor time, including background threads: the
+// time until the diagnostics arrive, and then until the requests that an editor sends after a change are answered.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -49,7 +48,7 @@ std::string quoted(const std::string& text) {
     return json + "\"";
 }
 
-/// Both ends of the streams of one server.
+/// Both ends of the streams of a server.
 class Wire {
 public:
     void say(const std::string& body) {
@@ -82,7 +81,7 @@ private:
     std::string there_ = {}, back_ = {};
 };
 
-/// What something took, each time.
+/// Collects measured times.
 class Times {
 public:
     void begin() { clock_ = Clock::now(), processor_ = std::clock(); }
@@ -121,14 +120,14 @@ struct Place {
         return fmt::format(R"({{"line": {}, "character": {}}})", line, character + beyond);
     }
 };
-/// In the condition of the last transition, behind the first letter.
+/// Position in the condition of the last transition, after the first letter.
 Place place_in(const std::string& text) {
     const std::size_t at = text.rfind("when A") + 6;
     return {static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')),
             at - text.rfind('\n', at) - 1};
 }
 
-/// A letter that makes the name unknown; each other time it is taken away again.
+/// Types a letter that makes the name unknown; removes it again every other time.
 void type(Wire& wire, int number, const Place& at) {
     wire.say(fmt::format(
         R"({{"method": "textDocument/didChange", "params": {{"textDocument": {{{}, "version": {}}}, "contentChanges": [{{"range": {{"start": {}, "end": {}}}, "text": "{}"}}]}}}})",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The arrows of the main job on generated charts of 1,000 to 100,000 steps: read, derive, plant and compose, emit.
-// Each is reported per step; growth must be linear.
+// Measures the stages of the main job on generated charts of 1,000 to 100,000 steps: read, derive, plant and compose,
+// emit. Each is reported per step; growth must be linear.
 #include <benchmark/benchmark.h>
 
 #include <sstream>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Properties about states one by one: bench_states FILE [SECONDS [PROPERTY...]]. The closed loop of FILE with its plant
-// automata, interleaved, in grain atomic; each property by every engine: the embedded ones alone and beside each other, and ABC
-// where it is on the PATH. Processor seconds of all threads and programs; what takes more than SECONDS (60) of the clock is
-// ended, and `>` stands before what it had taken. Rows of a table.
+// State properties, one by one: bench_states FILE [SECONDS [PROPERTY...]]. Checks the closed loop of FILE with its
+// plant automata, interleaved, in grain atomic.
+// Each property is checked by every engine: the embedded ones separately and as a portfolio, and ABC if it is on the
+// PATH. Printed are processor seconds of all threads and programs, as rows of a table. After SECONDS (60) of real time
+// a check is stopped; `>` then precedes its processor time.
 #include <fmt/core.h>
 #include <sys/resource.h>
 
@@ -25,7 +26,7 @@ namespace {
 
 using namespace grafverif;
 
-/// Of this process and the programs that it has waited for.
+/// Processor seconds of this process and its finished child processes.
 double processor_seconds() {
     double seconds = 0;
     for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
@@ -37,7 +38,7 @@ double processor_seconds() {
     return seconds;
 }
 
-/// A column: what an engine takes for the one property that is asked.
+/// A column: the processor time of an engine for one property.
 template <class Options, class Check>
 std::string column(Options options, const std::string& property, double limit, const Check& check) {
     using Clock = std::chrono::steady_clock;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# CaDiCaL::CaDiCaL: the SAT solver as a library (Debian: libcadical-dev), which brings no CMake package of its own.
+# CaDiCaL::CaDiCaL: the SAT solver as a library (Debian: libcadical-dev), which does not include a CMake package.
 find_path(CaDiCaL_INCLUDE_DIR cadical.hpp PATH_SUFFIXES cadical)
 find_library(CaDiCaL_LIBRARY cadical)
 mark_as_advanced(CaDiCaL_INCLUDE_DIR CaDiCaL_LIBRARY)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Libedit::Libedit: edits lines at a terminal (Debian: libedit-dev), which brings no CMake package of its own.
+# Libedit::Libedit: line editing on a terminal (Debian: libedit-dev), which does not include a CMake package.
 find_path(Libedit_INCLUDE_DIR histedit.h)
 find_library(Libedit_LIBRARY edit)
 mark_as_advanced(Libedit_INCLUDE_DIR Libedit_LIBRARY)

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-# Writes OUTPUT, a C++ source that holds the style STYLE and the modules SCRIPTS as one script each, with their SHA-256 in
-# base64: a page allows what has that hash, and no other script. Modules become one by losing what joins them, the lines
-# `import` and the words `export`; their names are therefore unique.
+# Writes OUTPUT, a C++ source with the style STYLE and the modules SCRIPTS, each as one text with its SHA-256 in base64:
+# a page allows only the scripts and styles with these hashes. Modules are joined by removing `import` lines and
+# `export` keywords; their names must therefore be unique.
 include("${CMAKE_CURRENT_LIST_DIR}/literal.cmake")
 
 function(base64_of hex result)
     set(letters "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/")
-    string(APPEND hex "00")  # 32 bytes are two short of a multiple of three letters: 33, the last letter is padding
+    string(APPEND hex "00")  # base64 encodes groups of three bytes: 33; the last letter is padding
     set(text "")
     foreach(at RANGE 0 65 6)
         string(SUBSTRING "${hex}" ${at} 6 three)
@@ -22,7 +22,7 @@ endfunction()
 
 file(READ "${STYLE}" style)
 set(script "")
-set(modules "")  # a literal each: all in one may be longer than compilers must support
+set(modules "")  # one literal per module: a single one may exceed the limit of compilers
 foreach(file IN LISTS SCRIPTS)
     file(READ "${file}" module)
     string(REGEX REPLACE "\nimport [^\n]*" "" module "${module}")

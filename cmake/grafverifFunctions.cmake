@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: MIT
-# Charts in a CMake project, by Makefiles or Ninja; docs/how-to/build-systems.md shows both functions at work.
+# Charts in a CMake project with Makefiles or Ninja; for examples see docs/how-to/build-systems.md.
 #
 #   grafverif_models(TARGET <target> CHART <file>... [NAME <name>] [LOOP <loop>] [OUTPUT_DIRECTORY <folder>]
 #                    [MODELS uppaal|nusmv] [OPTIONS <option>...])
-#       A target that is always built: NAME.xml, NAME.q and NAME.smv of each chart, made anew when it changes, or a file
-#       that it includes, or the program. NAME is the name of the file without its ending, unless said; the folder the
+#       A target that is always built: NAME.xml, NAME.q and NAME.smv of each chart, built again if the chart, a file
+#       that it includes, or the program changes. Default NAME: the file name without its extension. Default folder: the
 #       current binary directory. The target's property GRAFVERIF_MODELS lists the files.
 #
 #   grafverif_check(NAME <name> CHART <file> [PROPERTY <property>...] [LOOP <loop>] [OPTIONS <option>...] [LABELS <label>...])
-#       A test for each property of the chart, found when the target <name> is built: <name>.<property>, of a file with
-#       several loops <name>.<loop>.<property>. A test decides its property on what the files say when it is run; it
-#       passes if the verdict is as expected. OPTIONS go to `grafverif check`, as `--grain;atomic;--timeout;5min`.
+#       A test for each property of the chart, discovered when the target <name> is built: <name>.<property>, or for a
+#       file with several loops <name>.<loop>.<property>. A test checks its property on the files at run time; it passes
+#       if the verdict is as expected. OPTIONS are passed to `grafverif check`, as in `--grain;atomic;--timeout;5min`.
 include_guard(GLOBAL)
 
 function(_grafverif_parse call known)

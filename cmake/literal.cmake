@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Sets RESULT to TEXT as a C++ string. A raw string may be 65,535 characters long: longer ones are several side by side.
+# Sets RESULT to TEXT as a C++ string. Texts beyond 65,535 characters, the limit of raw strings, are split into several
+# adjacent literals.
 function(literal_of text result)
     set(literal "")
     string(LENGTH "${text}" length)

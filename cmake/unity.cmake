@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: MIT
-# Our presets for developers compile several sources at once (CMAKE_UNITY_BUILD), which makes a clean build about three
-# times as quick; the release preset compiles each alone, so that a missing include is still found. What sources share a
-# compilation never depends on other rooms: names of unnamed namespaces are unique in a room and in a test program, save
-# in the sources that say grafverif_compile_alone.
+# Developer presets compile several sources as one unit (CMAKE_UNITY_BUILD), which makes a clean build about three times
+# as fast. The release preset compiles each separately, so that missing includes are found. Units never contain sources
+# of several modules: names in unnamed namespaces are unique in a module and in a test program, except in the sources
+# given to grafverif_compile_alone.
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 6 CACHE STRING "How many sources are compiled at once at most")
 
-# grafverif_group_by_room(TARGET): sources of one folder are compiled together, at most a batch at once.
+# grafverif_group_by_room(TARGET): compiles sources of one folder together, at most one batch per unit.
 function(grafverif_group_by_room target)
     set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
     get_target_property(sources ${target} SOURCES)
     foreach(source IN LISTS sources)
         get_filename_component(folder "${source}" DIRECTORY)
-        # Whatever the tree and the preset are called: no path of this machine is in the names of units.
+        # Relative paths: the names of units do not depend on the folders of the source and build trees.
         string(REPLACE "${PROJECT_BINARY_DIR}/" "" folder "${folder}")
         string(REPLACE "${PROJECT_SOURCE_DIR}/" "" folder "${folder}")
         string(MAKE_C_IDENTIFIER "${folder}" room)
@@ -21,7 +21,7 @@ function(grafverif_group_by_room target)
     endforeach()
 endfunction()
 
-# grafverif_compile_alone(TARGET FILE...): sources whose local names other sources of the room use as well.
+# grafverif_compile_alone(TARGET FILE...): sources whose local names are also used by other sources of the module.
 function(grafverif_compile_alone target)
     set_source_files_properties(${ARGN} TARGET_DIRECTORY ${target} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

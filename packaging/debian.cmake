@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What `cpack` makes: packages for Debian and Ubuntu, each from one component. Who packages is told by DEBFULLNAME and
-# DEBEMAIL when the tree is configured, as Debian's own tools take it; when, by SOURCE_DATE_EPOCH.
+# Settings of `cpack`: packages for Debian and Ubuntu, each from one component. As for Debian's tools, DEBFULLNAME and
+# DEBEMAIL specify the maintainer when the tree is configured, and SOURCE_DATE_EPOCH the time.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME grafverif)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
@@ -76,7 +76,7 @@ of components, and proves properties of their closed loop.
 This package holds the module for Python, with types for those who check them.")
 endif()
 
-# Each package carries its licence and its changes; an installation without packages does not.
+# Each package contains its licence and its changes; an installation without packages does not.
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 file(READ packaging/changelog.Debian.in changelog)
 string(REPLACE @VERSION@ "${PROJECT_VERSION}" changelog "${changelog}")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Writes below ROOT/PREFIX what the program says of itself: a page of the manual for each verb, completion for three shells.
+# Writes the files that the program generates below ROOT/PREFIX: a manual page for each command, completion for three
+# shells.
 set(place "${ROOT}${PREFIX}")
 function(says file)
     execute_process(COMMAND "${PROGRAM}" ${ARGN} OUTPUT_FILE "${file}" RESULT_VARIABLE result)
@@ -20,7 +21,7 @@ endforeach()
 file(GLOB pages "${place}/share/man/man1/grafverif*.1")
 execute_process(COMMAND gzip -9 -n -f ${pages})
 
-set(zsh site-functions)  # of the system itself, Debian's zsh looks elsewhere
+set(zsh site-functions)  # elsewhere; system packages use another folder for Debian's zsh
 if(PREFIX STREQUAL "/usr")
     set(zsh vendor-completions)
 endif()

@@ -8,8 +8,7 @@
 //   Operation operation             cache key
 //   bool settle(Kernel&, Call&, Edge& result, bool& flip)
 //                                   true in a terminal case, with the result; otherwise normalizes the call. `flip`:
-//                                   the
-//                                   result must be complemented
+//                                   the result must be complemented
 //   uint32_t level(Kernel&, Call)   branching level
 //   uint32_t third(Call)            third operand of the cache key
 //   Call low(Kernel&, Frame), high(Kernel&, Frame)

@@ -2,15 +2,12 @@
 // The result of an evolution is computed by successive partitions of the inputs:
 //
 //   classes   In a state the variables of the chart are constant, so the condition of each transition is a set of
-//             inputs.
-//             These sets partition the inputs into classes in each of which exactly one set of transitions fires
-//             (JESA13
-//             (11) to (13)). Single inputs are never enumerated, and of the 2^n sets of transitions only those that
-//             occur.
+//             inputs. These sets partition the inputs into classes in each of which exactly one set of transitions
+//             fires (JESA13 (11) to (13)). Single inputs are never enumerated, and of the 2^n sets of transitions only
+//             those that occur.
 //   parts     In a class the firing conditions are constant too. A next value is then a number or, rarely, a function
-//             of
-//             the inputs; its values split the class into parts. Variables without dependencies (dependencies.hpp) are
-//             unchanged.
+//             of the inputs; its values split the class into parts. Variables without dependencies (dependencies.hpp)
+//             are unchanged.
 //   stable    A part is split by the stability condition of the equations: nothing changes where it holds.
 //   levels    The levels that timers observe are terms over the new values and the inputs: they are split once more.
 //

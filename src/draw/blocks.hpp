@@ -3,10 +3,11 @@
 //
 // Each node is split into two ends with the node between them; arcs connect ends. The graph is reduced by the two rules
 // of series-parallel graphs. Two elements in sequence at an end without others form a Series; two elements between the
-// same ends form a Parallel. A branch without a continuation (its last node leads upward, or is a sink) or without a
-// beginning is put in parallel with another one at the end to which it is attached. Charts written as sequences,
-// selections and parallel branches are reduced to one block. An irreducible rest is a Core: strips connected
-// arbitrarily at their ends.
+// same ends form a Parallel. Charts written as sequences, selections and parallel branches are reduced to one block. An
+// irreducible rest is a Core: strips connected arbitrarily at their ends.
+//
+// A branch has no continuation if its last node leads upward or is a sink; similarly it may have no beginning. Such a
+// branch is put in parallel with another one at the end to which it is attached.
 //
 // An upward link that leaves a node together with other links, or enters a bar together with others, has a Stub: a
 // separate place on the shared line. The algorithm is linear in the size of the flow.

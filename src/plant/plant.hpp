@@ -24,9 +24,9 @@
 
 namespace grafverif {
 
-/// Requires verify(model).empty() and that `loop` belongs to the model. Empty after an error. Errors are: a duration
-/// that is not a multiple of the time unit, a variable with two writers, an urgent edge whose target invariant can be
-/// false, an initial value outside its range.
+/// Requires verify(model).empty() and that `loop` belongs to the model. Empty after an error: a duration that is not a
+/// multiple of the time unit; a variable with two writers; an urgent edge whose target invariant can be false; an
+/// initial value outside its range.
 std::optional<Network> plant(const Model& model, const ClosedLoop& loop, Diagnostics& diagnostics);
 
 }  // namespace grafverif

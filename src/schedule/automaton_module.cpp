@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Construction of the module of an automaton, in three stages. First its symbols, which edges read (Declared). They are
-// parameters, the choice of an edge, the location, clocks, and the variables that only it writes. Then each edge as
-// terms over the values before the step (Taken). Then the next value of every symbol, by cases over the edge taken.
+// Construction of the module of an automaton, in three stages:
+//   Declared   its symbols, which edges read: parameters, the choice of an edge, the location, clocks, and the
+//              variables that only it writes
+//   Taken      each edge as terms over the values before the step
+//   the next value of every symbol, by cases over the edge taken
 //
 // Correctness: the module has exactly the steps of the process. The choice selects one edge or none. The `guard` of an
-// edge holds iff the network allows taking it (its location, its guard, its clock constraint, the target's invariant
-// after its resets), and a transition constraint relates choice and guard. Next values are cases over the choice, and
-// the cases are disjoint. The discipline determines if choosing none is allowed.
+// edge holds iff the network allows taking it, by its location, its guard, its clock constraint, and the target's
+// invariant after its resets. A transition constraint relates choice and guard. Next values are cases over the choice,
+// and the cases are disjoint. The discipline determines if choosing none is allowed.
 #include "schedule/automaton_module.hpp"
 
 #include <algorithm>

@@ -9,14 +9,12 @@
 // value out of range, undefined value) is also an answer, and permanent.
 //
 //   timer        counts down in units of `unit_ms`: the remaining t1 while its term holds, the remaining t2 after it
-//                fell;
-//                scans occur at multiples of the unit. The caller chooses the unit, and hence the resolution
+//                fell; scans occur at multiples of the unit. The caller chooses the unit, and hence the resolution
 //   same         never: both have answered, and exactly one has a fault, or an output differs
 //   possible     reachable: there are inputs that satisfy the constraints of both
-//   a_follows, b_follows   if b has answered without a fault, a answers eventually: otherwise a never becomes stable
-//                          although
-//                b does. A fault in one chart and instability of the other do not count as a difference. Only under
-//                stability search
+//   a_follows, b_follows   if b has answered without a fault, a answers eventually. Otherwise a never becomes stable
+//                although b does. A fault in one chart and instability of the other do not count as a difference. Only
+//                under stability search
 #pragma once
 
 #include <cstdint>

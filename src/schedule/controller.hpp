@@ -18,8 +18,7 @@
 //   stored action    next by cases; with stability search an output keeps it in `LOCK_image` until it is written
 //   race             `race`, set permanently when two stored actions write different values simultaneously
 //   range            `out_of_range`, set permanently when an assignment would leave the range of its variable, which
-//                    then
-//                    keeps its value, or when a divisor is zero
+//                    then keeps its value, or when a divisor is zero
 //   constraint       with the approach `constraints`, an invariant of main over the inputs (DESDES06 5.1)
 //   observer         a module that follows every step
 //   several controllers   a free `turn_NAME` each, true infinitely often: the relative speed of controllers is

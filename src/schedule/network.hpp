@@ -6,16 +6,13 @@
 //   process          an instance of a module, one module per component and set of constants: see automaton_module.hpp.
 //                    The PLC is one of them: its cycle, in the grain of the network, with the state of the network
 //   moving process   a choice `move` of main: `of_H_Cyl`, `of_PLC`, or `none`, which can be chosen only if no urgent
-//                    edge
-//                    is enabled
+//                    edge is enabled
 //   shared variable  a variable of the module that writes it, or a definition if the location determines its value; a
 //                    variable of main if it has several writers (the flags of the PLC)
 //   time             abstract: clocks are omitted, so that a timed edge may be taken at any time: the model has every
-//                    run
-//                    of the timed loop, and more. Discrete: clocks are bounded counters of their modules, with the
+//                    run of the timed loop, and more. Discrete: clocks are bounded counters of their modules, with the
 //                    normalization of the timed engine, and `move = of_time` is a tick: the states are those of the
-//                    engine.
-//                    `no deadlock` and `no timelock` become `always possible` an edge, a tick
+//                    engine. `no deadlock` and `no timelock` become `always possible` an edge, a tick
 //   observer         a module that follows every step
 //
 // The system is total: if an urgent edge is enabled its process can move, otherwise `none` can be chosen; if clocks

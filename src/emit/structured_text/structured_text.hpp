@@ -5,20 +5,19 @@
 // Mapping:
 //   input, output          VAR_INPUT, VAR_OUTPUT of the same name; outputs are written at the end of the cycle
 //   X_s, CF_t, internals   local variables; integers are DINT
-//   time condition         TON, followed by TOF if it has a fall time; called before the first evolution of the cycle,
-//                          which samples the time, and after each evolution, so that a step left and activated again
-//                          within one cycle restarts its timer
+//   time condition         TON, followed by TOF if it has a fall time. It is called before the first evolution of the
+//                          cycle, which samples the time, and after each evolution. A step left and activated again
+//                          within one cycle therefore restarts its timer
 //   stability search       WHILE the situation is not stable, bounded by MAX_EVOLUTIONS
 //   faults                 output FAULT: 1 no stable situation within the bound (total instability), 2 a race of stored
 //                          actions, 3 a value outside its range, 4 contradictory forcing orders. After a fault the
-//                          block
-//                          keeps its outputs and has no further effect.
+//                          block keeps its outputs and has no further effect.
 // New values are computed from old ones. If an assignment would change the operand of a later one, the new value is
 // stored in a temporary variable (N_...). Names are made legal once (syntax/print/legal_names); changed names are
 // listed in the header.
 //
-// TestSequence -> a program that drives an instance of such a block, or of any other with the same inputs and outputs,
-// through the test, one scan per call, and compares its outputs in each.
+// TestSequence -> a program that runs the test on an instance of such a block, or of any other with the same inputs and
+// outputs. It makes one scan per call and compares the outputs in each.
 #pragma once
 
 #include <cstdint>

@@ -2,8 +2,8 @@
 // Steps that can become active according to the links alone, with all conditions assumed satisfiable. A step that
 // cannot is an error of the chart.
 //
-// Steps are activated at power-on (initial), by a transition if all its upstream steps can be active, by a source
-// transition, by a forcing order, by an activation link, or by their macro-step.
+// Steps are activated at power-on (initial) or by a transition if all its upstream steps can be active. They are also
+// activated by a source transition, a forcing order, an activation link, or their macro-step.
 #include <numeric>
 #include <vector>
 
