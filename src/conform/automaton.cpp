@@ -225,7 +225,7 @@ private:
         return known;
     }
 
-    // -- data of a state -----------------------------------------------------------------------------------------------
+    // -- data of a state ----------------------------------------------------------------------------------------------
 
     std::vector<Id<Automaton::Step>> situation(const Values& values) const {
         std::vector<Id<Automaton::Step>> active;

@@ -90,7 +90,7 @@ std::vector<StateMove> Moves::moves_of(StateId state) {
     return merged(supposing(known, std::move(moves)));
 }
 
-// -- classes -----------------------------------------------------------------------------------------------------------
+// -- classes ----------------------------------------------------------------------------------------------------------
 
 /// Classes in which some transition fires, refined by one transition after the other.
 class Moves::Partition {
@@ -320,7 +320,7 @@ std::vector<StateMove> Moves::first() {
     return supposing(known, std::move(moves));
 }
 
-// -- evolutions without a result ---------------------------------------------------------------------------------------
+// -- evolutions without a result --------------------------------------------------------------------------------------
 
 void Moves::check_races(const Cell& cell, const Values& at) {
     const auto check = [&](std::uint32_t stored) {

@@ -14,7 +14,7 @@ namespace {
 
 bool is_step(pugi::xml_node node) { return is(node, "step") || is(node, "macroStep"); }
 
-// -- connections --------------------------------------------------------------------------------------------------------
+// -- connections ------------------------------------------------------------------------------------------------------
 
 /// The steps upstream of a transition, or the transitions upstream of a step, through divergences and convergences.
 /// `wanted` accepts the end of a path; other ends are reported.

@@ -185,7 +185,7 @@ Token Lexer::end_of_piece() {
     return {Parser::token::END, Span{here_.source, here_.end, here_.end}};
 }
 
-// -- called by the rules of the scanner --------------------------------------------------------------------------------
+// -- called by the rules of the scanner -------------------------------------------------------------------------------
 
 void Lexer::advance(std::size_t length) {
     const auto place = [this](std::uint32_t at) { return origins_.empty() ? base_ + at : origins_[at]; };
