@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Chart: a GRAFCET (IEC 60848) as written, after names are resolved and before any evolution rule is applied.
 //
-// It can hold the whole standard, even while a later stage still refuses a part of it: `unsupported` (derive) names
-// what that stage does not take. Expressions live in `exprs`; their leaves are Variable (-> variables), Step (-> steps:
-// the step variable) and Timed (-> time_conditions).
+// It can represent the complete standard, even if a later stage rejects a part of it: `unsupported` (derive) names the
+// rejected constructs. Expressions are stored in `exprs`; their leaves are Variable (-> variables), Step (-> steps: the
+// step variable) and Timed (-> time_conditions).
 //
 // Invariants (see verify): every id is in its table; every condition is Boolean; every value has the type of its
-// target; names are unique in their scope (variables in the chart, steps in their partial chart, transitions in the
-// chart); a partial chart that is an expansion has one entry and one exit step; every initial value is in its range.
+// target. Names are unique in their scope (variables in the chart, steps in their partial chart, transitions in the
+// chart). A partial chart that is an expansion has one entry and one exit step; every initial value is in its range.
 #pragma once
 
 #include <cstdint>
@@ -38,9 +38,9 @@ struct Chart {
     struct Step {
         std::string name = {};  ///< `2` for the step variable `X2`
         StepKind kind = StepKind::Ordinary;
-        bool initial = false;              ///< IEC 60848, 4.3 symbol 2
-        bool activation_link = false;      ///< activated by the enclosing step (4.5.4)
-        bool entry = false, exit = false;  ///< of an expansion (4.5.3)
+        bool initial = false;              ///< IEC 60848, initial step
+        bool activation_link = false;      ///< activated by the enclosing step
+        bool entry = false, exit = false;  ///< of the expansion of a macro-step (clause 7)
         Id<PartialChart> chart = {};
         Span origin = {};
         bool operator==(const Step&) const = default;
@@ -51,7 +51,7 @@ struct Chart {
     struct PartialChart {
         std::string name = {};
         PartialKind kind = PartialKind::Plain;
-        Id<Step> owner = {};  ///< the macro-step or enclosing step; else not valid
+        Id<Step> owner = {};  ///< the macro-step or enclosing step; otherwise invalid
         Span origin = {};
         bool operator==(const PartialChart&) const = default;
     };
@@ -66,7 +66,7 @@ struct Chart {
         bool operator==(const Transition&) const = default;
     };
 
-    /// `t1/v/t2` (IEC 60848, 4.4): true `rise_ms` after v rises, until `fall_ms` after it falls.
+    /// `t1/v/t2` (IEC 60848, time-dependent conditions): true `rise_ms` after v rises, until `fall_ms` after it falls.
     struct TimeCondition {
         std::int64_t rise_ms = 0;
         Id<Expr> watched = {};  ///< a Boolean term
@@ -75,11 +75,11 @@ struct Chart {
         bool operator==(const TimeCondition&) const = default;
     };
 
-    /// Continuous action (4.8.2): `output` is true while `step` is active and `condition` holds.
+    /// Continuous action: `output` is true while `step` is active and `condition` holds.
     struct ContinuousAction {
         Id<Step> step = {};
         Id<Variable> output = {};
-        Id<Expr> condition = {};    ///< assignation condition; the constant true where none is written
+        Id<Expr> condition = {};    ///< assignation condition; default: the constant true
         std::int64_t delay_ms = 0;  ///< delayed action: `after`; 0: none
         std::int64_t limit_ms = 0;  ///< time-limited action: `for`; 0: none
         Span origin = {};
@@ -87,20 +87,20 @@ struct Chart {
     };
 
     enum class StoredOn { Activation, Deactivation, Event, Clearing };
-    /// Stored action (4.8.3): `target := value` when its step is activated or deactivated, when `event` occurs while
-    /// the step is active, or when `transition` is cleared.
+    /// Stored action: `target := value` when its step is activated or deactivated, when `event` occurs while the step
+    /// is active, or when `transition` is cleared.
     struct StoredAction {
         StoredOn on = StoredOn::Activation;
-        Id<Step> step = {};              ///< not valid for Clearing
-        Id<Transition> transition = {};  ///< valid for Clearing only
+        Id<Step> step = {};              ///< invalid for Clearing
+        Id<Transition> transition = {};  ///< only for Clearing
         Id<Variable> target = {};
         Id<Expr> value = {};
-        Id<Expr> event = {};  ///< valid for Event only
+        Id<Expr> event = {};  ///< only for Event
         Span origin = {};
         bool operator==(const StoredAction&) const = default;
     };
 
-    enum class ForcedTo { Empty, Current, Initial, Steps };  ///< {} {*} {INIT} {steps} (4.7)
+    enum class ForcedTo { Empty, Current, Initial, Steps };  ///< {} {*} {INIT} {steps} (clause 7)
     struct ForcingOrder {
         Id<Step> step = {};
         Id<PartialChart> forced = {};
@@ -110,18 +110,18 @@ struct Chart {
         bool operator==(const ForcingOrder&) const = default;
     };
 
-    /// An assumption on the inputs (`constraint`): combinations outside it never occur. It restricts the inputs only
-    /// where they are free; with a plant it is a claim about the plant.
+    /// An assumption on the inputs (`constraint`): combinations outside it never occur. It restricts only free inputs;
+    /// with a plant it is a property to prove.
     struct Constraint {
-        Id<Expr> condition = {};  ///< over inputs alone
+        Id<Expr> condition = {};  ///< over inputs only
         Span origin = {};
         bool operator==(const Constraint&) const = default;
     };
 
-    /// `accept CODE SUBJECT "reason"`: a finding about the chart that its author knows of.
+    /// `accept CODE SUBJECT "reason"`: accepts a finding about the chart.
     struct Acceptance {
         std::string code = {};     ///< see ir/finding.hpp
-        std::string subject = {};  ///< `X4`, `t3`, `LOCK`; empty: whatever it is about
+        std::string subject = {};  ///< `X4`, `t3`, `LOCK`; empty: any subject
         std::string reason = {};
         Span origin = {};
         bool operator==(const Acceptance&) const = default;
@@ -149,14 +149,14 @@ StepName name_of(const Chart& chart, Id<Chart::Step> step);
 /// Its step variable: `X2`, or `G2.X2` for a step of the named partial chart G2.
 std::string step_variable(const Chart& chart, Id<Chart::Step> step);
 
-/// What something of the chart reads, a transition, an action or a time condition that is read.
+/// Terms that are read by a transition, an action, or a time condition that is read.
 struct ReadTerms {
     std::vector<bool> terms = {};            ///< per term of Chart::exprs
-    std::vector<bool> time_conditions = {};  ///< per time condition: it is waited for
+    std::vector<bool> time_conditions = {};  ///< per time condition: true if it is read
 };
 ReadTerms read_terms(const Chart& chart);
 
-/// The invariants that do not hold, one sentence each; empty for a well-formed chart.
+/// The violated invariants, one sentence each; empty for a well-formed chart.
 std::vector<std::string> verify(const Chart& chart);
 
 }  // namespace grafverif

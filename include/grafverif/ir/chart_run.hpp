@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// ChartRun: a run of a closed loop in the words of its charts: what each controller sampled, which transitions each of
-// its evolutions cleared, what it wrote, what the plant did meanwhile. Nothing of the model that the run was found in
-// remains: no location of the PLC, no flag, no variable of the translation. `project` (run/project.hpp) makes one of a
-// run of a Network or of a TransitionSystem, the replay (run/replay.hpp) checks it on the rules of IEC 60848, `tell`
-// (report/tell.hpp) adds the rows that people read, and whoever shows a run reads it and nothing else.
+// ChartRun: a run of a closed loop in terms of its charts: the sampled inputs of each controller, the transitions
+// cleared by its evolutions, the outputs written, and the moves of the plant. It contains no elements of the model in
+// which it was found: no location of the PLC, no flag, no variable of the translation.
+// `project` (run/project.hpp) creates it from a run of a Network or of a TransitionSystem. The replay (run/replay.hpp)
+// checks it on IEC 60848, and `tell` (report/tell.hpp) adds the rows to be printed. All displays use only it.
 //
-// The first moment is the power-on; each further one is one thing that happened, and the state of everything behind it.
-// A row sums up the moments since the row before it: a search for stability, from the sampling of the inputs to the
-// writing of the outputs, is one row, or two where the plant moves meanwhile.
+// The first event is power-on; each further entry is one event with the state after it. A row summarizes the events
+// since the previous row. A search for stability, from the sampling of the inputs to the writing of the outputs, is one
+// row, or two if the plant moves during it.
 //
 // Invariants (see verify): ids in their tables; the values of a state are as many as there are signals; situations are
-// increasing; time never goes back; rows are in the order of their moments; the loop begins at a row.
+// increasing; time never decreases; rows are in the order of their events; the loop begins at a row.
 #pragma once
 
 #include <cstddef>
@@ -30,11 +30,11 @@ namespace grafverif {
 struct ChartRun {
     enum class Kind { Plant, Environment, Timer, Controller, Delay, Observer };
     enum class Role {
-        Input,     ///< what the controllers read of the plant
-        Output,    ///< what they have written
-        Internal,  ///< their internal variables
-        Image,     ///< outputs with stored actions, as they will be written
-        Plant,     ///< what only the plant knows
+        Input,     ///< inputs of controllers from the plant
+        Output,    ///< outputs written by controllers
+        Internal,  ///< internal variables of controllers
+        Image,     ///< outputs with stored actions, before they are written
+        Plant,     ///< variables of the plant only
     };
     struct Signal {
         Role role = Role::Input;
@@ -44,10 +44,10 @@ struct ChartRun {
     };
     struct Step {
         StepName name = {};           ///< in its chart
-        std::string controller = {};  ///< empty: there is one alone
-        std::string short_name = {};  ///< without what is not needed to tell it from the others
+        std::string controller = {};  ///< empty if there is only one
+        std::string short_name = {};  ///< shortest unambiguous name
 
-        /// `2`, `G2.2`; of several controllers `press.2`, `press.G2.2`.
+        /// `2`, `G2.2`; with several controllers `press.2`, `press.G2.2`.
         std::string full_name() const { return (controller.empty() ? "" : controller + ".") + name.text(); }
         bool operator==(const Step&) const = default;
     };
@@ -56,26 +56,26 @@ struct ChartRun {
         bool operator==(const Transition&) const = default;
     };
     struct Timer {
-        std::string name = {};                  ///< who is said to end: the timer, or its controller
-        std::string watched = {};               ///< as conditions write it: `X2`, `a`; of a longer term empty
-        std::optional<std::size_t> step = {};   ///< the step it watches, in Controller::steps
+        std::string name = {};                  ///< displayed name: of the timer, or of its controller
+        std::string watched = {};               ///< in the notation of conditions: `X2`, `a`; empty for other terms
+        std::optional<std::size_t> step = {};   ///< the observed step, in Controller::steps
         std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2
-        bool exact = false;                     ///< it is to be over exactly when the rules say so
+        bool exact = false;                     ///< expires exactly at the time given by the rules
         bool operator==(const Timer&) const = default;
     };
-    /// Lists are in the order of the chart's tables; of variables, of those of the kind.
+    /// Lists are in the order of the chart's tables; lists of variables, in the order of those of that kind.
     struct Controller {
         std::string name = {};
         ExecutionMode mode = ExecutionMode::StabilitySearch;
         std::vector<Id<Step>> steps = {};
         std::vector<Id<Transition>> transitions = {};
         std::vector<Id<Signal>> inputs = {}, outputs = {}, internals = {};
-        std::vector<Id<Signal>> images = {};  ///< per output; not valid: it has none, or the model shows none
+        std::vector<Id<Signal>> images = {};  ///< per output; invalid: it has none, or the model does not show it
         std::vector<Id<Timer>> timers = {};
         std::vector<std::optional<std::size_t>> conditions = {};  ///< per time condition: its timer, if any
         bool operator==(const Controller&) const = default;
     };
-    /// An instance of the loop, or a timer that is told like one.
+    /// An instance of the loop, or a timer displayed like one.
     struct Instance {
         Kind kind = Kind::Plant;
         std::string name = {};
@@ -83,55 +83,54 @@ struct ChartRun {
         bool operator==(const Instance&) const = default;
     };
 
-    /// What one controller did in a moment: one phase of its cycle, or several at once.
+    /// Actions of one controller in an event: one phase of its cycle, or several together.
     struct Act {
         enum class Writes { No, IfStable, Yes };
         Id<Controller> controller = {};
         bool begins = false;                    ///< a cycle begins
-        bool starts = false;                    ///< the first evolution after power-on; it finds no timer over
-        bool samples = false;                   ///< inputs and ends of timers are read
+        bool starts = false;                    ///< the first evolution after power-on; all timers are false
+        bool samples = false;                   ///< inputs and timer outputs are sampled
         bool evolves = false;                   ///< one evolution
         Writes writes = Writes::No;             ///< outputs are written
         std::vector<std::int64_t> inputs = {};  ///< as sampled
-        std::vector<bool> timers = {};          ///< as sampled: whether it is over
-        /// Of an evolution: the timers whose t1 was over when the situation changed; empty: those sampled.
+        std::vector<bool> timers = {};          ///< sampled outputs
+        /// For an evolution: the timers whose t1 had elapsed when the situation changed; empty: those sampled.
         std::vector<bool> done = {};
-        std::vector<Id<Transition>> fired = {};      ///< cleared; of a sampling alone, those to be cleared
-        std::optional<bool> stable = {}, race = {};  ///< behind the evolution, where the model says so
+        std::vector<Id<Transition>> fired = {};      ///< cleared; for a sampling alone, those to be cleared
+        std::optional<bool> stable = {}, race = {};  ///< after the evolution, if the model includes them
         bool operator==(const Act&) const = default;
     };
     struct State {
-        std::int64_t time_ms = 0;  ///< of an untimed run: steps of the model so far
+        std::int64_t time_ms = 0;  ///< in an untimed run: number of steps of the model so far
         std::vector<Id<Step>> situation = {};
         std::vector<std::int64_t> values = {};  ///< per signal
         bool operator==(const State&) const = default;
     };
     struct Moment {
         Kind kind = Kind::Controller;
-        bool internal = false;  ///< of the model, not of the loop
-        std::size_t move = 0;   ///< of the run that this one was made of
+        bool internal = false;  ///< internal to the model
+        std::size_t move = 0;   ///< index in the original run
         std::vector<Act> acts = {};
-        Id<Instance> instance = {};                ///< the one that moved
-        std::optional<std::size_t> location = {};  ///< where it went
-        std::vector<Id<Signal>> changed = {};      ///< what it changed
-        Id<Timer> timer = {};                      ///< the one whose delay is over
-        bool timer_holds = false;                  ///< and what `t1/v/t2` is then
+        Id<Instance> instance = {};                ///< the instance that moved
+        std::optional<std::size_t> location = {};  ///< its new location
+        std::vector<Id<Signal>> changed = {};      ///< changed signals
+        Id<Timer> timer = {};                      ///< the timer whose delay has elapsed
+        bool timer_holds = false;                  ///< new value of `t1/v/t2`
         State after = {};
         bool operator==(const Moment&) const = default;
     };
     struct Row {
         Kind kind = Kind::Plant;
-        std::string component = {};  ///< the instance, the controller, the timer; of a delay empty
+        std::string component = {};  ///< the instance, the controller or the timer; empty for a delay
         std::string what = {};       ///< `going_out, H 4 -> 6`; may be empty
-        std::vector<std::vector<Id<Transition>>> fired = {};  ///< one list per evolution that cleared any
-        bool internal = false;                                ///< of the translation, for those who want to see all
-        std::size_t moment = 0;                               ///< the state behind it is the one behind this moment
+        std::vector<std::vector<Id<Transition>>> fired = {};  ///< one list per evolution that cleared transitions
+        bool internal = false;                                ///< internal to the translation; shown on request
+        std::size_t moment = 0;                               ///< the state after the row is that after this event
         bool operator==(const Row&) const = default;
     };
 
-    /// A value that makes the property fail that the run shows violated (explain/causes.hpp says what that is): of a signal, of
-    /// a step (1: it is active), of an instance (1: it is at `location`), or of a time that has a name (1: it is over). The
-    /// others are not valid.
+    /// A value that causes the violation (explain/causes.hpp). It is a value of a signal, of a step (1: active), of an
+    /// instance (1: at `location`), or of a named time condition (1: true). The other ids are invalid.
     struct Cause {
         Id<Signal> signal = {};
         Id<Step> step = {};
@@ -139,11 +138,11 @@ struct ChartRun {
         Id<Timer> timer = {};
         std::size_t location = 0;
         std::int64_t value = 0;
-        std::size_t first = 0, last = 0;  ///< behind these moments, and each between them, it is one
+        std::size_t first = 0, last = 0;  ///< a cause after these events and each between them
         bool operator==(const Cause&) const = default;
     };
 
-    /// What a signal becomes at a moment, or a time that is over then, and could have been without: one of the two is valid.
+    /// An avoidable change: of a signal at an event, or the expiry of a timer; one of the two ids is valid.
     struct LeftOut {
         std::size_t moment = 0;
         Id<Signal> signal = {};
@@ -151,9 +150,9 @@ struct ChartRun {
         bool operator==(const LeftOut&) const = default;
     };
 
-    std::string name = {};  ///< the loop
-    bool timed = true;      ///< false: of a model that knows no time
-    bool searches = true;   ///< a search for stability is one row; false: each evolution is
+    std::string name = {};  ///< name of the loop
+    bool timed = true;      ///< false: of an untimed model
+    bool searches = true;   ///< a search for stability is one row; false: each evolution is a row
     Table<Controller> controllers = {};
     Table<Step> steps = {};
     Table<Transition> transitions = {};
@@ -161,16 +160,15 @@ struct ChartRun {
     Table<Signal> signals = {};
     Table<Instance> instances = {};
     std::vector<Moment> moments = {};
-    std::optional<std::size_t> loop = {};       ///< the moments from here on repeat for ever; none: nothing happens
-    std::optional<std::size_t> broken_at = {};  ///< the move of the run that could not be made; the rest is missing
+    std::optional<std::size_t> loop = {};       ///< the events from here on repeat forever; empty: no further event
+    std::optional<std::size_t> broken_at = {};  ///< the first move of the run that failed; the rest is missing
     std::vector<Row> rows = {};
     std::optional<std::size_t> loop_from = {};  ///< the same loop, in rows
-    std::vector<Cause> causes = {};             ///< by their first moment
-    bool causes_exact = true;                   ///< false: some may be missing, and some may be none
-    /// The fewest free moves without which the property holds along the run (explain/change.hpp), as moments; empty: none
-    /// were looked for, or found.
+    std::vector<Cause> causes = {};             ///< ordered by their first event
+    bool causes_exact = true;                   ///< false: causes may be missing or wrong
+    /// A smallest set of avoidable free moves (explain/change.hpp), as events; empty: none searched, or found.
     std::vector<std::size_t> left_out = {};
-    /// Where inputs and times are free, what they become is (explain/inputs.hpp), one by one; by their moments.
+    /// The same for single values, if inputs and times are free (explain/inputs.hpp); ordered by event.
     std::vector<LeftOut> left_out_values = {};
 
     const State& after(const Row& row) const { return moments[row.moment].after; }
@@ -178,9 +176,9 @@ struct ChartRun {
     bool operator==(const ChartRun&) const = default;
 };
 
-/// The rows to show to people: all but the delays whose end the next row tells anyhow, where the loop keeps its shape.
+/// The rows to display: all except delays whose end the next row shows, if the loop keeps its shape.
 std::vector<std::size_t> shown_rows(const ChartRun& run);
-/// Whether row `index` is one of them.
+/// True if row `index` is one of them.
 bool is_shown(const ChartRun& run, std::size_t index);
 
 /// The signals of one role, in order.
@@ -193,10 +191,10 @@ std::string_view word(ChartRun::Kind kind);
 /// `input`, `output`, `internal`, `image`, `plant`.
 std::string_view word(ChartRun::Role role);
 
-/// Gives each step its name without any partial chart and controller for a short one, where that is enough to know it by.
+/// Sets the short name of each step to its name without partial chart and controller, if this is unambiguous.
 void shorten_names(Table<ChartRun::Step>& steps);
 
-/// When a state is: its time, `12 s`, or the number of steps, `3`.
+/// Time of a state: `12 s`, or the number of steps, `3`.
 std::string moment_text(const ChartRun& run, const ChartRun::State& state);
 
 /// `0 s`, `12 s`, `0.25 s`.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Choice: something that may be chosen now in a simulation.
+// Choice: a possible next move in a simulation.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 namespace grafverif {
 
 struct Choice {
-    std::string words = {};    ///< what would happen: `Start: START`
-    std::string command = {};  ///< the line of a script that chooses it
+    std::string words = {};    ///< description of the move: `Start: START`
+    std::string command = {};  ///< the script command that makes this choice
     bool operator==(const Choice&) const = default;
 };
 

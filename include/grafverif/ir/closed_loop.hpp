@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// ClosedLoop: controllers (charts) and the instances of the plant and its environment, wired by shared variables, and
-// the properties to prove; names resolved, nothing composed yet. Model: all that one input file and its includes hold.
+// ClosedLoop: controllers (charts) and the instances of the plant and its environment, connected by shared variables,
+// and the properties to prove. Names are resolved, but nothing is composed yet. Model: the contents of one input file
+// and its includes.
 //
 // Invariants (see verify): every id is in its table; every input of every controller and every input of every instance
 // is driven by exactly one instance output or controller output; types agree at both ends.
@@ -30,34 +31,34 @@ struct ClosedLoop {
         bool operator==(const Controller&) const = default;
     };
 
-    /// A variable shared by instances and controllers: a controller's input or output, or one of the plant's own.
+    /// A variable shared by instances and controllers: a controller's input or output, or a variable of the plant.
     struct Shared {
         std::string name = {};
-        Type type = {};  ///< of a plant variable: the range its writer declares, arguments applied
+        Type type = {};  ///< for a plant variable: the range declared by its writer, with arguments applied
         Id<Controller> reader =
-            {};  ///< the first controller with this input (others have one of that name); else not valid
-        Id<Controller> writer = {};         ///< the controller whose output it is; else not valid
-        Id<Chart::Variable> variable = {};  ///< in the chart of the writer, else of the reader, where one is valid
+            {};  ///< the first controller with this input (others have one of that name); otherwise invalid
+        Id<Controller> writer = {};         ///< the controller whose output it is; otherwise invalid
+        Id<Chart::Variable> variable = {};  ///< in the chart of the writer, otherwise of the reader, if one is valid
         Span origin = {};
         bool operator==(const Shared&) const = default;
     };
 
-    /// What a parameter of the component is bound to: a shared variable, a constant (Booleans 0 and 1, durations in ms),
-    /// or, of an input, a term over shared variables in `exprs`: wherever the component reads the input, it reads the term.
+    /// Value bound to a parameter of the component: a shared variable, a constant (Booleans 0 and 1, durations in ms),
+    /// or for an input a term over shared variables in `exprs`, which replaces the input in the component.
     using Argument = std::variant<Id<Shared>, std::int64_t, Id<Expr>>;
 
     struct Instance {
         std::string name = {};
         Id<Component> component = {};          ///< in Model::components
-        std::vector<Argument> arguments = {};  ///< one per parameter, defaults applied
+        std::vector<Argument> arguments = {};  ///< per parameter, defaults applied
         Id<Component::Location> initial = {};
         bool environment = false;
         Span origin = {};
         bool operator==(const Instance&) const = default;
     };
 
-    /// An automaton that watches (DESDES06 section 4, Fig. 6): in each step of an untimed model it takes the first of
-    /// its edges whose guard holds, or stays. Guards are expressions of the loop, like the operands of properties.
+    /// A monitoring automaton (DESDES06 section 4, Fig. 6): in each step of an untimed model it takes the first of its
+    /// edges whose guard holds, or stays. Guards are expressions of the loop, like the operands of properties.
     struct ObserverLocation {
         std::string name = {};
         Span origin = {};
@@ -78,19 +79,18 @@ struct ClosedLoop {
         bool operator==(const Observer&) const = default;
     };
 
-    /// Something that is said to hold always of the inputs of the controllers: assumed where they are free, a property
-    /// to prove beside plant automata. Written in the loop, in the chart of a controller, or in a component whose outputs
-    /// are meant.
+    /// A condition on the inputs of the controllers: assumed if they are free, a property to prove if there are plant
+    /// automata. It is declared in the loop, in the chart of a controller, or in a component for its outputs.
     struct Constraint {
         std::string name = {};  ///< `constraint_1`, `H_Cyl_constraint_1`
         Id<Expr> condition = {};
-        Id<Controller> controller = {};  ///< whose chart says so; else not valid
-        Id<Instance> instance = {};      ///< whose component says so; else not valid
+        Id<Controller> controller = {};  ///< that declares it in its chart; otherwise invalid
+        Id<Instance> instance = {};      ///< that declares it in its component; otherwise invalid
         Span origin = {};
         bool operator==(const Constraint&) const = default;
     };
 
-    /// What a name in a property stands for.
+    /// Meaning of a name in a property.
     struct SharedSymbol {
         Id<Shared> shared = {};
         bool operator==(const SharedSymbol&) const = default;
@@ -110,21 +110,21 @@ struct ClosedLoop {
         Id<Component::Location> location = {};
         bool operator==(const LocationSymbol&) const = default;
     };
-    /// A variable of an instance's own.
+    /// An internal variable of an instance.
     struct OwnSymbol {
         Id<Instance> instance = {};
         Id<Component::Variable> variable = {};
         bool operator==(const OwnSymbol&) const = default;
     };
-    /// The end of a timer of a chart: what `t1/v/t2` is to the controller beside v itself (IEC 60848, 4.4).
+    /// The output of a timer of a chart: what `t1/v/t2` reads in addition to v (IEC 60848, time-dependent conditions).
     struct TimeSymbol {
         Id<Controller> controller = {};
-        Id<Chart::TimeCondition> condition = {};  ///< of the chart; not valid: what times continuous actions of `step`
+        Id<Chart::TimeCondition> condition = {};  ///< in the chart; invalid: the time of continuous actions of `step`
         Id<Chart::Step> step = {};
-        std::int64_t rise_ms = 0;  ///< of `step`: their delay, or the end of their limit
+        std::int64_t rise_ms = 0;  ///< for `step`: their delay, or the end of their limit
         bool operator==(const TimeSymbol&) const = default;
     };
-    /// An observer is at a location.
+    /// An observer is in a location.
     struct ObserverSymbol {
         Id<Observer> observer = {};
         Id<ObserverLocation> location = {};
@@ -135,17 +135,17 @@ struct ClosedLoop {
 
     std::string name = {};
     Grain grain = Grain::Phased;
-    std::optional<std::int64_t> time_unit_ms = {};  ///< as written; else the greatest common divisor is taken
+    std::optional<std::int64_t> time_unit_ms = {};  ///< if declared; otherwise the greatest common divisor
     std::vector<NamedConstant> constants = {};
     Table<Controller> controllers = {};
     Table<Shared> shared = {};
     Table<Instance> instances = {};
-    Exprs exprs = {};  ///< of properties, constraints, observers; Variable leaves -> symbols
+    Exprs exprs = {};  ///< for properties, constraints, observers; Variable leaves -> symbols
     Table<Symbol> symbols = {};
     Table<Property> properties = {};
     Table<Constraint> constraints = {};
     Table<Observer> observers = {};
-    std::optional<Schedule> schedule = {};  ///< as written; else interleaved
+    std::optional<Schedule> schedule = {};  ///< declared schedule; otherwise interleaved
     Span time_unit_origin = {};
     Span origin = {};
 
@@ -154,7 +154,7 @@ struct ClosedLoop {
 
 struct Model {
     Table<Chart> charts = {};
-    Table<Component> components = {};  ///< those written in the input and those of the library that are used
+    Table<Component> components = {};  ///< those in the input and the used ones of the library
     Table<ClosedLoop> loops = {};
 
     bool operator==(const Model&) const = default;
@@ -165,20 +165,19 @@ std::vector<std::string> verify(const ClosedLoop& loop, const Model& model);
 /// The shared variables that an argument reads or writes, each once.
 std::vector<Id<ClosedLoop::Shared>> shared_in(const ClosedLoop& loop, const ClosedLoop::Argument& argument);
 
-/// Where the variable stands among the arguments of its process in a Network: behind those of the parameters, inputs that
-/// are terms apart.
+/// Index of the variable in the arguments of its process in a Network: after those of parameters that are not terms.
 std::size_t own_argument(const ClosedLoop& loop, const ClosedLoop::OwnSymbol& symbol);
 
-/// Whether something of the chart waits for it, so that there is such a timer.
+/// True if the chart reads the time condition, so that it has a timer.
 bool is_waited_for(const Chart& chart, const ClosedLoop::TimeSymbol& symbol);
-/// Likewise of all that a property of the loop reads: in a chart that was changed afterwards perhaps nothing waits any more.
+/// True if all timers that a property of the loop reads exist; in a chart that was changed afterwards they may not.
 bool has_its_timers(const ClosedLoop& loop, const Property& property, const Model& model);
-/// The variable of the equations of its controller's chart that is the end of that timer, which something waits for.
+/// The variable for the output of that timer in the equations of its controller's chart. Requires is_waited_for.
 Id<Equations::Variable> end_of(const Equations& equations, const ClosedLoop::TimeSymbol& symbol);
 
-/// Whether an operand of `property` asks where an observer is: untimed models alone have observers.
+/// True if an operand of `property` reads the location of an observer; only untimed models have observers.
 bool reads_observer(const ClosedLoop& loop, const Property& property);
-/// Of every chart, component and loop.
+/// Checks every chart, component and loop.
 std::vector<std::string> verify(const Model& model);
 
 }  // namespace grafverif

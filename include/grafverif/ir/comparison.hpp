@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Comparison: whether two charts with the same inputs and outputs answer every sequence of scans alike, and what their texts
-// say that is not the same.
+// Comparison: result of comparing two charts with the same inputs and outputs: equality for every sequence of scans,
+// and textual differences.
 //
-// A scan is one cycle of a PLC: inputs are read, outputs are written as the mode has it. The charts are equal where after
-// every scan of every sequence, whatever the inputs are and however much time passes between scans, in steps of
-// `resolution_ms`, both have written the same outputs, or both have stopped: by a race, a value that does not exist or fit, or
-// for want of a stable situation. What comes after a stop is not looked at.
+// A scan is one cycle of a PLC: inputs are read, outputs are written according to the mode. The charts are equal if,
+// after every scan of every sequence, both have written the same outputs or both have stopped. Inputs are arbitrary,
+// and the time between scans is any multiple of `resolution_ms`. A chart stops by a race, an undefined or out-of-range
+// value, or if no stable situation exists. Scans after a stop are not compared.
 #pragma once
 
 #include <array>
@@ -19,12 +19,12 @@
 
 namespace grafverif {
 
-/// One place where the text of a chart is another: a step, a transition, an action, a variable.
+/// A textual difference between the charts: a step, a transition, an action, a variable.
 struct ChartChange {
     enum class Kind { Added, Removed, Changed, Renamed };
     Kind kind = Kind::Changed;
     std::string subject = {};             ///< `step 2`, `transition t3`, `input START`, `action of step 2`
-    std::string before = {}, after = {};  ///< as the text has it; of what was added or removed one is empty
+    std::string before = {}, after = {};  ///< as in the text; one is empty if it was added or removed
     bool operator==(const ChartChange&) const = default;
 };
 
@@ -36,16 +36,16 @@ struct Comparison {
         bool operator==(const Variable&) const = default;
     };
     struct Scan {
-        std::int64_t wait_ms = 0;               ///< since the scan before
+        std::int64_t wait_ms = 0;               ///< since the previous scan
         std::vector<std::int64_t> inputs = {};  ///< in the order of Comparison::inputs
         bool operator==(const Scan&) const = default;
     };
-    /// What a chart does in a scan.
+    /// Response of a chart to a scan.
     struct Answer {
         std::vector<std::int64_t> outputs = {};  ///< in the order of Comparison::outputs
         std::string situation = {};              ///< after it: `{2, 5}`
-        std::string stop = {};                   ///< why there is none; empty: there is
-        /// Whether somebody at the outputs sees the same.
+        std::string stop = {};                   ///< reason why there are no outputs; empty if there are
+        /// True if the responses are equal at the outputs.
         bool same(const Answer& other) const {
             return stop.empty() == other.stop.empty() && (!stop.empty() || outputs == other.outputs);
         }
@@ -54,17 +54,17 @@ struct Comparison {
 
     std::array<std::string, 2> charts = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    std::array<std::string, 2> from = {};  ///< the situations that both begin with, as asked for; empty: their own
-    std::int64_t resolution_ms = 0;        ///< time passes in whole multiples of it; 0: neither chart knows time
+    std::array<std::string, 2> from = {};  ///< initial situations selected by the user; empty: those of the charts
+    std::int64_t resolution_ms = 0;        ///< time passes in multiples of it; 0: both charts are independent of time
     bool constrained = false;              ///< the constraints of both are assumed
     std::vector<Variable> inputs = {}, outputs = {};
     Outcome outcome = Outcome::Unknown;
-    std::string reason = {};                          ///< of an unknown outcome
-    std::vector<Scan> scans = {};                     ///< of different charts: what tells them apart, in the last scan
+    std::string reason = {};                          ///< if the outcome is unknown
+    std::vector<Scan> scans = {};                     ///< if different: the last scan distinguishes the charts
     std::array<std::vector<Answer>, 2> answers = {};  ///< per scan
-    bool shortest = false;                            ///< no sequence of fewer scans does
+    bool shortest = false;                            ///< no shorter sequence exists
     std::vector<ChartChange> changes = {};
-    std::vector<std::string> failures = {};  ///< ours: a sequence that the rules do not confirm
+    std::vector<std::string> failures = {};  ///< internal errors: a sequence that fails the replay
     double seconds = 0;
 
     bool operator==(const Comparison&) const = default;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Component: a timed automaton with discrete data and parameters (TADD; CEP13 section 2), as written in our language,
-// names resolved. An edge is the 7-tuple (l, g, t, u, a, r, l') of CEP13 2.3: guard over data, clock constraint, urgency,
-// assignments, clock resets.
+// Component: a timed automaton with discrete data and parameters (TADD; CEP13 section 2), as written in the input
+// language, names resolved. An edge is the 7-tuple (l, g, t, u, a, r, l') of CEP13 2.3: guard over data, clock
+// constraint, urgency, assignments, clock resets.
 //
-// Expressions live in `exprs`; their leaves are Parameter (-> parameters) and Variable (-> variables, the component's
-// own). A duration is a Duration leaf (milliseconds), a Parameter of kind Duration, a sum of durations, or an integer
-// times a duration.
+// Expressions are stored in `exprs`; their leaves are Parameter (-> parameters) and Variable (-> internal variables of
+// the component). A duration is a Duration leaf (milliseconds), a Parameter of kind Duration, a sum of durations, or an
+// integer times a duration.
 //
 // Invariants (see verify): every id is in its table; an urgent edge has no clock constraint (CEP13 2.3); an invariant
-// has upper bounds only; only outputs and own variables are assigned; types agree.
+// has upper bounds only; only outputs and internal variables are assigned; types agree.
 #pragma once
 
 #include <cstdint>
@@ -31,12 +31,12 @@ struct Component {
         ParameterKind kind = ParameterKind::Input;
         ValueKind value = ValueKind::Boolean;
         std::optional<Id<Expr>> low = {}, high = {};  ///< range of an integer output, over earlier constants
-        std::optional<Id<Expr>> initial = {};  ///< constant: default value; output: value at power-on (else 0 or `low`)
+        std::optional<Id<Expr>> initial = {};  ///< constant: default; output: value at power-on (default 0 or `low`)
         Span origin = {};
         bool operator==(const Parameter&) const = default;
     };
 
-    /// A variable of each instance's own.
+    /// An internal variable of each instance.
     struct Variable {
         std::string name = {};
         ValueKind value = ValueKind::Boolean;
@@ -72,7 +72,7 @@ struct Component {
     struct Location {
         std::string name = {};
         std::vector<ClockConstraint> invariant = {};
-        std::vector<Assignment> initially = {};  ///< values at power-on where the instance starts here (`with`)
+        std::vector<Assignment> initially = {};  ///< values at power-on if the instance starts here (`with`)
         Span origin = {};
         bool operator==(const Location&) const = default;
     };
@@ -82,13 +82,13 @@ struct Component {
         bool urgent = false;
         Id<Expr> guard = {};
         std::vector<ClockConstraint> constraint = {};  ///< a conjunction
-        std::vector<Assignment> assignments = {};      ///< in order; each sees the ones before it
+        std::vector<Assignment> assignments = {};      ///< in order; each uses the results of those before it
         std::vector<Id<Clock>> resets = {};
         Span origin = {};
         bool operator==(const Edge&) const = default;
     };
 
-    /// Always true of the outputs, whatever the inputs do.
+    /// A condition on the outputs that holds for all inputs.
     struct Constraint {
         Id<Expr> condition = {};
         Span origin = {};
@@ -103,7 +103,7 @@ struct Component {
     Table<Clock> clocks = {};
     Table<Location> locations = {};
     Table<Edge> edges = {};
-    Id<Location> initial = {};  ///< not valid: every instance must say `initially`
+    Id<Location> initial = {};  ///< invalid: every instance must specify `initially`
     std::vector<Constraint> constraints = {};
     Span origin = {};
 

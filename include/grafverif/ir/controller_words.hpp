@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// ControllerWords: what the variables of a model are to the chart of one of its controllers. What a report needs to
-// tell a run of a Network or of a TransitionSystem in the words of the chart, and a replay to compare it with the
-// chart. Names are those of the chart; lists are in its order.
+// ControllerWords: maps the variables of a model to the chart of one of its controllers. Used by reports to express a
+// run of a Network or of a TransitionSystem in terms of the chart, and by the replay to compare it with the chart.
+// Names are those of the chart; lists are in its order.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@
 
 namespace grafverif {
 
-/// `Variable`: what a state of the model gives a value.
+/// `Variable`: type of the model's state variables.
 template <class Variable>
 struct ControllerWords {
     struct Step {
@@ -31,22 +31,22 @@ struct ControllerWords {
     };
     struct Timer {
         Id<Variable> end = {};
-        std::optional<std::size_t> step = {};   ///< whose time it is, index in `steps`; empty: of another term
+        std::optional<std::size_t> step = {};   ///< the observed step, index in `steps`; empty for another term
         std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2
-        std::string watched = {};               ///< that term as conditions write it: `X2`, `a`; empty for a longer one
+        std::string watched = {};               ///< the observed term as in conditions: `X2`, `a`; otherwise empty
         bool operator==(const Timer&) const = default;
     };
 
     std::string name = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     std::vector<Step> steps = {};
-    std::vector<Named> transitions = {};  ///< its firing condition
+    std::vector<Named> transitions = {};  ///< with their firing conditions
     std::vector<Named> inputs = {};
     std::vector<Named> outputs = {};  ///< as written to the plant
     std::vector<Named> internals = {};
     std::vector<Timer> timers = {};
     std::vector<std::optional<std::size_t>> conditions =
-        {};  ///< per time condition: its timer; empty: none waits for it
+        {};  ///< per time condition: its timer; empty if it is not read
     bool operator==(const ControllerWords&) const = default;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Drawing: boxes, lines and texts with places, between a layout and what shows it. Every mark belongs to an element of
-// what is drawn: a step, a transition, a link.
+// Drawing: boxes, lines and texts with positions; the result of layout. Every shape belongs to an element of the
+// drawing: a step, a transition, a link.
 //
-// An element of a chart has an id and classes that others may rely on (docs/drawing.md): `step-3` or `step-G1-3` with
-// the classes `step`, `initial`, `macro`, ...; `transition-T4`, `condition-T4`, `action-c0`, `forcing-0`. A link has no
-// id, but says what it joins.
+// An element of a chart has an id and classes, which are part of the interface (docs/drawing.md): `step-3` or
+// `step-G1-3` with the classes `step`, `initial`, `macro`, ...; `transition-T4`, `condition-T4`, `action-c0`,
+// `forcing-0`. A link has no id, but data about its ends.
 #pragma once
 
 #include <string>
@@ -26,13 +26,13 @@ struct Drawing {
         bool operator==(const Size&) const = default;
     };
     struct Box {
-        Point at = {};  ///< its upper left corner
+        Point at = {};  ///< upper left corner
         Size size = {};
-        int cut = 0;          ///< how much is cut off each corner
-        bool filled = false;  ///< a bar, a mark; else only its outline is drawn
+        int cut = 0;          ///< length cut off at each corner
+        bool filled = false;  ///< a bar or mark; otherwise only its outline is drawn
         bool operator==(const Box&) const = default;
     };
-    /// Straight pieces, each across or along the page.
+    /// Horizontal and vertical segments.
     struct Line {
         std::vector<Point> points = {};
         bool arrow = false;  ///< at its end
@@ -40,25 +40,25 @@ struct Drawing {
     };
     struct Run {
         std::string text = {};
-        bool over = false;  ///< with a line above: negated
+        bool over = false;  ///< with an overline: negated
         bool operator==(const Run&) const = default;
     };
     enum class Anchor { Start, Middle, End };
     /// One line of text.
     struct Text {
-        Point at = {};  ///< its anchor, on the base line
+        Point at = {};  ///< anchor on the base line
         std::vector<Run> runs = {};
         Anchor anchor = Anchor::Start;
-        int size = 12;          ///< of the font
-        int width = 0;          ///< room that it needs, and has, in any of the fonts of `font_family`
-        std::string kind = {};  ///< its class: `name`, `label`, `reference`
+        int size = 12;          ///< font size
+        int width = 0;          ///< upper bound for its width in all fonts of `font_family`
+        std::string kind = {};  ///< class: `name`, `label`, `reference`
         bool operator==(const Text&) const = default;
     };
     struct Element {
         std::string id = {};                                         ///< may be empty
-        std::string classes = {};                                    ///< separated by blanks
-        std::string title = {};                                      ///< for who points at it, or has it read out
-        std::vector<std::pair<std::string, std::string>> data = {};  ///< `from`, `to` of a link
+        std::string classes = {};                                    ///< separated by spaces
+        std::string title = {};                                      ///< tooltip and text for screen readers
+        std::vector<std::pair<std::string, std::string>> data = {};  ///< `from`, `to` for a link
         std::vector<Box> boxes = {};
         std::vector<Line> lines = {};
         std::vector<Text> texts = {};
@@ -72,18 +72,17 @@ struct Drawing {
     bool operator==(const Drawing&) const = default;
 };
 
-/// How logic is written: `a·b̅` as the standard does, or `a && !b` as the file does.
+/// Notation of logic: `a·b̅` of the standard, or `a && !b` of the input language.
 enum class Notation { Iec, Text };
 
 struct DrawOptions {
     Notation notation = Notation::Iec;
-    std::vector<Id<Chart::Step>> situation = {};  ///< to be marked as active
-    int columns = 0;                              ///< into which long charts are folded; 0: as many as a page takes
-    std::string prefix = {};                      ///< before every id, where several charts stand on a page
+    std::vector<Id<Chart::Step>> situation = {};  ///< steps to be marked as active
+    int columns = 0;                              ///< into which long charts are folded; 0: chosen by page shape
+    std::string prefix = {};                      ///< of all ids, for several charts on one page
 };
 
-/// The ids of a chart's elements in its drawing, in the order of the chart's tables. An id has letters, digits, `-` and
-/// `_` only; no two are equal.
+/// The ids of a chart's elements, in the order of its tables: unique, with letters, digits, `-` and `_` only.
 struct ElementIds {
     std::vector<std::string> steps = {}, transitions = {}, conditions = {}, partial_charts = {};
     std::vector<std::string> continuous = {}, stored = {}, forcing = {};

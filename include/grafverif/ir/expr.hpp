@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Expr: the expressions of every IR. Each IR owns one append-only, hash-consing Exprs table, so that an equal term is
-// an equal id, and children come before parents: evaluation, substitution and support sets are one forward loop.
+// Expr: the expressions of every IR. Each IR owns one append-only, hash-consing Exprs table, so that equal terms have
+// equal ids, and children come before parents: evaluation, substitution and support sets are one forward loop.
 //
-// The smart constructors fold constants, drop neutral and repeated operands and cancel double negation; they keep the
+// The smart constructors fold constants, drop neutral and repeated operands and cancel double negation. They keep the
 // order of operands as written and the grouping of mixed operators, so that a model reads like its chart. `conjunction`
-// and `disjunction` are n-ary and flatten operands of their own kind.
+// and `disjunction` are n-ary and flatten operands with the same operator.
 //
 // Leaves carry an index whose table depends on the owner:
 //   Variable   the owner's table of variables (Chart::variables, Equations::variables, Network::variables, ...)
-//   Step       Chart::steps: the step variable X of a step (IEC 60848, 4.3); only in Chart
+//   Step       Chart::steps: the step variable X of a step (IEC 60848, step variables); only in Chart
 //   Timed      Chart::time_conditions; only in Chart
 //   Parameter  the parameters of the enclosing Component or Network template
-//   At         Network: a process is at a location; only in properties and `settled`
+//   At         Network: a process is in a location; only in properties and `settled`
 //   Integer    a number; Duration: milliseconds (only in Component)
 //
-// Integers are 64-bit; an operation that would overflow is not folded, and evaluation reports it.
-// Divide and Modulo truncate towards zero as in C (UPPAAL and NuSMV do the same for the operands we allow).
+// Integers are 64-bit; an operation that would overflow is not folded, and evaluation reports it. Divide and Modulo
+// truncate towards zero as in C (UPPAAL and NuSMV do the same for the allowed operands).
 #pragma once
 
 #include <cstdint>
@@ -43,7 +43,7 @@ enum class Op : std::uint8_t {
     At,  // leaves
     Not,
     And,
-    Or,  // Boolean; And and Or take two or more operands
+    Or,  // Boolean; And and Or have two or more operands
     Rise,
     Fall,  // edges of a Boolean term; only in Chart
     Equal,
@@ -51,7 +51,7 @@ enum class Op : std::uint8_t {
     Less,
     LessEqual,
     Greater,
-    GreaterEqual,  // comparisons (Equal, NotEqual: of two Booleans too)
+    GreaterEqual,  // comparisons (Equal, NotEqual: also of two Booleans)
     Negate,
     Plus,
     Minus,
@@ -63,7 +63,7 @@ enum class Op : std::uint8_t {
 
 struct Expr {
     Op op = Op::False;
-    std::int64_t value = 0;   ///< Integer, Duration: the number; leaves: the index; else 0
+    std::int64_t value = 0;   ///< Integer, Duration: the number; leaves: the index; otherwise 0
     std::uint32_t first = 0;  ///< operands: Exprs::operands(id)
     std::uint32_t count = 0;
 };
@@ -82,7 +82,7 @@ public:
     Id<Expr> disjunction(std::span<const Id<Expr>> operands);  ///< Or; empty: false
     Id<Expr> disjunction(Id<Expr> left, Id<Expr> right);
     Id<Expr> conditional(Id<Expr> condition, Id<Expr> then, Id<Expr> otherwise);
-    /// Any other operator over its operands; And, Or, Not and Conditional are passed on to the functions above.
+    /// Any other operator with its operands; And, Or, Not and Conditional are forwarded to the functions above.
     Id<Expr> apply(Op op, std::span<const Id<Expr>> operands);
     Id<Expr> apply(Op op, Id<Expr> left, Id<Expr> right);
 
@@ -107,34 +107,33 @@ bool is_constant(Op op);
 bool is_leaf(Op op);
 bool is_comparison(Op op);
 bool is_arithmetic(Op op);
-/// Whether `id` is the constant `value`.
+/// True if `id` is the constant `value`.
 bool is_true(const Exprs& exprs, Id<Expr> id);
 bool is_false(const Exprs& exprs, Id<Expr> id);
 
-/// At: its two indices.
+/// The two indices of an At leaf.
 std::uint32_t at_process(const Expr& node);
 std::uint32_t at_location(const Expr& node);
 
-/// The value of `root`, Booleans as 0 and 1; `leaf` gives the value of each leaf met, and of each edge. Empty when an operation has no
-/// value: division by zero, or a result outside 64 bits.
-/// Walks the term, not the table; depth is bounded by the reader (see read/text: `too-deep`).
+/// The value of `root`, Booleans as 0 and 1; `leaf` returns the value of each leaf and each edge. Empty if an operation
+/// is undefined: division by zero, or a result outside 64 bits.
+/// Traverses the term, not the table; the reader limits the depth (see read/text: `too-deep`).
 std::optional<std::int64_t> evaluate(const Exprs& exprs, Id<Expr> root,
                                      const std::function<std::int64_t(const Expr&)>& leaf);
 
-/// The value of every term of the table, each computed once from those before it: for tables whose terms share much.
-/// `leaf` is asked for every leaf in the table.
+/// The value of every term of the table, each computed once from those before it: for tables whose terms share many
+/// subterms. `leaf` is called for every leaf in the table.
 std::vector<std::optional<std::int64_t>> evaluate_all(const Exprs& exprs,
                                                       const std::function<std::int64_t(const Expr&)>& leaf);
 
-/// Copies terms of one table into another, or into the same one, under one meaning of the leaves: each term once,
-/// however many of those copied share it.
+/// Copies terms of one table into another, or the same, with one mapping of leaves. Shared subterms are copied once.
 class TermCopier {
 public:
     using Leaf = std::function<Id<Expr>(const Expr&)>;
     using Edge = std::function<Id<Expr>(Op, Id<Expr>)>;
 
-    /// `leaf` returns what stands in `to` for a leaf or a duration, `edge`, if there is one, what stands there for the
-    /// edge (Rise, Fall) of a term of `to`. Both tables outlive this.
+    /// `leaf` maps a leaf or a duration to a term in `to`; `edge`, if given, maps an edge (Rise, Fall) of a term of
+    /// `to`. Both tables must outlive this object.
     TermCopier(const Exprs& from, Exprs& to, Leaf leaf, Edge edge = {})
         : from_(&from), to_(&to), leaf_(std::move(leaf)), edge_(std::move(edge)) {}
 
@@ -148,7 +147,7 @@ private:
     std::unordered_map<std::uint32_t, Id<Expr>> copies_ = {};
 };
 
-/// A copy of the term `root` of `from` in `to`, each leaf replaced by what `leaf` returns for it (an id in `to`).
+/// A copy of the term `root` of `from` in `to`; each leaf is replaced by the result of `leaf` (an id in `to`).
 Id<Expr> translate(const Exprs& from, Id<Expr> root, Exprs& to, const std::function<Id<Expr>(const Expr&)>& leaf);
 
 /// The distinct leaves of `root`, in order of first occurrence.

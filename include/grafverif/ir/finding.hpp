@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Finding: something about a chart that its author should know, with the run that shows it. Analysis: all findings about
-// one chart, and what they rest on.
+// Finding: a potential defect of a chart, with a run as evidence. Analysis: all findings about one chart, with their
+// assumptions.
 //
-// A finding says either that something can happen, and its evidence is a shortest run in which it does, or that something
-// never happens, and then its evidence, where there is any, is a run that comes as near as can be. A run is short in
-// changes of the inputs first, in evolutions then. What can happen is found where the ends of timers are known by their
-// order only; a run is then given concrete times, and Timing says whether that was possible. What never happens does not
-// happen at any times. So is it with what never comes again from some situation on: its evidence is a shortest run there.
+// A finding states that something can happen, with a shortest run to it as evidence; or that something never happens,
+// optionally with a run that comes as near as possible. Length is measured in input changes first, then in evolutions.
+// Possible events are found with timer outputs that respect only their order. The run is then given concrete times, and
+// Timing states if this succeeded. Impossible events are impossible for all times. The same is true of elements that
+// are never used again after some situation; the evidence is a shortest run to it.
 //
 // Invariants (see verify): every code is one of finding_codes(); an accepted finding has a reason.
 #pragma once
@@ -27,11 +27,11 @@ namespace grafverif {
 
 struct Finding {
     enum class Level { Error, Warning, Note };
-    /// Whether the evidence holds in real time.
+    /// States if the evidence is possible in real time.
     enum class Timing {
-        Untimed,      ///< no time condition has a part in it
-        Confirmed,    ///< the evidence says when
-        Unconfirmed,  ///< no times were found at which the evidence can happen: the finding may be none
+        Untimed,      ///< independent of time conditions
+        Confirmed,    ///< the evidence contains times
+        Unconfirmed,  ///< no times were found for the evidence: the finding may be spurious
     };
     struct Related {
         Span where = {};
@@ -41,20 +41,20 @@ struct Finding {
 
     std::string code = {};  ///< `step-never-active`
     Level level = Level::Warning;
-    std::string subject = {};  ///< what `accept` may name: `X4`, `t3`, `LOCK`; empty: the whole chart
-    std::string message = {};  ///< worded as a diagnostic
+    std::string subject = {};  ///< subject that `accept` can name: `X4`, `t3`, `LOCK`; empty: the chart
+    std::string message = {};  ///< text as in a diagnostic
     Span origin = {};
     std::vector<Related> related = {};
-    std::vector<std::string> lost = {};  ///< steps, transitions and variables that never come again, in this order
+    std::vector<std::string> lost = {};  ///< steps, transitions and variables that are never used again, in this order
     std::optional<ChartRun> evidence = {};
-    std::string evidence_shows = {};  ///< what happens at the end of the evidence
+    std::string evidence_shows = {};  ///< event at the end of the evidence
     Timing timing = Timing::Untimed;
-    std::optional<std::string> accepted = {};  ///< the reason given in the source
+    std::optional<std::string> accepted = {};  ///< reason given in the source
 
     bool operator==(const Finding&) const = default;
 };
 
-/// Two Boolean inputs that are never true together.
+/// Two Boolean inputs that are never true simultaneously.
 struct Exclusion {
     Id<Chart::Variable> first = {}, second = {};
     std::string reason = {};
@@ -63,12 +63,12 @@ struct Exclusion {
     bool operator==(const Exclusion&) const = default;
 };
 
-/// What an analysis asked and did not come to decide.
+/// A query of the analysis without a result.
 struct OpenQuestion {
-    std::string code = {};  ///< of the finding that there may be
+    std::string code = {};  ///< of the potential finding
     std::string subject = {};
-    std::size_t instants = 0;     ///< in the first so many instants nothing speaks for it
-    std::int64_t evolutions = 0;  ///< a counter: nor in so many evolutions, however they are divided; 0: not known
+    std::size_t instants = 0;     ///< no evidence within this number of instants
+    std::int64_t evolutions = 0;  ///< for a counter: nor within this number of evolutions in total; 0: unknown
 
     bool operator==(const OpenQuestion&) const = default;
 };
@@ -76,38 +76,37 @@ struct OpenQuestion {
 struct Analysis {
     std::string chart = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    std::vector<Finding> findings = {};   ///< errors first, then by code and place
-    std::vector<std::string> notes = {};  ///< what all findings rest on
-    std::size_t questions = 0;            ///< how many were asked
-    std::vector<OpenQuestion> open =
-        {};  ///< those that were not decided; all others are: there is what was found, and no more
-    /// Why questions are open; empty: none is.
+    std::vector<Finding> findings = {};   ///< errors first, then by code and position
+    std::vector<std::string> notes = {};  ///< assumptions of all findings
+    std::size_t questions = 0;            ///< number of queries
+    std::vector<OpenQuestion> open = {};  ///< queries without a result; the results of all others are complete
+    /// Reason for open queries; empty if there are none.
     std::string obstacle = {};
-    std::size_t instants = 0;  ///< changes of the inputs to the farthest situation looked at
+    std::size_t instants = 0;  ///< input changes to the farthest explored situation
     double seconds = 0;
     std::uint64_t bytes = 0;
-    std::vector<std::string> failures = {};  ///< evidence that the rules do not confirm: faults of ours
+    std::vector<std::string> failures = {};  ///< internal errors: evidence that fails the replay
 
     bool operator==(const Analysis&) const = default;
 };
 
-/// A code, its usual level and what it means, in one sentence.
+/// A code, its default level and its meaning in one sentence.
 struct FindingKind {
     std::string_view code = {};
     Finding::Level level = Finding::Level::Warning;
     std::string_view meaning = {};
 };
 
-/// Every code there is, in the order of reports.
+/// All codes, in the order of reports.
 std::span<const FindingKind> finding_kinds();
 
-/// Whether a code is about what never comes again: a question that is decided only when every situation is known.
+/// True if a code concerns elements that are never used again: decided only if all situations are known.
 bool is_trap(std::string_view code);
 
 /// `error`, `warning`, `note`.
 std::string_view word(Finding::Level level);
 
-/// Whether somebody should act on it: no note, and not accepted.
+/// True if the finding requires action: not a note, and not accepted.
 bool is_open(const Finding& finding);
 
 std::vector<std::string> verify(const Analysis& analysis);

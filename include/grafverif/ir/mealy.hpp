@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// MealyMachine: a location automaton as a machine that answers every combination of inputs (JESA13 section 6).
+// MealyMachine: a location automaton as a machine with outputs for every input combination (JESA13 section 6).
 //
-//   state       a location; in a chart with timers also how long each timer that runs has been running
-//   transition  under a set of inputs, or by waiting, to the next state, and the outputs written then
+//   state       a location; in a chart with timers also the elapsed time of each running timer
+//   transition  for a set of inputs, or by waiting, to the next state, with the outputs written then
 //
-// INIT is merged with the location of the initial situation where that is one: with stability search both answer every
-// input alike; without it `activation` says that a cycle which only activates the initial steps goes before the
-// first transition of the machine.
+// INIT is merged with the location of the initial situation if there is one: with stability search both have the same
+// responses. Without it, `activation` represents a cycle that only activates the initial steps, before the first
+// transition of the machine.
 //
-// Conditions are sets of inputs, never listed one by one; those of one state are disjoint and, with `unstable`, all
-// that is `assumed`. The inputs are those of the chart; timers are not among them: a `wait` transition lets time pass
-// until the next timer ends, its inputs being held.
+// Conditions are sets of inputs, never enumerated; those of one state are disjoint and, with `unstable`, cover
+// `assumed`. The inputs are those of the chart, without timers: a `wait` transition lets time pass until the next timer
+// event, with constant inputs.
 //
-// Invariants (see verify): ids in their tables; `transitions` and `unstable` ordered by `from`; outputs complete; no
+// Invariants (see verify): ids in their tables; `transitions` and `unstable` sorted by `from`; outputs complete; no
 // condition is the constant false; waits are positive; state names differ.
 #pragma once
 
@@ -37,7 +37,7 @@ struct MealyMachine {
         bool operator==(const Variable&) const = default;
     };
     struct State {
-        std::string situation = {};  ///< `{2,5}`; of merged states all: `{1} or {3}`
+        std::string situation = {};  ///< `{2,5}`; for merged states all: `{1} or {3}`
         std::string detail = {};     ///< stored values and running timers: `LOCK=1, T_X2_3s 1s`; or empty
         bool operator==(const State&) const = default;
     };
@@ -49,16 +49,16 @@ struct MealyMachine {
         Id<State> from = {}, to = {};
         Id<Expr> condition = {};  ///< on the inputs
         Id<Answer> answer = {};
-        std::int64_t wait_ms = 0;  ///< 0: the inputs are applied; else they are held so long
+        std::int64_t wait_ms = 0;  ///< 0: the inputs are applied; otherwise they are kept for this time
         bool operator==(const Transition&) const = default;
     };
-    /// Inputs under which the machine never answers again.
+    /// Inputs for which the machine never responds again.
     struct Unstable {
         Id<State> from = {};
         Id<Expr> condition = {};
         bool operator==(const Unstable&) const = default;
     };
-    /// What the cycle that activates the initial steps writes, by its inputs.
+    /// Outputs of the cycle that activates the initial steps, depending on its inputs.
     struct Activation {
         Id<Expr> condition = {};
         Id<Answer> answer = {};
@@ -74,10 +74,10 @@ struct MealyMachine {
     Id<State> initial = {};
     std::vector<Transition> transitions = {};
     std::vector<Unstable> unstable = {};
-    std::vector<Activation> activation = {};  ///< empty: the first cycle is one like any other
+    std::vector<Activation> activation = {};  ///< empty: the first cycle is an ordinary one
     Id<Expr> assumed = {};
-    std::optional<std::uint64_t> combinations = 1;    ///< of inputs, as assumed; empty: more than 64 bits can count
-    std::optional<std::uint64_t> unstable_pairs = 0;  ///< states with a combination under which they are unstable
+    std::optional<std::uint64_t> combinations = 1;    ///< of inputs, as assumed; empty if it exceeds 64 bits
+    std::optional<std::uint64_t> unstable_pairs = 0;  ///< pairs of states and inputs without a stable situation
 
     bool operator==(const MealyMachine&) const = default;
 };

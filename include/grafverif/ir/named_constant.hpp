@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// NamedConstant: a constant of a closed loop with the value in force. Terms hold the value itself; this is what verdicts
-// and models are told with.
+// NamedConstant: a constant of a closed loop with its current value, for display; terms contain the value itself.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +14,7 @@ struct NamedConstant {
     std::string name = {};
     Kind kind = Kind::Integer;
     std::int64_t value = 0;  ///< Booleans 0 and 1, durations in milliseconds
-    bool set = false;        ///< from outside, whatever the loop says
+    bool set = false;        ///< by the user, overriding the loop
     Span origin = {};
     bool operator==(const NamedConstant&) const = default;
 };

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Network: timed automata with discrete data that share variables (CEP13 2.4), the closed loop ready for an engine or
-// an emitter. Templates have parameters; processes instantiate them; `expand` gives each process a template of its own.
+// Network: timed automata with discrete data that share variables (CEP13 2.4), the closed loop in the form for engines
+// and emitters. Templates have parameters; processes instantiate them; `expand` gives each process a separate template.
 //
-// Semantics (CEP13 section 2; urgency as in ETFA12 section 2): one edge fires at a time: its guard and clock constraint
-// hold, its procedures and assignments run in order, clocks are reset, and the invariants of the locations reached hold
-// after the resets. Time may pass while every invariant holds and no urgent edge can fire. An edge's assignments come
-// first, then the procedures it calls, in order; each assignment sees the ones before it. A value outside the
-// range of its variable is an error of the model (`out-of-range`).
+// Semantics (CEP13 section 2; urgency as in ETFA12 section 2). One edge is taken at a time: its guard and clock
+// constraint hold, its procedures and assignments are executed in order, clocks are reset, and the invariants of the
+// new locations hold after the resets. Time may pass while every invariant holds and no urgent edge is enabled. An
+// edge's assignments come first, then the procedures it calls, in order; each assignment uses the results of those
+// before it. A value outside the range of its variable is a model error (`out-of-range`).
 //
-// Expressions live in `exprs`: Variable -> variables, Parameter -> parameters of the template at hand, At in properties.
-// A `scratch` variable carries a value within one edge only: it is written before it is read, and is no part of a state.
+// Expressions are stored in `exprs`: Variable -> variables, Parameter -> parameters of the current template, At in
+// properties. A `scratch` variable carries a value within one edge only: it is written before it is read, and does not
+// belong to the state.
 //
-// Invariants (see verify): ids in their tables; guards Boolean, over variables and parameters; urgent edges without
-// clock constraint; the target invariant of an urgent edge holds whenever it fires; arguments match parameters in kind
-// and type; initial values in range; scratch variables written before read.
+// Invariants (see verify): ids in their tables; guards are Boolean, over variables and parameters; urgent edges have no
+// clock constraint; the target invariant of an urgent edge holds whenever it is taken; arguments match parameters in
+// kind and type; initial values are in range; scratch variables are written before read.
 #pragma once
 
 #include <cstddef>
@@ -45,7 +46,7 @@ struct Network {
         TimerEnd,
         TimerPending,  ///< of its timers
         Previous,
-        Watched,  ///< values that edges compare with, levels that timers watch
+        Watched,  ///< previous values for edges, levels that timers observe
         Flag,     ///< EVOL_PL, EVOL_TI, stable, race
         Plant,    ///< shared by instances only
     };
@@ -56,7 +57,7 @@ struct Network {
         std::int64_t initial = 0;
         bool scratch = false;
         Span origin = {};
-        std::string told = {};  ///< as properties and traces call it, `Gate.X`; empty: by its name
+        std::string told = {};  ///< name in properties and traces, `Gate.X`; empty: `name`
 
         const std::string& told_name() const { return told.empty() ? name : told; }
         bool operator==(const Variable&) const = default;
@@ -117,7 +118,7 @@ struct Network {
         Table<Parameter> parameters = {};
         Table<Clock> clocks = {};
         Table<Location> locations = {};
-        Id<Location> initial = {};  ///< where a process says nothing else
+        Id<Location> initial = {};  ///< default for processes
         Table<Procedure> procedures = {};
         Table<Edge> edges = {};
         Span origin = {};
@@ -136,10 +137,10 @@ struct Network {
         bool operator==(const Process&) const = default;
     };
 
-    /// One controller: its words, and where the parts of its cycle are.
+    /// One controller: its names, and the elements of its cycle.
     struct Timer {
         Id<Process> process = {};
-        Id<Location> done = {};  ///< of the process, where t1 is over; not valid: it has no t1
+        Id<Location> done = {};  ///< location in the process after t1 has elapsed; invalid if it has no t1
         bool restarts = true;    ///< a request restarts it; false: it follows its step by level
         bool operator==(const Timer&) const = default;
     };
@@ -148,10 +149,10 @@ struct Network {
         Id<Process> process = {};   ///< the PLC
         Id<Location> waiting = {};  ///< W, in its template
         Id<Variable> stable = {};
-        std::vector<Timer> timers = {};            ///< those of `words`
-        std::vector<Id<Variable>> variables = {};  ///< per variable of its equations, as the plant and others see it
-        std::vector<Id<Variable>> images = {};  ///< per output: what holds it until it is written; not valid: nothing
-        Id<Procedure> start = {};               ///< not valid: nothing happens before the first cycle
+        std::vector<Timer> timers = {};            ///< in the order of `words`
+        std::vector<Id<Variable>> variables = {};  ///< per variable of its equations: as visible to other processes
+        std::vector<Id<Variable>> images = {};     ///< per output: its storage until it is written; invalid: none
+        Id<Procedure> start = {};                  ///< invalid: no effect before the first cycle
         Id<Procedure> fire = {}, evolve = {}, write = {};
         bool operator==(const Controller&) const = default;
     };
@@ -166,9 +167,9 @@ struct Network {
     Table<Process> processes = {};
     Table<Controller> controllers = {};
     Table<Property> properties = {};
-    /// Settled: every controller in W and stable, no flag set, no urgent edge enabled. Over variables and At.
+    /// Quiescent: every controller in W and stable, no flag set, no urgent edge enabled. Over variables and At.
     Id<Expr> settled = {};
-    /// The flag that two stored actions have raced; not valid where none can.
+    /// The flag that two stored actions have raced; invalid if impossible.
     Id<Variable> race = {};
 
     bool operator==(const Network&) const = default;
@@ -176,11 +177,11 @@ struct Network {
 
 std::vector<std::string> verify(const Network& network);
 
-/// `bound` under the arguments of `process`: clock bounds read constants only.
+/// Value of `bound` for the arguments of `process`: clock bounds read only constants.
 std::int64_t bound_value(const Network& network, const Network::Process& process, Id<Expr> bound);
 
-/// Whether the invariant of the target of `edge` holds whenever the edge fires without waiting: each clock that is
-/// bounded there is reset by the edge, or bounded at its source at least as strongly. UPPAAL tests urgency on the guard
+/// True if the invariant of the target of `edge` holds whenever the edge is taken without delay: each clock that is
+/// bounded there is reset by the edge, or bounded in its source at least as strongly. UPPAAL tests urgency on the guard
 /// alone, so a Network has no urgent edge for which this is false.
 bool keeps_target_invariant(const Network& network, const Network::Process& process, const Network::Edge& edge);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Property: a question about a closed loop, one of a fixed set of patterns with one meaning for every engine.
-// The operands are expressions of the owner (ClosedLoop: leaves are Variable -> symbols; Network: Variable and At).
+// Property: a query about a closed loop, one of a fixed set of patterns with the same semantics in every engine. The
+// operands are expressions of the owner (ClosedLoop: leaves are Variable -> symbols; Network: Variable and At).
 #pragma once
 
 #include <cstdint>
@@ -18,21 +18,21 @@ enum class Pattern {
     Reachable,          ///< p in some reachable state
     Inevitable,         ///< p at some time on every maximal run
     LeadsTo,            ///< after every state with p, q is inevitable; operands p, q
-    NoDeadlock,         ///< from every state some edge can fire, now or after a delay
-    NoTimelock,         ///< from every state time can pass again
+    NoDeadlock,         ///< from every reachable state some edge can be taken, now or after a delay
+    NoTimelock,         ///< from every reachable state time can pass again
     ReachableAllSteps,  ///< every step of every chart is active in some reachable state
     ExactlyOneOf,       ///< in every reachable state exactly one of the operands holds
-    AlwaysPossible,     ///< from every reachable state a state with p can be reached
-    Watched,            ///< what Property::watch says; an observer judges it (docs/properties.md)
+    AlwaysPossible,     ///< from every reachable state a state with p is reachable
+    Watched,            ///< the sentence Property::watch, decided by an observer (docs/properties.md)
     RawUppaal,
     RawCtl,
-    RawLtl,  ///< `raw`, passed through to the target that speaks it
+    RawLtl,  ///< `raw`: formula for an external tool
 };
 
-/// The greatest count of a sentence: its observer has two places for each.
+/// Maximal count of a sentence: its observer has two locations for each.
 inline constexpr std::int64_t greatest_count = 100;
 
-/// A sentence that an observer judges: with a duration, a count or a scope. Operands: those of the kind, then those of the scope.
+/// A property with an observer: it has a duration, a count or a scope. Operands: of the kind, then of the scope.
 struct Sentence {
     enum class Kind {
         Absence,       ///< `never p`
@@ -50,20 +50,20 @@ struct Sentence {
 
     Kind kind = Kind::Absence;
     Scope scope = Scope::Globally;
-    std::int64_t duration_ms = 0;  ///< 0: it has none
-    std::int64_t count = 0;        ///< of Occurrences; 0: it has none
+    std::int64_t duration_ms = 0;  ///< 0 if it has none
+    std::int64_t count = 0;        ///< for Occurrences; otherwise 0
 
     bool operator==(const Sentence&) const = default;
 };
 
 struct Property {
     std::string name = {};
-    std::string text = {};  ///< the sentence in quotes, or empty
+    std::string text = {};  ///< quoted text of the property, or empty
     Pattern pattern = Pattern::Always;
     std::vector<Id<Expr>> operands = {};
     std::string raw = {};
-    Sentence watch = {};     ///< of Pattern::Watched
-    bool at_stable = false;  ///< judged in settled states only
+    Sentence watch = {};     ///< for Pattern::Watched
+    bool at_stable = false;  ///< evaluated in quiescent states only
     bool expected_violated = false;
     Span origin = {};
 

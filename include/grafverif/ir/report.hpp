@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Report: what an engine found out about one model: every verdict with what it rests on, and the run that shows it in
-// the words of the charts.
+// Report: results of an engine for one model: every verdict with its assumptions, and its run in terms of the charts.
 #pragma once
 
 #include <cstdint>
@@ -15,30 +14,30 @@
 
 namespace grafverif {
 
-/// What every verdict of a report rests on.
+/// Settings and assumptions of all verdicts of a report.
 struct Basis {
     std::string engine = {};  ///< `timed`
-    std::string mode = {};    ///< `stability-search`, `every-cycle`; both where controllers differ
+    std::string mode = {};    ///< `stability-search`, `every-cycle`; both if controllers differ
     std::string grain = {};   ///< `phased`, `atomic`
     std::int64_t time_unit_ms = 1000;
-    /// What an untimed model is made of: `no plant`, `plant automata, interleaved`; empty: the check is timed.
+    /// Elements of an untimed model: `no plant`, `plant automata, interleaved`; empty for a timed check.
     std::string untimed = {};
-    std::vector<NamedConstant> constants = {};  ///< of the loop, with the values in force
+    std::vector<NamedConstant> constants = {};  ///< of the loop, with their current values
 
     bool operator==(const Basis&) const = default;
 };
 
 struct Answer {
     Verdict verdict = {};
-    std::string text = {};               ///< of the property, as the model has it
-    std::optional<ChartRun> trace = {};  ///< the verdict's run
-    std::string carries = {};            ///< of an untimed verdict: what it says of the timed loop
-    std::string place = {};  ///< `file:line` of the property, where somebody with the sources has looked it up
+    std::string text = {};               ///< text of the property in the model
+    std::optional<ChartRun> trace = {};  ///< run of the verdict
+    std::string carries = {};            ///< for an untimed verdict: its consequence for the timed loop
+    std::string place = {};              ///< `file:line` of the property, if the sources are available
 
     bool operator==(const Answer&) const = default;
 };
 
-/// A place where the model breaks off.
+/// A model error.
 struct Breakdown {
     std::string code = {};  ///< `out-of-range`, `action-race`, `no-value`
     std::string message = {};
@@ -52,9 +51,8 @@ struct Report {
     Basis basis = {};
     std::vector<Answer> answers = {};
     std::vector<Breakdown> breakdowns = {};
-    std::vector<std::string> failures =
-        {};  ///< faults of ours: runs that the rules do not confirm; none of them is told
-    std::optional<StateProfile> profile = {};  ///< where the states came from: of a search that was long, or on request
+    std::vector<std::string> failures = {};    ///< internal errors: runs that fail the replay, which are not reported
+    std::optional<StateProfile> profile = {};  ///< for a long search, or on request
 
     bool operator==(const Report&) const = default;
 };

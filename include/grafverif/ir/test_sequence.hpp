@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// TestSequence: inputs to apply to a controller and the outputs to expect, step by step (JESA13 section 6). It is
-// self-contained: names, values and numbers of cycles are all that a tester needs.
+// TestSequence: inputs to apply to a controller and the expected outputs, step by step (JESA13 section 6). It is
+// self-contained: a tester needs only its names, values and numbers of cycles.
 //
-// A sequence starts at power-on. In each step the tester lets `wait_ms` pass, the inputs of the step before being
-// held; then it applies `inputs` for `cycles` scans of the controller and compares `outputs` in each of them. A scan
-// reads the inputs, executes the chart as `mode` says and writes the outputs. A step that waits changes no input.
+// A sequence starts at power-on. In each step the tester lets `wait_ms` pass with the inputs of the previous step; then
+// it applies `inputs` for `cycles` scans of the controller and compares `outputs` in each of them. A scan reads the
+// inputs, executes the chart in `mode` and writes the outputs. A step that waits changes no input.
 //
-// `cycles` is 1 where one scan more would go on to another state (without stability search), or where the tester asked
-// for one cycle each; else 2, of which the second shows that the controller stays.
+// `cycles` is 1 if one more scan would lead to another state (without stability search), or if the user requested one
+// cycle each; otherwise 2, of which the second shows that the controller stays in its state.
 //
 // Without stability search the first scan after power-on clears no transition: it activates the initial steps. It is
-// given as `activation`, one scan, with the inputs of step 1; it is no test step and is not counted as one.
+// represented as `activation`, one scan, with the inputs of step 1; it does not count as a test step.
 //
 // Invariants (see verify): at least one sequence, none of them empty; as many values as inputs and outputs, in their
-// ranges; cycles are positive; no step that waits changes an input or is a first one; the lower bound is none above
-// the length, and equals it where the length is proven least.
+// ranges; cycles are positive; no step that waits changes an input or is a first one. The lower bound does not exceed
+// the length, and equals it if the length is proved minimal.
 #pragma once
 
 #include <cstddef>
@@ -31,8 +31,8 @@
 namespace grafverif {
 
 enum class TestCover {
-    Transitions,  ///< every transition of the Mealy machine: every combination of inputs in every state
-    Evolutions,   ///< every evolution of the location automaton, each under one combination of inputs
+    Transitions,  ///< every transition of the Mealy machine: every input combination in every state
+    Evolutions,   ///< every evolution of the location automaton, each with one input combination
     Locations,    ///< every location
 };
 
@@ -43,7 +43,7 @@ struct TestSequence {
         bool operator==(const Variable&) const = default;
     };
     struct Situation {
-        std::string text = {};  ///< `{2,5}`, after the step; where several are alike `{1} or {3}`
+        std::string text = {};  ///< `{2,5}`, after the step; for equivalent ones `{1} or {3}`
         bool operator==(const Situation&) const = default;
     };
     struct Step {
@@ -68,15 +68,15 @@ struct TestSequence {
     std::vector<Variable> inputs = {}, outputs = {};
     Table<Situation> situations = {};
     std::vector<Sequence> sequences = {};
-    std::uint64_t covered = 0;      ///< transitions, evolutions or locations, as `cover` says
-    std::uint64_t to_cover = 0;     ///< how many of them there are that can be reached
-    std::uint64_t lower_bound = 0;  ///< no sequences that cover as much have fewer steps in all
+    std::uint64_t covered = 0;      ///< number of covered transitions, evolutions or locations, depending on `cover`
+    std::uint64_t to_cover = 0;     ///< number of those that are reachable
+    std::uint64_t lower_bound = 0;  ///< minimal total number of steps for this coverage
     bool proven_least = false;
 
     bool operator==(const TestSequence&) const = default;
 };
 
-/// The steps of all sequences; activations are none.
+/// Number of steps of all sequences, without activations.
 std::size_t step_count(const TestSequence& test);
 
 /// `transitions`, `evolutions`, `locations`.

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 // TransitionSystem: finite variables, definitions, initial and next values, invariants and justice conditions, in
-// modules that are instantiated once or more: the untimed view of a controller, with or without its plant.
+// modules that are instantiated once or more: the untimed model of a controller, with or without its plant.
 //
-// Expressions live in `exprs`. Within a module, Variable leaves index the module's own `symbols`: its parameters,
-// variables and definitions. `main` is the module that is the system; modules do not nest deeper than main -> instance.
+// Expressions are stored in `exprs`. Within a module, Variable leaves index the module's `symbols`: its parameters,
+// variables and definitions. `main` is the module of the system; modules do not nest deeper than main -> instance.
 //
-// A variable without `next` is free: it takes any value of its type in each step. A variable without `initial` starts
-// with any value. `next` reads current values and choices only. A choice takes any value anew in each step and is no
-// part of the state: who moves, which of two edges. A step is made of current values, choices that satisfy all
-// `transitions`, and the next values they give; states that violate an invariant do not exist. The system is total:
-// every reachable state has a step.
+// A variable without `next` is free: it has any value of its type in each step. A variable without `initial` starts
+// with any value. `next` reads only current values and choices. A choice has any value in each step and does not belong
+// to the state: the moving process, which of two edges. A step consists of current values, choices that satisfy all
+// `transitions`, and the resulting next values; states that violate an invariant do not exist. The system is total:
+// every reachable state has a successor.
 //
 // Invariants (see verify): ids in their tables; definitions do not depend on themselves; a symbol that refers to an
-// instance's symbol names one that exists; types agree; initial values, invariants, justice and properties read no
+// instance's symbol names an existing one; types agree; initial values, invariants, justice and properties read no
 // choice.
 #pragma once
 
@@ -48,7 +48,7 @@ struct TransitionSystem {
         std::optional<Id<Expr>> next = {};
         bool operator==(const StateSymbol&) const = default;
     };
-    /// Chosen anew in each step.
+    /// Chosen freely in each step.
     struct ChoiceSymbol {
         bool operator==(const ChoiceSymbol&) const = default;
     };
@@ -56,7 +56,7 @@ struct TransitionSystem {
         Id<Expr> value = {};
         bool operator==(const DefineSymbol&) const = default;
     };
-    /// `instance.symbol`, as main sees it.
+    /// `instance.symbol` in main.
     struct MemberSymbol {
         Id<Instance> instance = {};
         Id<Symbol> symbol = {};
@@ -67,9 +67,9 @@ struct TransitionSystem {
         std::string name = {};
         Type type = {};
         std::variant<ParameterSymbol, StateSymbol, ChoiceSymbol, DefineSymbol, MemberSymbol> kind = ParameterSymbol{};
-        std::string comment = {};  ///< the section it is listed under: `inputs`, `steps`, ...
+        std::string comment = {};  ///< section of the symbol: `inputs`, `steps`, ...
         Span origin = {};
-        /// The names of its values, from `type.low` to `type.high`, where they are no numbers: `still`, `going_out`.
+        /// The names of its values, from `type.low` to `type.high`, if they are not numbers: `still`, `going_out`.
         std::vector<std::string> values = {};
         bool operator==(const Symbol&) const = default;
     };
@@ -78,7 +78,7 @@ struct TransitionSystem {
         std::string name = {};
         Table<Symbol> symbols = {};  ///< parameters first, in order of the arguments
         std::vector<Id<Expr>> invariants = {};
-        std::vector<Id<Expr>> transitions = {};  ///< hold in every step: which choices a state offers
+        std::vector<Id<Expr>> transitions = {};  ///< hold in every step: restrict the choices in a state
         std::vector<Id<Expr>> justice = {};      ///< each holds infinitely often
         bool operator==(const Module&) const = default;
     };
@@ -90,74 +90,73 @@ struct TransitionSystem {
         bool operator==(const Instance&) const = default;
     };
 
-    /// A property that cannot be said of this system, and why.
+    /// A property that this system cannot express, with the reason.
     struct Omitted {
         Property property = {};  ///< without operands
         std::string reason = {};
-        std::size_t before = 0;  ///< its place: before the property of this index
+        std::size_t before = 0;  ///< its position: before the property with this index
         bool operator==(const Omitted&) const = default;
     };
 
-    // What the symbols of main are to the charts and the plant: for traces, and for their replay on the rules.
+    // Mapping of the symbols of main to charts and plant: for traces, and for their replay.
 
     using Named = ControllerWords<Symbol>::Named;
-    /// Of each condition below: it holds in a state and the choices with which a step leaves it. Not valid: as said.
+    /// Each condition is evaluated in a state with the choices of the step that leaves it; if invalid: see each.
     struct Controller {
         ControllerWords<Symbol> words =
-            {};                 ///< a transition is cleared by a step that `evolves` leaves a state where it holds
-        Id<Expr> starts = {};   ///< the first evolution; none: it shows in nothing
-        Id<Expr> samples = {};  ///< inputs and timer ends are read; none: where it evolves
-        Id<Expr> evolves = {};  ///< one evolution; none: in every step
-        Id<Expr> writes = {};   ///< outputs are written; none: where it evolves and its mode asks for it
+            {};                 ///< a transition is cleared by a step that `evolves` if its condition held before
+        Id<Expr> starts = {};   ///< the first evolution; invalid: it has no visible effect
+        Id<Expr> samples = {};  ///< inputs and timer outputs are sampled; invalid: whenever it evolves
+        Id<Expr> evolves = {};  ///< one evolution; invalid: in every step
+        Id<Expr> writes = {};   ///< outputs are written; invalid: whenever it evolves and its mode requires it
         bool operator==(const Controller&) const = default;
     };
-    /// What moves beside the controllers: an instance of the loop, a timer.
+    /// An element that moves in addition to the controllers: an instance of the loop, a timer.
     struct Component {
         enum class Kind { Plant, Environment, Timer };
         std::string name = {};
         Kind kind = Kind::Plant;
-        Id<Symbol> location = {};           ///< its values are named; not valid: it has one location only
+        Id<Symbol> location = {};           ///< its values are named; invalid if there is only one location
         std::vector<Named> variables = {};  ///< those of its variables that no controller reads or writes
         std::vector<Named> inputs = {};     ///< the inputs of controllers that it writes
         bool operator==(const Component&) const = default;
     };
 
-    /// Some instances, where in each step one instance moves or none: they share with all others nothing but whose turn it
-    /// is, and time.
+    /// Some instances of an interleaved system: they share with the others only the choice of the moving one, and time.
     struct Part {
-        std::string name = {};  ///< what users call it
+        std::string name = {};  ///< displayed name
         std::vector<Id<Instance>> instances = {};
-        /// Symbols of main that are of this part, and the constants that stand for them where it is left out.
+        /// Symbols of main that belong to this part, and the constants that replace them if it is omitted.
         std::vector<std::pair<Id<Symbol>, Id<Expr>>> without = {};
         Id<Expr> moves = {};    ///< in a step: one of its instances moves
-        Id<Expr> settled = {};  ///< its share of `settled`; not valid: that does not come apart
+        Id<Expr> settled = {};  ///< its part of `settled`; invalid if that cannot be decomposed
         bool operator==(const Part&) const = default;
     };
-    /// Parts, one of which moves in a step, or none. All terms over main.
+    /// Parts, of which at most one moves in a step. All terms over main.
     struct Parts {
-        std::vector<Part> each = {};            ///< none: the system does not come apart
-        Id<Expr> waits = {};                    ///< in a step: none moves; where clocks count, time passes
-        Id<Expr> can_move = {}, can_wait = {};  ///< where clocks count: some instance can move; time can pass
+        std::vector<Part> each = {};            ///< empty: the system cannot be decomposed
+        Id<Expr> waits = {};                    ///< in a step: none moves; if clocks count, time passes
+        Id<Expr> can_move = {}, can_wait = {};  ///< if clocks count: some instance can move; time can pass
         bool operator==(const Parts&) const = default;
     };
 
     std::string name = {};
     std::vector<NamedConstant> constants = {};  ///< of the loop, for headers
-    std::string scope = {};  ///< what verdicts about this system say of the timed plant; one paragraph for headers
+    std::string scope = {};  ///< consequence of verdicts for the timed plant; one paragraph for headers
     Exprs exprs = {};
     Table<Module> modules = {};
     Id<Module> main = {};
     Table<Instance> instances = {};            ///< in main
-    std::vector<Id<Instance>> observers = {};  ///< those that watch: what they see are the steps of this very system
+    std::vector<Id<Instance>> observers = {};  ///< observers: they monitor the steps of this system
     Table<Property> properties = {};           ///< over symbols of main
-    /// Settled: every controller stable and its outputs up to date, so that one more cycle with the same inputs would
-    /// change nothing. Over symbols of main; what `at stable` means here.
+    /// Quiescent: every controller is stable and its outputs are up to date, so that one more cycle with the same
+    /// inputs would change nothing. Over symbols of main; the meaning of `at stable`.
     Id<Expr> settled = {};
     std::vector<Omitted> omitted = {};
     std::vector<Controller> controllers = {};
     std::vector<Component> components = {};
     Parts parts = {};
-    Id<Expr> ticks = {};  ///< likewise: time passes by `tick_ms`; not valid: the system knows no time
+    Id<Expr> ticks = {};  ///< over symbols of main: time passes by `tick_ms`; invalid if the system is untimed
     std::int64_t tick_ms = 0;
 
     bool operator==(const TransitionSystem&) const = default;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Type: what a variable can hold. Integers are always bounded: engines pack them, UPPAAL and NuSMV want ranges.
+// Type: range of a variable. Integers are bounded: engines pack them, UPPAAL and NuSMV require ranges.
 #pragma once
 
 #include <cstdint>

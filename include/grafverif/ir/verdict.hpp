@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Verdict: the answer of an engine to one property, never a guess, with the run of the network that shows it.
+// Verdict: the result of an engine for one property, never a guess, with its run of the network.
 //
 // A run starts in the initial state of the Network. It is finite, or a lasso: the moves from `loop` on repeat forever;
 // staying forever is a loop of one delay. A finite counterexample of `inevitable` or `leads to` ends in a state without
-// successors. Every run of integer delays is a run of the dense-time model.
+// successors. Every run with integer delays is a run of the dense-time model.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct Delay {
     std::int64_t units = 1;  ///< of the network's time unit
     bool operator==(const Delay&) const = default;
 };
-/// One edge of one process fires.
+/// One edge of one process is taken.
 struct Fire {
     Id<Network::Process> process = {};
     Id<Network::Edge> edge = {};  ///< in the template of the process
@@ -40,52 +40,52 @@ struct Run {
 
 enum class Outcome { Holds, Violated, Unknown };
 
-/// Why a verdict is unknown.
+/// Reason for an unknown verdict.
 enum class Obstacle {
     None,
-    Bound,        ///< the number of states allowed is used up
-    Memory,       ///< the memory allowed is used up
-    Stopped,      ///< the user or the deadline ended the search
-    Inexact,      ///< integer time does not decide it for dense time
-    Unsupported,  ///< this engine does not take the property
-    Faulty,       ///< the model breaks off somewhere: see ModelError
+    Bound,        ///< the limit of states is reached
+    Memory,       ///< the memory limit is reached
+    Stopped,      ///< stopped by the user or the deadline
+    Inexact,      ///< integer time is inconclusive for dense time
+    Unsupported,  ///< this engine does not support the property
+    Faulty,       ///< the model has an error: see ModelError
     Failed,       ///< the external program gave no verdict
-    Unchecked,    ///< it says `holds`, and shows nothing that could be checked
-    Disagrees,    ///< the external program gave one that its own words, our model or the rules contradict
+    Unchecked,    ///< the external program reports `holds` without evidence that can be checked
+    Disagrees,    ///< the verdict of the external program contradicts its evidence, the model or the rules
 };
 
-/// What a verdict was found in, where that is not the whole network.
+/// The part of the network in which a verdict was found, if not all of it.
 struct Scope {
-    std::vector<std::string> searched = {};  ///< parts by name; none: the whole
-    std::vector<std::string> left_out = {};  ///< the others; none: those searched are all, each by itself
-    std::string because = {};                ///< why these have no say
-    bool cells = false;                      ///< the parts are cells, else sub-loops
+    std::vector<std::string> searched = {};  ///< parts by name; empty: the complete network
+    std::vector<std::string> left_out = {};  ///< the others; empty: all parts were explored, each separately
+    std::string because = {};                ///< reason why these cannot affect the verdict
+    bool cells = false;                      ///< parts are fragments, not independent subsystems
     bool operator==(const Scope&) const = default;
 };
 
-/// Instances, by name, that the input abstraction behind a verdict reduced (docs/engines.md, "Input abstraction").
+/// Names of instances reduced by the input abstraction of a verdict (docs/engines.md, "Input abstraction").
 struct InputsAbstracted {
     std::vector<std::string> chosen = {}, untimed = {}, paced = {};
     bool operator==(const InputsAbstracted&) const = default;
 };
 
 struct Verdict {
-    Id<Property> about = {};    ///< of the model checked; not valid: the model does not ask (see `declared`)
-    std::string property = {};  ///< its name; of one that expands: `S.X7`
+    Id<Property> about = {};    ///< in the checked model; invalid: not declared there (see `declared`)
+    std::string property = {};  ///< its name; for one that expands: `S.X7`
     Pattern pattern = Pattern::Always;
     Outcome outcome = Outcome::Unknown;
     Obstacle obstacle = Obstacle::None;
-    std::string reason = {};  ///< of an unknown verdict, in words
-    bool vacuous = false;     ///< holds for want of anything to judge; a note says why
+    std::string reason = {};  ///< text, for an unknown verdict
+    bool vacuous = false;     ///< holds vacuously; a note states why
     std::vector<std::string> notes = {};
-    bool declared = true;  ///< false: decided though the model does not ask (`no timelock`)
+    bool declared = true;  ///< false: decided although the model does not declare it (`no timelock`)
     bool expected_violated = false;
-    std::string states = {};  ///< of the whole search, in decimal, however many; empty: not known
+    std::string states = {};  ///< number of explored states, in decimal, of any size; empty: unknown
     std::optional<std::uint64_t> transitions = {};
     double seconds = 0;
     Scope scope = {};
-    std::optional<InputsAbstracted> abstraction = {};  ///< with a run: it need not be a shortest one
-    std::optional<Run> run = {};                       ///< counterexample; of a `reachable` that holds: witness
+    std::optional<InputsAbstracted> abstraction = {};  ///< with a run: it may not be a shortest one
+    std::optional<Run> run = {};                       ///< counterexample; for a `reachable` that holds: witness
     Span origin = {};                                  ///< of the property
 
     bool operator==(const Verdict&) const = default;
@@ -100,7 +100,7 @@ struct ModelError {
     };
     Kind kind = Kind::OutOfRange;
     Id<Network::Variable> variable = {};
-    Id<Network::Process> process = {};  ///< whose edge it is; for a race not valid
+    Id<Network::Process> process = {};  ///< process of the edge; invalid for a race
     Id<Network::Edge> edge = {};
     Run run = {};
 
@@ -113,16 +113,16 @@ std::string_view word(Outcome outcome);
 std::string_view word(Obstacle obstacle);
 /// The code of a model error: `out-of-range`, `action-race`, `no-value`.
 std::string_view word(ModelError::Kind kind);
-/// What breaks off and where: `` `N` would leave its range 0..3, in an evolution of `press` ``.
+/// Describes a model error: `` `N` would leave its range 0..3, in an evolution of `press` ``.
 std::string text_of(const Network& network, const ModelError& error);
 
-/// The verdict on `property`, the one called `about` in its model, before anything is known.
+/// The initial verdict, without a result, for `property`, which has the id `about` in its model.
 Verdict verdict_on(Id<Property> about, const Property& property);
 
-/// Makes the verdict of an external program unknown (`engine-disagrees`), for this reason.
+/// Makes the verdict of an external program unknown (`engine-disagrees`) with this reason.
 void distrust(Verdict& verdict, std::string_view why);
 
-/// Whether the verdict is the one the model asks for; an unknown one never is.
+/// True if the verdict is the expected one; an unknown one never is.
 bool as_expected(const Verdict& verdict);
 
 }  // namespace grafverif

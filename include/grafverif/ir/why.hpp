@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Why: what the properties of a loop that hold rest on, found by leaving out one thing after the other (docs/why.md).
+// Why: dependencies of the proofs of a loop's properties, found by removing elements one by one (docs/why.md).
 #pragma once
 
 #include <cstddef>
@@ -13,32 +13,32 @@ struct Why {
     /// A property that holds.
     struct Ground {
         std::string property = {};
-        /// Of a property about all states: instances and timers without which it fails, where all else that the plant and the
-        /// timers do is left open. Their clocks have a say in it where `timings` has them too.
+        /// For a state property: instances and timers without which it fails, while all other behaviour of plant and
+        /// timers is arbitrary. Their clocks are also necessary if they are in `timings`.
         std::vector<std::string> parts = {}, timings = {};
-        bool about_states = false;           ///< false: parts were not asked for
-        std::vector<std::string> open = {};  ///< parts that could not be decided, so that nothing is said of them
-        bool never_asked = false;            ///< its left side never holds
+        bool about_states = false;           ///< false: parts were not examined
+        std::vector<std::string> open = {};  ///< parts without a result
+        bool never_asked = false;            ///< its premise is never true
         bool operator==(const Ground&) const = default;
     };
 
     enum class Kind { Transition, Step, Term, Guard, Edge };
-    /// Something that was left out by itself, all else as it is (explain/drop.hpp).
+    /// A removed element; all others are unchanged (explain/drop.hpp).
     struct Thing {
         Kind kind = Kind::Transition;
         std::string name = {};                    ///< `t3`, `5`, `!a`, `shut -> opening`
-        std::string of = {};                      ///< what a term is a condition of; the instance of an edge
-        std::size_t nth = 1;                      ///< of those whose words are the same
+        std::string of = {};                      ///< the owner of a term; the instance of an edge
+        std::size_t nth = 1;                      ///< index among elements with the same name
         std::vector<std::string> needed_by = {};  ///< properties that fail without it
-        std::vector<std::string> open = {};       ///< properties of which it could not be decided
+        std::vector<std::string> open = {};       ///< properties without a result
         bool operator==(const Thing&) const = default;
     };
 
     std::vector<Ground> grounds = {};
     std::vector<Thing> things = {};                ///< by kind, each in the order of the model
-    std::vector<std::string> unneeded_parts = {};  ///< that no property of these needs, and of which none is open
+    std::vector<std::string> unneeded_parts = {};  ///< not needed by any of these properties, with all results known
     std::size_t searches = 0;
-    std::string ended = {};  ///< why not all was tried; empty: it was
+    std::string ended = {};  ///< reason why not all elements were tried; empty if all were
     bool operator==(const Why&) const = default;
 };
 

@@ -17,7 +17,7 @@ struct Id {
 
     std::uint32_t index = none;
 
-    /// Whether the id names an entity at all; a default-constructed id does not.
+    /// True if the id names an entity; false for a default-constructed id.
     bool valid() const { return index != none; }
 
     auto operator<=>(const Id&) const = default;

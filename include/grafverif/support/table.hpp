@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Table<T>: the entities of one kind of an IR, in the order in which they were added, addressed by Id<T>.
+// Table<T>: the entities of one type of an IR, in the order in which they were added, addressed by Id<T>.
 #pragma once
 
 #include <cassert>
