@@ -58,7 +58,7 @@ struct ReadOptions {
     /// name. The error `no-such-choice` if no loop has one.
     std::map<std::string, std::string> constants = {};
     /// Loads included files. By default they are read from the disk, within the folder of the file, that of its project
-    /// (see docs/files.md) and `include_folders`; for a string, from the current folder.
+    /// (see docs/reference/files.md) and `include_folders`; for a string, from the current folder.
     std::function<std::optional<std::string>(const std::string& path, std::string& why)> load = {};
 };
 
@@ -193,7 +193,7 @@ std::optional<TestSequence> test_of(const Model& model, Id<Chart> chart, const C
 
 // Output as text and JSON
 
-/// As printed by the program (text_of), and as JSON (json_of, docs/trace.md).
+/// As printed by the program (text_of), and as JSON (json_of, docs/reference/trace-format.md).
 std::string text_of(const Report& report);
 std::string json_of(const Report& report);
 /// The same with file, line and column of each property; `sources`: sources of the model.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Observer automata. Each implements the formula of its pattern in the table of docs/properties.md; a randomized test
-// compares them.
+// Observer automata. Each implements the formula of its pattern in the table of docs/reference/properties.md; a
+// randomized test compares them.
 #include "compose/observer.hpp"
 
 #include <fmt/format.h>

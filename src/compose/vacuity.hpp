@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Vacuity of observed properties: their probes (ir/probes.hpp). A probe is violated exactly if a property that holds
-// does so vacuously (docs/properties.md has the table of all forms).
+// does so vacuously (docs/reference/properties.md has the table of all forms).
 #pragma once
 
 #include <vector>

@@ -2,7 +2,7 @@
 // Drawing: boxes, lines and texts with positions; the result of layout. Every shape belongs to an element of the
 // drawing: a step, a transition, a link.
 //
-// An element of a chart has an id and classes, which are part of the interface (docs/drawing.md): `step-3` or
+// An element of a chart has an id and classes, which are part of the interface (docs/how-to/draw.md): `step-3` or
 // `step-G1-3` with the classes `step`, `initial`, `macro`, ...; `transition-T4`, `condition-T4`, `action-c0`,
 // `forcing-0`. A link has no id, but data about its ends.
 #pragma once

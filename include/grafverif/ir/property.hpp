@@ -23,7 +23,7 @@ enum class Pattern {
     ReachableAllSteps,  ///< every step of every chart is active in some reachable state
     ExactlyOneOf,       ///< in every reachable state exactly one of the operands holds
     AlwaysPossible,     ///< from every reachable state a state with p is reachable
-    Watched,            ///< the sentence Property::watch, decided by an observer (docs/properties.md)
+    Watched,            ///< the sentence Property::watch, decided by an observer (docs/reference/properties.md)
     RawUppaal,
     RawCtl,
     RawLtl,  ///< `raw`: formula for an external tool

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Why: dependencies of the proofs of a loop's properties, found by removing elements one by one (docs/why.md).
+// Why: dependencies of the proofs of a loop's properties, found by removing single elements (docs/explanation/why.md).
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Scan lines: protocol between a tester and a controller, with one line of inputs and one line of outputs for each scan
-// of the PLC (docs/conformance.md). A line has one value per column, in the order in which the chart declares its
+// of the PLC (docs/how-to/test-a-plc.md). A line has one value per column, in the order in which the chart declares its
 // inputs or outputs; values are separated by commas, spaces or semicolons.
 //
 //   1,0,0,1,1       as written: 0 and 1 for Booleans, decimal numbers for integers, separated by commas
