@@ -20,7 +20,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// What the engine asked for finds out; nothing after an error.
+/// Runs the timed engine selected by the options; nothing after an error.
 std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, Job& job, const CheckOptions& options) {
     const auto network = network_of(model, id, job);
     if (!network || !all_known(options.properties, property_names(*network), job.diagnostics)) return {};
@@ -30,7 +30,8 @@ std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, Job& j
                                                   : check(loop, options);
 }
 
-/// What the engine asked for finds out of a system; the symbolic one, where it is for timed models.
+/// Decides the properties of a transition system with the selected engine; engines for timed models select the symbolic
+/// one.
 std::optional<Report> system_report(const SystemToCheck& system, Job& job, const CheckOptions& options) {
     switch (job.options.engine) {
     case Engine::Auto: return check_together(system, options);
@@ -66,13 +67,13 @@ void say_who_stopped(Report& report, bool by_user, const Options& options) {
             answer.verdict.reason = with_who_stopped(std::move(answer.verdict.reason), by_user, options);
 }
 
-/// The properties to decide where single steps of them are asked for (`S.X7`).
+/// The properties to decide if single steps of them are selected (`S.X7`).
 std::vector<std::string> whole_properties(std::vector<std::string> asked) {
     for (std::string& name : asked) name.resize(std::min(name.size(), name.find('.')));
     return asked;
 }
 
-/// Leaves out the steps that nobody has asked for; whether there are all that somebody has.
+/// Removes the results of steps that were not selected; false if a selected step does not exist.
 bool keep_asked(const std::vector<std::string>& asked, Report& report, Diagnostics& diagnostics) {
     const auto has = [](const std::vector<std::string>& names, const std::string& name) {
         return std::ranges::find(names, name) != names.end();

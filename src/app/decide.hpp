@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What `check` and `report` share: the options choose a loop or a chart, a model of it and an engine, and the engine finds
-// out what it can.
+// Decision step shared by `check` and `report`: the options select a loop or a chart, its model and an engine; the
+// engine decides the properties.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,13 @@ struct Decided {
     Id<ClosedLoop> loop = {};  ///< not valid: a chart alone
     Id<Chart> chart = {};      ///< valid of a chart alone
     bool timed = false;
-    std::optional<Why> why = {};  ///< where it was asked for, of a loop
+    std::optional<Why> why = {};  ///< if requested, of a loop
 };
-/// Nothing after an error. `witnesses`: runs that show what holds, too. Of a chart alone `streams` are told so before.
+/// Nothing after an error. `witnesses`: also return runs of properties that hold. For a chart alone, a notice is first
+/// written to `streams`.
 std::optional<Decided> decide(const Model& model, Job& job, Bounds& bounds, bool witnesses, const Streams& streams);
 
-/// What the verdicts of a report make of a run of the program.
+/// The exit code that the verdicts of a report imply.
 ExitCode exit_code(const Report& report, bool stopped);
 
 }  // namespace grafverif::app

@@ -12,8 +12,8 @@ namespace grafverif::app {
 
 namespace {
 
-/// What a reader asks of names: characters behind a backslash, those of them that backslashes before are doubled for;
-/// characters that are in no name, that none begins with, that none ends with.
+/// How a reader parses names: the characters that are escaped by a backslash; those of them before which backslashes
+/// are doubled; the characters that no name can contain, begin with or end with.
 struct Rules {
     std::string_view escaped, doubling, never, never_first, never_last;
 };
@@ -21,8 +21,7 @@ struct Rules {
 constexpr Rules rules_of(DepfileSide side, DepfileReader reader) {
     const bool result = side == DepfileSide::Result;
     switch (reader) {
-    case DepfileReader::
-        Make:  // patterns, order-only files; wildcards, which no backslash is taken from; groups, archives
+    case DepfileReader::Make:  // patterns, order-only files; wildcards, whose backslash is kept; groups, archives
         return result ? Rules{" #:%", " #:%", "*?[\t;=", "~", "&)"} : Rules{" \t#:|", " \t#:|", "*?[;=", "~", " \t\\)"};
     case DepfileReader::Ninja: return {" #:", " ", "\t\"&'*;<>?^`|", "", ":\\"};
     case DepfileReader::CMake: return {" #", "", "\t\\", "~", ":"};
@@ -46,12 +45,11 @@ std::optional<std::string> depfile_name(std::string_view name, DepfileSide side,
     const Rules rules = rules_of(side, reader);
     if (!can_say(name, rules)) return {};
     std::string text;
-    std::size_t backslashes = 0;  // just before
+    std::size_t backslashes = 0;  // directly before
     for (const char c : name) {
         if (rules.escaped.find(c) != rules.escaped.npos)
             text.append(rules.doubling.find(c) != rules.doubling.npos ? backslashes + 1 : 1, '\\');
-        if (c == '$' && !(reader == DepfileReader::Ninja && backslashes > 0))
-            text += '$';  // there `\$` is what it says
+        if (c == '$' && !(reader == DepfileReader::Ninja && backslashes > 0)) text += '$';  // here `\$` is literal
         text += c;
         backslashes = c == '\\' ? backslashes + 1 : 0;
     }

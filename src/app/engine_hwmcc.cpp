@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Programs that read AIGER, run for `check`: ABC from the PATH, and what the user names.
+// External programs that read AIGER, run by `check`: ABC from the PATH, and a program named by the user.
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -26,7 +26,7 @@ constexpr const char *model_file = "model.aig", *witness_file = "witness", *inva
     throw Undecided{Obstacle::Disagrees, std::string(word(Obstacle::Disagrees)) + ": " + why};
 }
 
-/// One question in a folder of its own.
+/// One query, in a separate temporary folder.
 class Question {
 public:
     Question(const Circuit& circuit, Gates::Literal bad, const pdr::Watch& watch, const std::atomic<bool>* stop)
@@ -39,12 +39,12 @@ public:
     ProgramResult run(const std::vector<std::string>& arguments) const {
         return run_program(arguments, "", {.deadline = watch_.deadline(), .stop = stop_, .folder = folder_.path()});
     }
-    /// What the program left in a file; empty: nothing.
+    /// The content of a file that the program wrote; empty if there is none.
     std::string left(const char* name) const {
         std::string why;
         return content_of_file(folder_.path() / name, why).value_or("");
     }
-    /// The run that a witness tells, which nobody has looked at yet.
+    /// The run that a witness describes, not yet validated.
     pdr::Answer reached(const std::string& witness) const {
         auto inputs = hwmcc::read_witness(circuit_, numbering_, witness);
         if (!inputs) disbelieve("the program shows no run for its verdict");
@@ -61,7 +61,7 @@ private:
     TemporaryFolder folder_ = TemporaryFolder();
 };
 
-/// `bmc3` finds what is near, within a tenth of the time, and `pdr` decides.
+/// `bmc3` finds short counterexamples within a tenth of the time; then `pdr` decides.
 pdr::Answer ask_abc(const std::string& program, const Question& question) {
     using Seconds = std::chrono::duration<double>;
     const auto deadline = question.watch().deadline();

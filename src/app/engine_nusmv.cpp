@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// NuSMV or nuXmv from the PATH, run for `check`.
+// Runs NuSMV or nuXmv from the PATH for `check`.
 #include <chrono>
 #include <sstream>
 

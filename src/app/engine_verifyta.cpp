@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `check --engine verifyta`: our UPPAAL project in a temporary folder, and verifyta run on it once per query. Written
-// to its documented behaviour; its licence keeps it out of automated tests, which run a stand-in.
+// `check --engine verifyta`: writes the UPPAAL project into a temporary folder and runs verifyta on it once per query.
+// Follows its documented behaviour; its licence forbids automated tests with it, so the tests run a stand-in.
 #include "app/engines.hpp"
 #include "app/system/process.hpp"
 #include "check/external/verifyta.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Engines of others, from the PATH. Nothing after an error: the program is not there.
+// External engines, found on the PATH. Nothing after an error: the program was not found.
 #pragma once
 
 #include <atomic>
@@ -12,17 +12,17 @@
 
 namespace grafverif::app {
 
-/// `verifyta`, on the UPPAAL project of the loop: verdicts, no runs.
+/// `verifyta`, on the UPPAAL project of the loop: verdicts without runs.
 std::optional<Report> check_by_verifyta(const LoopToCheck& loop, const CheckOptions& check, Diagnostics& diagnostics);
 
-/// `NuSMV` or `nuXmv`, on the model we write.
+/// `NuSMV` or `nuXmv`, on the exported model.
 std::optional<Report> check_by_nusmv(const SystemToCheck& check, const std::string& program,
                                      const CheckOptions& options, Diagnostics& diagnostics);
 
-/// ABC (`berkeley-abc`), on the circuit of each property: `bmc3`, then `pdr`. What it proves comes with an invariant.
+/// ABC (`berkeley-abc`), on the circuit of each property: `bmc3`, then `pdr`. A proof includes an invariant.
 std::optional<Report> check_by_abc(const SystemToCheck& check, const CheckOptions& options, Diagnostics& diagnostics);
 
-/// The same as a search, for check_pdr; `program`: the path of ABC.
+/// ABC as a search procedure for check_pdr; `program`: the path of ABC.
 decltype(PdrOptions::reach) search_by_abc(std::string program, const std::atomic<bool>* stop);
 
 /// A checker of the hardware model checking competition, run by the shell as `COMMAND model.aig`.

@@ -54,7 +54,7 @@ std::optional<Model> read_model(const std::string& path, Job& job) {
     const auto file = read_source(path, job);
     if (!file) return {};
     const Reach reach(path == "-" ? "./-" : path,
-                      job.options.include_folders);  // standard input stands in the current folder
+                      job.options.include_folders);  // standard input counts as a file in the current folder
     const auto load = [&](const std::string& included, std::string& why) -> std::optional<std::string> {
         if (job.watch != nullptr) job.watch->note(included);
         auto text = reach.read(included, why);
@@ -69,7 +69,7 @@ std::optional<Model> read_model(const std::string& path, Job& job) {
 
 namespace {
 
-/// The entity called `wanted`, or the only one; an error naming the candidates otherwise.
+/// The entity called `wanted`, or the only one; otherwise an error that names the candidates.
 template <class T>
 std::optional<Id<T>> chosen(const Table<T>& table, const std::optional<std::string>& wanted, std::string_view kind,
                             std::string_view option, Job& job) {
@@ -84,7 +84,7 @@ std::optional<Id<T>> chosen(const Table<T>& table, const std::optional<std::stri
     return {};
 }
 
-/// Whether the loop has all constants that are set; with `--all` it is enough that some loop has one (see read_text).
+/// True if the loop has all constants that are set; with `--all` it is enough that some loop has each (see read_text).
 bool has_constants_set(const ClosedLoop& loop, Job& job) {
     if (job.options.all) return true;
     std::vector<std::string> known;

@@ -20,10 +20,10 @@ using Json = nlohmann::ordered_json;
 struct Listed {
     std::string model = {};
     bool is_loop = true;
-    Property property = {};  ///< its name is empty: the model as a whole
+    Property property = {};  ///< an empty name denotes the complete model
 };
 
-/// The properties of the loop that are asked for; nothing after an error.
+/// The selected properties of the loop; nothing after an error.
 std::optional<std::vector<Listed>> listed(const Model& model, Id<ClosedLoop> id, Job& job) {
     const ClosedLoop& loop = model.loops[id];
     std::vector<Property> found;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// `check --list`: what there is to check, for who runs each check by itself.
+// `check --list`: lists the available checks, for tools that run each one separately.
 #pragma once
 
 #include "app/job.hpp"
 
 namespace grafverif::app {
 
-/// A line per property of the loop that the options choose, of every loop where they choose none, or of every chart where
-/// there is no loop: file, loop and property, with tabs between; a loop without properties, and a chart, stand alone. As
-/// JSON, and as JSON lines, `{"file","line","column","model","kind":"loop|chart","property","text","expected"}`.
+/// One line per property of the selected loop, of every loop if none is selected, or of every chart if there is no
+/// loop: file, loop and property, separated by tabs. A loop without properties, and a chart, has a line without a
+/// property. As JSON, and as JSON lines,
+/// `{"file","line","column","model","kind":"loop|chart","property","text","expected"}`.
 ExitCode list_properties(const Model& model, Job& job, const Streams& streams);
 
 }  // namespace grafverif::app

@@ -15,10 +15,10 @@
 
 namespace {
 
-/// As of a process that SIGPIPE has ended, which is how it is told where nobody ignores that.
+/// Exit code of a process that SIGPIPE has ended, as shells report it.
 constexpr int closed_pipe = 128 + SIGPIPE;
 
-/// Whether the reader of the pipe at `descriptor` has gone.
+/// True if the reader of the pipe at `descriptor` has closed it.
 bool nobody_reads(int descriptor) {
     pollfd asked{descriptor, POLLOUT, 0};
     return ::poll(&asked, 1, 0) == 1 && (asked.revents & POLLERR) != 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One table holds the options of all verbs, in the order of --help: what a verb takes, how it is read and what the help
-// says of it come from its rows.
+// Option table: the options of all commands, in the order of --help. Its rows determine which options a command
+// accepts, how they are read, and their help text.
 #include "app/option_table.hpp"
 
 #include <fmt/format.h>
@@ -18,14 +18,15 @@ namespace grafverif::app {
 
 namespace {
 
-/// A word of an option's value and what it means.
+/// A keyword of an option's value and its meaning.
 template <class T>
 struct Choice {
     std::string_view word = {};
     T value = {};
 };
 
-// -- kinds of options: `place` is a member of Options, or a function that returns one ------------------------------------
+// -- types of options: `place` is a member of Options, or a function that returns one
+// ------------------------------------
 
 template <class Place>
 Option toggle(Accepts accepts, const char* name, Place place, const char* help) {
@@ -44,7 +45,7 @@ Option text(Accepts accepts, const char* name, const char* value, Place place, c
     return {accepts, name, value, help, take};
 }
 
-/// A command for the shell.
+/// A shell command.
 template <class Place>
 Option command(Accepts accepts, const char* name, const char* value, Place place, const char* help) {
     Option option = text(accepts, name, value, place, help);
@@ -81,8 +82,8 @@ Option choice(Accepts accepts, const char* name, std::vector<Choice<T>> choices,
             }};
 }
 
-/// A whole number, times the factor of its suffix; `suffixes`: those it may have, one of which it must; the first is the
-/// usual one.
+/// A whole number, multiplied by the factor of its suffix. `suffixes`: the accepted suffixes, the usual one first; one
+/// is required.
 template <class Place>
 Option number(Accepts accepts, const char* name, const char* value, std::vector<Choice<std::uint64_t>> suffixes,
               Place place, const char* help) {
@@ -111,7 +112,7 @@ Option number(Accepts accepts, const char* name, const char* value, std::vector<
             }};
 }
 
-/// A time in milliseconds; more than a hundred years are a hundred years, since clocks count nanoseconds in 63 bits.
+/// A time in milliseconds, at most a hundred years, since clocks count nanoseconds in 63 bits.
 template <class Place>
 Option time(Accepts accepts, const char* name, Place place, const char* help) {
     static constexpr std::uint64_t hundred_years = std::uint64_t{100} * 365 * 24 * 3'600'000;
@@ -214,7 +215,7 @@ std::vector<Option> options_for_forms() {
     };
 }
 
-/// Those of `check`, `test`, `simulate` and `analyse`.
+/// The options of `check`, `test`, `simulate` and `analyse`.
 std::vector<Option> options_for_checks() {
     using F = Format;
     return {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rows of the table of options.
+// The rows of the option table.
 #pragma once
 
 #include <functional>
@@ -10,21 +10,21 @@
 
 namespace grafverif::app {
 
-/// An option of the verbs that accept its group.
+/// An option of the commands that accept its group.
 struct Option {
     Accepts accepts = Accepts::Always;
-    std::string name = {};   ///< with its letter, if it has one: `output,o`
-    std::string value = {};  ///< what stands for its value in the help; empty: a switch, which has none
-    std::string help = {};   ///< empty: not shown
-    /// Puts values given, or that it was given, where they belong; what is wrong with them, or nothing.
+    std::string name = {};   ///< with its letter, if any: `output,o`
+    std::string value = {};  ///< placeholder of its value in the help; empty: a switch, which has no value
+    std::string help = {};   ///< empty: not shown in the help
+    /// Stores the given values, or the fact that the option was given; returns an error message, or nothing.
     std::function<std::string(const std::vector<std::string>&, Options&)> take = {};
     bool repeated = false;
-    bool is_command = false;  ///< taken as a separate word only: `--NAME=COMMAND` may be the name of a file
+    bool is_command = false;  ///< only as a separate word: `--NAME=COMMAND` may be the name of a file
 
     std::string long_name() const { return name.substr(0, name.find(',')); }
     std::string letter() const { return name.find(',') == std::string::npos ? "" : name.substr(name.find(',') + 1); }
 };
-/// The options of `verb`, in the order of --help.
+/// The options of a command, in the order of --help.
 std::vector<Option> options_of(const Verb& verb);
 
 }  // namespace grafverif::app

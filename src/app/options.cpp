@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command line of a verb, read by its rows of the table of options. What several options say together is looked at
-// behind it.
+// Parses the command line of a command with its rows of the option table, then validates combinations of options.
 #include "app/options.hpp"
 
 #include <fmt/format.h>
@@ -32,7 +31,7 @@ po::options_description described(const std::vector<Option>& options, bool hidde
     return result;
 }
 
-/// The options that were given, put into `options`; a complaint, or nothing.
+/// Stores the given options in `options`; returns an error message, or nothing.
 std::string take_all(const std::vector<Option>& known, const po::variables_map& values, Options& options) {
     for (const Option& option : known) {
         const po::variable_value& value = values[option.long_name()];
@@ -45,9 +44,10 @@ std::string take_all(const std::vector<Option>& known, const po::variables_map& 
     return {};
 }
 
-// -- what options say together -------------------------------------------------------------------------------------------
+// -- combinations of options
+// ---------------------------------------------------------------------------------------------
 
-/// `modelled`: an option of untimed models was given.
+/// `modelled`: true if an option of untimed models was given.
 std::string settle_engine(bool modelled, const po::variables_map& values, Options& options) {
     if (!options.engine_command.empty()) {
         if (options.engine != Engine::Embedded) return "`--engine` and `--engine-command` exclude each other";
@@ -61,7 +61,7 @@ std::string settle_engine(bool modelled, const po::variables_map& values, Option
     if (timed && options.chart)
         return fmt::format("`--engine {}` checks closed loops; a chart alone (`--chart`) is checked untimed",
                            values["engine"].as<std::string>());
-    const bool open = options.engine == Engine::Embedded || options.engine == Engine::Auto;  // to either kind of model
+    const bool open = options.engine == Engine::Embedded || options.engine == Engine::Auto;  // either kind of model
     if (options.stats && (options.check_untimed || !(open || options.engine == Engine::Timed)))
         return "`--stats` asks the embedded timed engine where its states come from; other engines cannot say";
     if (options.why && (options.check_untimed || !(open || options.engine == Engine::Timed)))
@@ -73,7 +73,7 @@ std::string settle_engine(bool modelled, const po::variables_map& values, Option
     return {};
 }
 
-/// Patterns of a shell put names of files in place of operands, and such a name must not run a command.
+/// Shell patterns expand operands to names of files, and such a name must not run a command.
 std::string adjacent_command(const std::vector<po::option>& given, const std::vector<Option>& known) {
     for (const po::option& one : given)
         for (const Option& option : known)
@@ -150,7 +150,7 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     if (options.help) return {options, {}};
     options.operands.insert(options.operands.end(), own, arguments.end());
     if (accepts(verb, Accepts::Bench) && options.against.empty()) return {{}, "`--against PROGRAM` is missing"};
-    if (options.format == Format::Sarif) {  // one of the reports, under another name
+    if (options.format == Format::Sarif) {  // one of the reports, with its own name
         options.sarif = options.output.value_or("-");
         options.output.reset();
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command line of every verb: one set of options, each verb naming those it takes.
+// The command line of every command: one set of options, from which each command selects the ones it accepts.
 #pragma once
 
 #include <array>
@@ -39,21 +39,21 @@ enum class Engine {
     Hwmcc,
     Nusmv,
     Nuxmv
-};  ///< Embedded: Timed, of untimed models Symbolic; Auto: Timed, of untimed models several beside each other
-/// What `supervise` may hold back.
+};  ///< Embedded: Timed, for untimed models Symbolic; Auto: Timed, for untimed models several in parallel
+/// What `supervise` may disable.
 enum class Held { Both, Transitions, Outputs };
-/// Who reads a depfile.
+/// The program that reads a depfile.
 enum class DepfileReader { Make, Ninja, CMake };
-/// How time passes for a controller that runs line by line: by `wait` lines, or by itself.
+/// How time passes for a controller that runs line by line: by `wait` lines, or in real time.
 enum class Clock { Simulated, Real };
 
 struct Options {
     std::vector<std::string> operands = {};  ///< FILE, or NAME for `components`
     std::optional<std::string> output = {};  ///< -o
     std::optional<std::string> name = {};    ///< of the files of `build`
-    bool create = false;                     ///< missing folders of outputs are made
+    bool create = false;                     ///< create missing output folders
     std::optional<std::string> depfile = {}, depfile_target = {};
-    std::optional<DepfileReader> depfile_reader = {};  ///< Make, if not said
+    std::optional<DepfileReader> depfile_reader = {};  ///< Make by default
     bool all = false;                                  ///< every loop, or chart, of a file
     std::optional<std::string> loop = {};
     std::optional<std::string> chart = {};
@@ -64,9 +64,9 @@ struct Options {
     std::optional<ExecutionMode> mode = {};
     std::optional<Grain> grain = {};
     ScheduleOptions untimed = {};             ///< of untimed models; its mode is the one above
-    std::optional<PlantApproach> plant = {};  ///< of untimed models, as asked for
+    std::optional<PlantApproach> plant = {};  ///< of untimed models, as requested
     Target target = Target::Both;
-    std::optional<bool> binary = {};  ///< of `aiger`; empty: as the name of the output says
+    std::optional<bool> binary = {};  ///< of `aiger`; empty: according to the name of the output
     Clock clock = Clock::Simulated;
     Format format = Format::Text;  ///< of `testgen`: Csv
     TestCover cover = TestCover::Transitions;
@@ -78,7 +78,7 @@ struct Options {
     bool in_place = false;
     bool check = false;
     bool quiet = false;
-    bool lossy = false;                                 ///< leave out what cannot be taken over from another format
+    bool lossy = false;                                 ///< omit constructs that cannot be imported from another format
     std::vector<std::string> include_folders = {};      ///< -I
     std::map<std::string, std::string> constants = {};  ///< --set: values of constants of loops
     bool verbose = false;
@@ -88,30 +88,30 @@ struct Options {
 
     std::vector<std::string> properties = {};  ///< of `check`; empty: all
     std::string marked = {};                   ///< of `supervise`: a term
-    Held held = Held::Both;                    ///< likewise: what gets conditions
+    Held held = Held::Both;                    ///< of `supervise`: the elements that get conditions
     Engine engine = Engine::Embedded;
-    bool whole = false;                            ///< no sub-loop and no cell is judged apart
-    unsigned jobs = 0;                             ///< threads; 0: as many as there are cores
+    bool whole = false;                            ///< no independent subsystem and no fragment is decided separately
+    unsigned jobs = 0;                             ///< threads; 0: one per core
     std::string engine_command = {};               ///< of Engine::Hwmcc
-    bool check_untimed = false;                    ///< --untimed, or an engine that knows no time
-    Ablations without = {};                        ///< cures of the method left out: see docs/method.md
-    std::vector<std::string> cures_left_out = {};  ///< the same by name
+    bool check_untimed = false;                    ///< --untimed, or an engine without time
+    Ablations without = {};                        ///< corrections of the method that are disabled: see docs/method.md
+    std::vector<std::string> cures_left_out = {};  ///< their names
     std::optional<std::uint64_t> max_states = {};
     std::optional<std::uint64_t> max_steps = {};                         ///< of Engine::Bmc
     std::optional<std::uint64_t> max_memory = {};                        ///< bytes
     std::optional<std::uint64_t> timeout_ms = {};                        ///< a hundred years at most
-    std::optional<std::chrono::steady_clock::time_point> deadline = {};  ///< the same from the start of the run on
+    std::optional<std::chrono::steady_clock::time_point> deadline = {};  ///< the same limit as a point in time
     std::optional<std::string> junit = {}, sarif = {};
-    bool list = false;                                           ///< of `check`: its properties
+    bool list = false;                                           ///< of `check`: list its properties
     std::optional<std::string> state_file = {}, survivors = {};  ///< of `mutate`
-    std::optional<std::uint64_t> limit = {}, each_ms = {};       ///< of `mutate`: mutants; the time of each
+    std::optional<std::uint64_t> limit = {}, each_ms = {};       ///< of `mutate`: number of mutants; time limit of each
     std::uint64_t seed = 1;                                      ///< of `mutate`
-    std::string date = {};                                       ///< of `report`, to be shown
+    std::string date = {};                                       ///< of `report`: the date shown
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
     EventRange events = {};                         ///< of the trace as a timing diagram
-    std::string against = {};                       ///< of `test`: the command that runs the controller
-    std::optional<std::string> sequence = {};       ///< of `test`: the table to run; else it is made of the chart
-    std::optional<std::uint64_t> patience_ms = {};  ///< of `test`: for one answer; of `serve`: for one check
+    std::string against = {};                       ///< of `test`: the command that runs the controller under test
+    std::optional<std::string> sequence = {};       ///< of `test`: the table to run; empty: generated from the chart
+    std::optional<std::uint64_t> patience_ms = {};  ///< of `test`: limit for one response; of `serve`: for one check
     bool stop_on_failure = false, go_on = false;    ///< of `test`
     std::uint64_t max_evolutions = 1000;            ///< of `st`; in 32 bits
     std::optional<std::string> script = {};         ///< of `simulate`
@@ -119,14 +119,14 @@ struct Options {
     std::optional<std::uint64_t> random_seed = {};
     std::uint64_t steps = 100;   ///< of a random walk
     std::string situation = {};  ///< of `draw`: names of steps, with commas
-    std::uint64_t columns = 0;   ///< of `draw`; 0: as many as a page takes
+    std::uint64_t columns = 0;   ///< of `draw`; 0: as many as fit on a page
     Notation notation = Notation::Iec;
     std::uint64_t port = 0;  ///< of `serve`; 0: any that is free
-    bool open = false;       ///< of `serve`: in a browser, too
-    bool stdio = false;      ///< of `lsp`, which knows no other way
+    bool open = false;       ///< of `serve`: open a browser
+    bool stdio = false;      ///< of `lsp`: no effect, it always uses standard input and output
 };
 
-/// What a run does with the file that an option names; docs/files.md has the rules of each.
+/// How a run uses the file that an option names; docs/files.md states the rules of each use.
 enum class PathUse { Read, Written, Updated, WrittenFolder };
 
 struct PathOption {
@@ -158,9 +158,9 @@ struct NamedPath {
 /// The paths that `options` name, in the order of the list.
 std::vector<NamedPath> named_paths(const Options& options);
 
-/// The groups of options a verb may take besides those that all take; File: those of verbs that read one; Timeout: of those
-/// that have no other; Writes: of those that may write files; Command: of one that takes another verb, to which all that
-/// stands behind it belongs.
+/// The groups of options that a command may accept, in addition to those that all commands accept. File: commands that
+/// read a file; Timeout: commands without another time limit; Writes: commands that may write files; Command: a command
+/// that runs another command, to which all following arguments belong.
 enum class Accepts {
     Always,
     File,
@@ -209,40 +209,40 @@ enum class Accepts {
     Command
 };
 
-/// Of a verb that takes one file after the other.
+/// Operand count of a command that processes several files sequentially.
 inline constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 
 struct Verb {
     std::string name = {};
     std::string operand = {};  ///< as shown in the usage line: `FILE`, `FILE...`, `[NAME]`
     std::size_t least_operands = 1, most_operands = 1;
-    std::string summary = {};      ///< one line, for the list of verbs
+    std::string summary = {};      ///< one line, for the list of commands
     std::string description = {};  ///< for --help
     std::vector<std::string> examples = {};
     std::vector<Accepts> accepts = {};
 };
 
-/// The options of `verb` from `arguments` (the verb's name left out), or a message that says what is wrong.
+/// The options in `arguments` (without the command's name), or an error message.
 struct ParsedOptions {
     std::optional<Options> options = {};
     std::string complaint = {};
 };
 ParsedOptions parse_options(const Verb& verb, std::span<const std::string> arguments);
 
-/// Whether `verb` takes the options of the group.
+/// True if the command accepts the options of the group.
 bool accepts(const Verb& verb, Accepts what);
 
-/// What the table says of an option that a verb takes: for help, manual pages and completion.
+/// The table entry of an option of a command, for help, manual pages and completion.
 struct OptionText {
     std::string name = {};    ///< without dashes: `output`
     std::string letter = {};  ///< `o`, or empty
-    std::string value = {};   ///< what stands for its value: `FILE`, `text|json`; empty: it takes none
+    std::string value = {};   ///< placeholder of its value: `FILE`, `text|json`; empty: it has none
     std::string help = {};
 };
-/// The options of `verb` that are shown, in the order of --help.
+/// The visible options of a command, in the order of --help.
 std::vector<OptionText> option_texts(const Verb& verb);
 
-/// `grafverif VERB --help`.
+/// `grafverif COMMAND --help`.
 void print_help(const Verb& verb, std::ostream& out);
 
 }  // namespace grafverif::app

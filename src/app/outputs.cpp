@@ -47,8 +47,8 @@ bool is_no_input(const std::string& path, Job& job) {
     return true;
 }
 
-/// The format that the ending of `path` names, if it is one of pictures and documents and is not written: HTML is written
-/// by `report` alone, SVG is not written by it. Empty: another ending.
+/// The format that the extension of `path` names, if it is a picture or document format that is not written here: only
+/// `report` writes HTML, and it does not write SVG. Empty for any other extension.
 std::string foreign_format(const std::filesystem::path& path, bool drawing, bool page) {
     constexpr std::array<std::string_view, 13> never = {"png",  "jpg", "jpeg", "gif", "webp", "bmp", "tif",
                                                         "tiff", "pdf", "ps",   "eps", "emf",  "docx"};
@@ -62,13 +62,13 @@ std::string foreign_format(const std::filesystem::path& path, bool drawing, bool
     return known ? ending : std::string();
 }
 
-/// A stream of ours, and what a person sees of it.
+/// A standard stream and the properties of its terminal.
 struct Outlet {
     std::ostream* stream = nullptr;
     bool terminal = false;
 };
 
-/// What `path` names; no stream: a file.
+/// The outlet that `path` names; a null stream denotes a file.
 Outlet outlet_of(const std::filesystem::path& path, const Streams& streams) {
     if (names_output(path.string()))
         return streams.documents != nullptr ? Outlet{streams.documents, streams.documents_screen.terminal}

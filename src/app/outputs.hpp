@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Outputs of a run against its inputs and each other: no file is both, and no two outputs are one file. What the options
-// name is known before there is any work, and is refused then.
+// Checks the outputs of a run against its inputs and each other: no file is both, and no two outputs are one file.
+// Paths that the options name are checked before any work begins.
 #pragma once
 
 #include <string>
@@ -13,27 +13,28 @@
 
 namespace grafverif::app {
 
-/// Whether `path` is standard input or output, under any of its names: `-`, `/dev/stdin`.
+/// True if `path` is standard input or output, under any of its names: `-`, `/dev/stdin`.
 bool names_input(const std::string& path);
 bool names_output(const std::string& path);
 
-/// Whether a report or the like goes to standard output, where what is said to people has no place then.
+/// True if a report or similar document goes to standard output, so that other messages must go elsewhere.
 bool reports_on_output(const Options& options);
-/// Whether files are to be there in the end, even if nobody reads standard output any more.
+/// True if the run must write files even after the reader of standard output has gone.
 bool writes_files(const Options& options);
 
-/// The files that the options name as outputs are different ones; false after an error.
+/// Checks that the options name distinct files as outputs; false after an error.
 bool outputs_differ(Job& job);
-/// No output is named after a format that `verb` does not write (`draw -o x.png`); false after an error.
+/// Checks that no output is named after a format that the command does not write (`draw -o x.png`); false after an
+/// error.
 bool formats_are_written(std::string_view verb, Job& job);
-/// Their folders are there, or may be made; false after an error. `folder`: what `-o` names is a folder.
+/// Checks that the folders of the outputs exist or may be created; false after an error. `folder`: `-o` names a folder.
 bool folders_are_there(bool folder, Job& job);
 
-/// Notes that the file at `path` is read in this run; false after an error: it is to be written too.
+/// Records that this run reads the file at `path`; false after an error: it is also an output.
 bool note_input(const std::string& path, Job& job);
 
-/// Writes the set (see write_files), the depfile first if one is asked for; `-` and standard output and error by another
-/// name go to the streams. False after an error: one of the files is an input, or is there twice.
+/// Writes the set of files (see write_files), first the depfile if one is requested; `-` and other names of standard
+/// output and error go to the streams. False after an error: one of the files is an input, or is contained twice.
 bool write_outputs(const std::vector<OutputFile>& files, Job& job, const Streams& streams);
 
 }  // namespace grafverif::app

@@ -30,7 +30,7 @@ namespace {
 struct Entry {
     Verb (*usage)() = nullptr;
     ExitCode (*run)(Job&, const Streams&) = nullptr;
-    void (*list)(Job&) = nullptr;  ///< tells what was made of all files, when it is written
+    void (*list)(Job&) = nullptr;  ///< prints the list of all results when they are written
 };
 
 constexpr std::array entries = {
@@ -113,13 +113,13 @@ GuardOrders orders(const Job& job, const Streams& streams) {
     return orders;
 }
 
-/// Errors that say nothing of the input: a bound of this run was met, and with another one there may be none.
+/// Errors caused by a limit of this run, not by its input; with another limit they may not occur.
 bool about_bounds(const Diagnostic& diagnostic) {
     return diagnostic.code == "stopped" || diagnostic.code == "out-of-memory" || diagnostic.code == "threads-refused" ||
            diagnostic.code == "bound-reached";
 }
 
-/// The code of the verb and that of its errors as one.
+/// Combines the exit code of the command with that of its errors.
 ExitCode exit_code(const Job& job, ExitCode code) {
     if (!job.diagnostics.has_errors() || code == ExitCode::Failure) return code;
     const bool only_bounds = std::ranges::all_of(job.diagnostics.all(), [](const Diagnostic& diagnostic) {
@@ -129,7 +129,7 @@ ExitCode exit_code(const Job& job, ExitCode code) {
     return code == ExitCode::Verdict ? code : ExitCode::Unknown;
 }
 
-/// A call of the program: a verb on each of its files, then what is written of all of them.
+/// One invocation of the program: runs a command on each of its files, then writes the combined outputs.
 class Call {
 public:
     Call(const Entry& entry, const Verb& verb, const Options& options, const Streams& streams)
@@ -160,7 +160,7 @@ public:
     }
 
 private:
-    /// A report has standard output for itself; what is said to people goes to standard error.
+    /// If a report uses standard output, messages go to standard error.
     static Streams with_words_apart(const Streams& streams) {
         Streams apart{streams.in, streams.err, streams.err, streams.alone, streams.err_screen, streams.err_screen};
         apart.documents = &streams.out;
@@ -168,7 +168,7 @@ private:
         return apart;
     }
 
-    /// The operands of each run of the verb.
+    /// The operands of each run of the command.
     std::vector<std::vector<std::string>> rounds_of() const {
         if (verb_.most_operands != any_number) return {asked_.operands};
         std::vector<std::vector<std::string>> rounds;
@@ -184,7 +184,7 @@ private:
         job_.closing.clear();
     }
 
-    /// What the system refuses is told like any other error.
+    /// Reports exceptions of the system like any other error.
     template <class Work>
     ExitCode attempt(const Work& work) {
         ExitCode code = ExitCode::Done;
@@ -213,7 +213,7 @@ private:
         return ExitCode::Input;
     }
 
-    /// The reports, whatever has happened, and what was made of all files, if nothing has.
+    /// Writes the reports in any case, and the results of all files if there was no error.
     void close() {
         job_.options.operands = asked_.operands;
         if (reported_)
@@ -244,7 +244,7 @@ private:
     Reports reports_ = {};
     ExitCode code_ = ExitCode::Done;
     bool failed_ = false;
-    bool reported_ = true;  ///< reports are written
+    bool reported_ = true;  ///< the reports were written
 };
 
 ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, const Streams& streams) {
@@ -294,7 +294,7 @@ ExitCode run(std::span<const std::string> arguments, const Streams& streams) {
         streams.out << "grafverif " GRAFVERIF_VERSION "\n";
         return ExitCode::Done;
     }
-    const std::string& verb = asks ? arguments[1] : name;  // `help check` and `--help check` too
+    const std::string& verb = asks ? arguments[1] : name;  // also for `help check` and `--help check`
     for (const Entry& entry : entries) {
         if (entry.usage().name == verb && asks) return print_help(entry.usage(), streams.out), ExitCode::Done;
         if (entry.usage().name == verb) return run_verb(entry, arguments.subspan(1), streams);

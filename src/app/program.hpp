@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program as a function: arguments in, streams in and out, exit code back; so that tests run it in-process.
+// The program as a function: arguments, streams and exit code are explicit, so that tests run it in-process.
 #pragma once
 
 #include <iosfwd>
@@ -11,41 +11,41 @@
 
 namespace grafverif::app {
 
-/// Exit codes; where several apply: Failure before Input before Verdict before Unknown.
+/// Exit codes. If several apply, the order of precedence is Failure, Input, Verdict, Unknown.
 enum class ExitCode {
-    Done = 0,     ///< done, every verdict as expected
-    Verdict = 1,  ///< a verdict against expectation
-    Input = 2,    ///< input or usage wrong
-    Unknown = 3,  ///< a verdict unknown, or stopped: by a bound of time or memory, or by Ctrl-C
-    Failure = 4,  ///< a failure on our side
+    Done = 0,     ///< completed, every verdict as expected
+    Verdict = 1,  ///< an unexpected verdict
+    Input = 2,    ///< error in the input or usage
+    Unknown = 3,  ///< an unknown verdict, or stopped by a limit of time or memory or by Ctrl-C
+    Failure = 4,  ///< an internal failure
 };
 
-/// That of two runs, by the order above.
+/// The combined code of two runs, by this precedence.
 ExitCode worse(ExitCode one, ExitCode other);
 
-/// The standard streams, what a person sees of them (documents are made clean on the way to a terminal), and whether
-/// nobody else runs in this process.
+/// The standard streams, the properties of their terminals (control characters in documents are removed before they
+/// reach a terminal), and whether this process runs nothing besides the program.
 struct Streams {
     std::istream& in;
     std::ostream& out;
     std::ostream& err;
-    bool alone = false;  ///< the process is ours: it may be bounded, and ended
+    bool alone = false;  ///< the program owns the process: it may limit and end it
     Screen out_screen = {}, err_screen = {};
-    bool typed = false;  ///< a person types `in` at a terminal, on which `out` is shown
-    /// Where outputs called `-` go, and what a person sees of it, if that is not `out`.
+    bool typed = false;  ///< a user types `in` at a terminal, on which `out` is shown
+    /// The stream of outputs called `-`, and the properties of its terminal, if it is not `out`.
     std::ostream* documents = nullptr;
     Screen documents_screen = {};
 };
 
 struct Verb;
 
-/// All verbs, in the order of --help.
+/// All commands, in the order of --help.
 std::vector<Verb> all_verbs();
 
-/// That there is no such verb, and which one may be meant.
+/// Message that the command does not exist, with the most similar one.
 std::string no_such_verb(const std::string& name);
 
-/// Runs `grafverif ARGUMENTS`, the program's name left out.
+/// Runs `grafverif ARGUMENTS`; the arguments do not include the program's name.
 ExitCode run(std::span<const std::string> arguments, const Streams& streams);
 
 }  // namespace grafverif::app

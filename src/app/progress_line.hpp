@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A line on the terminal, written over until the work ends.
+// Progress line: one line on the terminal, overwritten until the work ends.
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,7 @@ public:
     ProgressLine& operator=(const ProgressLine&) = delete;
     ~ProgressLine() { erase(); }
 
-    /// Shows what `text()` gives; five times a second at most.
+    /// Shows the result of `text()`, at most five times a second.
     template <class Text>
     void show(const Text& text) {
         const auto now = std::chrono::steady_clock::now();
@@ -28,7 +28,7 @@ public:
         err_ << line << std::flush;
     }
 
-    /// Writes `text`, whole lines, above it.
+    /// Writes `text`, which consists of complete lines, above it.
     void interrupt(std::string_view text) {
         erase();
         err_ << text << std::flush;

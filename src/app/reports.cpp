@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether `text` ends as the findings of `analyse` do: `press: 1 error, 2 notes`.
+/// True if `text` ends as the findings of `analyse` do: `press: 1 error, 2 notes`.
 bool ends_in_tally(std::string_view text) {
     if (!text.ends_with('\n')) return false;
     text.remove_suffix(1);
@@ -34,7 +34,7 @@ bool ends_in_tally(std::string_view text) {
             std::ranges::any_of(endings, [&](std::string_view ending) { return rest.ends_with(ending); }));
 }
 
-/// Whether a file that begins so is a report that this program has written.
+/// True if a file with this beginning is a report of this program.
 bool is_report(std::string_view text) {
     constexpr std::array<std::string_view, 6> beginnings = {"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>",
                                                             "{\n  \"$schema\": \"https://json.schemastore.org/sarif",
@@ -46,7 +46,7 @@ bool is_report(std::string_view text) {
            std::ranges::any_of(beginnings, [&](std::string_view each) { return text.starts_with(each); });
 }
 
-/// Whether what `path` names may be made anew before it is known what the run reads.
+/// True if the file at `path` may be replaced before the inputs of the run are known.
 bool is_replaceable(const std::string& path, const Job& job) {
     const std::string identity = path == "-" || own_descriptor(path) ? "" : file_identity(path);
     if (identity.empty()) return false;
@@ -69,7 +69,7 @@ std::string sarif_text(const SarifLog& log) {
     return std::move(text).str();
 }
 
-/// The file that a run is about, for people.
+/// The file that a run is about, for display.
 std::string file_of(const Job& job) { return job.options.operands.empty() ? "" : job.options.operands.front(); }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Reports are of the run that was asked for them, or they are not there. Before any work an old JUnit or SARIF report is
-// replaced by one that says that the run did not come to its end, and other old reports (traces, pages, findings) are
-// removed: whatever ends the run, no report of an earlier one stands. After the work, errors included, the reports are
-// written. Until it is known what a run reads, only what is missing or is a report is touched: a file named by mistake,
-// a chart, stays.
+// Report files of a run: each belongs to the run that requested it, or does not exist. Before any work, an old JUnit or
+// SARIF report is replaced by one that states that the run did not finish. Other old reports (traces, pages, findings)
+// are removed, so that no report of an earlier run remains if this run is killed. After the work the reports are
+// written, also after errors. Until the inputs of a run are known, only missing files and reports are modified: a chart
+// that was named by mistake is kept.
 #pragma once
 
 #include <string>
@@ -16,22 +16,22 @@
 
 namespace grafverif::app {
 
-/// What the runs of one call found.
+/// The results of all runs of one invocation.
 struct Reports {
     std::string suites = {};  ///< of JUnit
     SarifLog sarif = {};
     std::vector<OutputFile> files = {};  ///< traces
 };
 
-/// `output`: what `-o` names is a report too.
+/// `output`: the file of `-o` is a report too.
 void begin_reports(bool output, Job& job);
 
-/// What was decided of the model, for the reports that are asked for.
+/// Adds the verdicts of a model to the requested reports.
 void note(const Decided& decided, const Model& model, Job& job);
-/// What the diagnostics of a run say; of errors also the lines of `--json-lines`.
+/// Adds the diagnostics of a run; errors also become lines of `--json-lines`.
 void note_diagnostics(Job& job, const Streams& streams);
 
-/// `failed`: after errors, which may have kept a file from being known as one that is read.
+/// `failed`: after errors, which may have prevented a file from being recorded as an input.
 bool write_reports(bool failed, Job& job, const Streams& streams);
 
 }  // namespace grafverif::app

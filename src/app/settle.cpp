@@ -124,7 +124,7 @@ std::string settle_limits(Options& options) {
     return {};
 }
 
-/// Options that only plant automata have ask for them.
+/// Options that only plant automata have select them.
 std::string settle_untimed(Options& options) {
     ScheduleOptions& untimed = options.untimed;
     const bool discrete = untimed.time == TimeModel::Discrete;

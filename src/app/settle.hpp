@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the options say of outputs together, of limits, and of untimed models.
+// Validates combinations of options: outputs, limits and untimed models.
 #pragma once
 
 #include <functional>
@@ -10,23 +10,23 @@
 
 namespace grafverif::app {
 
-/// What is wrong with them, or nothing: it fits together, and is enough to write them; one reads standard input, one document
-/// goes to standard output.
+/// Validates inputs and outputs: the options suffice to write the outputs, at most one option reads standard input, and
+/// at most one document goes to standard output. Returns an error message, or nothing.
 std::string settle_outputs(const Verb& verb, const Options& options);
 
-/// Likewise of options that mean nothing without another one, or beside it. `given`: whether the option of that name was.
+/// Validates options that require or exclude another one. `given`: true if the option of that name was given.
 std::string settle_company(const Verb& verb, const Options& options,
                            const std::function<bool(const char* name)>& given);
 
-/// Likewise of limits; a time that no clock counts becomes one that it does.
+/// Validates limits; reduces a time that exceeds the range of the clock.
 std::string settle_limits(Options& options);
 
-/// Likewise of the untimed model.
+/// Validates the options of the untimed model.
 std::string settle_untimed(Options& options);
 
-/// `NAME=VALUE` each, no name twice; what is wrong, or nothing.
+/// Parses `NAME=VALUE` each, no name twice; returns an error message, or nothing.
 std::string take_constants(const std::vector<std::string>& given, Options& options);
-/// `--without CURE`: models with a failure that the method cures, for the page that shows them.
+/// `--without CURE`: models without one correction of the method, for the page that shows its effect.
 std::string leave_out_cures(const std::vector<std::string>& cures, Options& options);
 std::string take_jobs(const std::vector<std::string>& given, Options& options);
 

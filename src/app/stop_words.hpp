@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Engines know that they were stopped; whoever asked them to knows by what.
+// Engines report that they were stopped; the caller that stopped them adds the cause.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace grafverif::app {
 
-/// `reason` with what stopped the engine behind its word `stopped`: `by_user`, or else the time limit.
+/// `reason` with the cause inserted after its word `stopped`: `by_user`, otherwise the time limit.
 inline std::string with_who_stopped(std::string reason, bool by_user, const Options& options) {
     constexpr std::string_view word = "stopped", limit = " at the time limit";
     const std::size_t at = reason.find(word);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `check` and `simulate` share: traces that go to files.
+// Trace files of `check` and `simulate`.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace grafverif::app {
 
-/// `run` as the files of --trace-vcd and --trace-svg, where they are asked for.
+/// `run` as the files of --trace-vcd and --trace-svg, if requested.
 std::vector<OutputFile> trace_files(const ChartRun& run, std::string_view title, const Options& options);
 
 }  // namespace grafverif::app

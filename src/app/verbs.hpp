@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The verbs of the command line. Each reads job.options, adds what is wrong to job.diagnostics, which the caller
+// The commands of the command line. Each reads job.options, adds its diagnostics to job.diagnostics, which the caller
 // renders, and writes its result to streams.out or to files.
 #pragma once
 
@@ -70,10 +70,10 @@ Verb test_usage();
 Verb manual_usage();
 Verb completion_usage();
 
-/// Of `build`, when its products are written: their list goes to the closing words.
+/// For `build`, after its results are written: appends their list to the closing text.
 void list_products(Job& job);
 
-/// Writes `content` to the file of `-o`, or to standard output without it.
+/// Writes `content` to the file of `-o`, or to standard output by default.
 void deliver(const std::string& content, Job& job, const Streams& streams);
 
 }  // namespace grafverif::app

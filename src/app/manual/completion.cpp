@@ -9,11 +9,11 @@ namespace grafverif::app {
 
 namespace {
 
-/// What can be typed where the table says `text|json`, `FILE`, `DIR`, `NAME`.
+/// The values that can be typed for `text|json`, `FILE`, `DIR` and `NAME` in the option table.
 struct Completed {
     enum class Kind { Words, Files, Folders, Other };
     Kind kind = Kind::Other;
-    std::string words = {};  ///< of Kind::Words, with blanks between them
+    std::string words = {};  ///< of Kind::Words, separated by blanks
 };
 
 std::string verb_names(std::span<const Verb> verbs) {
@@ -40,7 +40,7 @@ std::string replaced(std::string text, char what, std::string_view by) {
     return text;
 }
 
-/// Within single quotes.
+/// Quotes text for use within single quotes.
 std::string quoted(const std::string& text) { return replaced(text, '\'', "'\\''"); }
 
 std::string option_words(const Verb& verb) {

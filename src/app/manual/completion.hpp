@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scripts that complete command lines of grafverif: verbs, their options, the words that options take, files.
+// Shell scripts that complete command lines of grafverif: commands, options, option values and files.
 #pragma once
 
 #include <span>

@@ -10,7 +10,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// Text as man(7) takes it, what stands between backticks in bold; no line of it is a request.
+/// Text as man(7) source, with the text between backticks in bold; no line of it is a request.
 std::string troff(std::string_view text) {
     std::string result;
     bool bold = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pages of the manual, in the language of man(7): what --help says, laid out by `man`.
+// Manual pages in man(7) format: the content of --help.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace grafverif::app {
 
-/// grafverif(1): the program, its verbs, its exit codes.
+/// grafverif(1): the program, its commands, its exit codes.
 std::string man_page(std::span<const Verb> verbs, std::string_view version);
 
-/// grafverif-VERB(1).
+/// grafverif-COMMAND(1).
 std::string man_page(const Verb& verb, std::string_view version);
 
 }  // namespace grafverif::app

@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 using namespace std::chrono_literals;
 
 constexpr auto look_at_files_every = 50ms, tell_progress_every = 250ms;
-/// Who replaces a file may take it away first.
+/// Programs that replace a file may delete it first.
 constexpr auto absence = 100ms;
 
 bool is_in_a_loop(const Model& model, Id<Chart> chart) {
@@ -35,8 +35,7 @@ bool is_in_a_loop(const Model& model, Id<Chart> chart) {
     });
 }
 
-/// `text`: what it says in the words of the file; `claim`: its formula, where that is known. All is text that somebody
-/// else wrote.
+/// `text`: the property as the file has it; `claim`: its formula, if known. All of it is untrusted text.
 Json json_of(const Answer& answer, const std::string& claim) {
     const Verdict& verdict = answer.verdict;
     Json notes = Json::array();
@@ -88,7 +87,7 @@ public:
     }
 
 private:
-    /// What is asked of one model, and the verdicts so far.
+    /// The check of one model, and the verdicts so far.
     struct Proof {
         bool is_loop = false;
         std::uint32_t place = 0;  ///< among the loops or charts
@@ -110,7 +109,7 @@ private:
         wake_.notify_all();
     }
 
-    // One thread looks whether files have changed ...
+    // One thread polls the files for changes ...
 
     void watch() {
         while (sleep(look_at_files_every)) {
@@ -122,13 +121,13 @@ private:
         }
     }
 
-    /// False: it is over.
+    /// False at the end.
     bool sleep(std::chrono::milliseconds time) {
         std::unique_lock hold(door_);
         return !wake_.wait_for(hold, time, [this] { return over_.load(); });
     }
 
-    // ... and another one reads them, and proves until they change.
+    // ... and another one reads them and checks until they change.
 
     void work() {
         while (!over_) {
@@ -168,7 +167,7 @@ private:
 
     void begin() {
         const std::lock_guard hold(door_);
-        stale_ = over_.load();  // whoever ends us has set both
+        stale_ = over_.load();  // the destructor has set both
     }
 
     void read(const std::string& path, std::string text, Workpiece& piece) {
@@ -178,7 +177,7 @@ private:
         ReadContext context = context_of(reach, options_.include_folders, false);
         context.constants.insert(options_.constants.begin(), options_.constants.end());
         context.identity = [this](const std::string& included) {
-            watch_.note(included);  // where there is nothing, there may be something soon
+            watch_.note(included);  // a missing file may appear later
             return identity_of_existing(included);
         };
         reading.model = read_text(file, reading.sources, context, reading.diagnostics);
@@ -196,7 +195,7 @@ private:
         }
     }
 
-    /// Of what is refused too: it is told.
+    /// Includes rejected models, which are reported.
     static std::vector<Proof> proofs_of(const Workpiece& piece) {
         std::vector<Proof> proofs;
         if (!piece.reading.model) return proofs;
@@ -301,7 +300,7 @@ private:
     const Options& options_;
     std::function<void()> changed_;
 
-    std::mutex watching_ = {};  ///< taken before `door_`
+    std::mutex watching_ = {};  ///< acquired before `door_`
     Watch watch_ = {};
 
     mutable std::mutex door_ = {};
@@ -311,12 +310,12 @@ private:
     std::string state_ = {};
     std::shared_ptr<const Workpiece> piece_ = std::make_shared<Workpiece>();
 
-    // Of the thread that reads and proves.
+    // Used only by the thread that reads and checks.
     std::shared_ptr<const Workpiece> piece_of_work_ = piece_;
     std::vector<Proof> proofs_ = {};
     std::uint64_t readings_ = 0;
 
-    std::jthread worker_ = {}, watcher_ = {};  ///< last: they use all of the above
+    std::jthread worker_ = {}, watcher_ = {};  ///< last: the threads use all members above
 };
 
 Bench::Bench(const Options& options, std::function<void()> changed)

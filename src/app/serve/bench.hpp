@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Bench: a file as it is now, looked at again whenever it or a file that it includes changes: what is wrong with it, its
-// charts drawn, its properties decided one model after the other. Whoever wants to know asks for the newest state; a
-// save takes the proofs of the state before it away.
+// Bench: checks a file and checks it again when it or an included file changes: diagnostics, drawn charts, and
+// properties, decided model by model. Clients query the newest state; a save discards the verdicts of the previous
+// state.
 #pragma once
 
 #include <atomic>
@@ -19,25 +19,25 @@
 
 namespace grafverif::app {
 
-/// A file that was read, and what is made of it. Nobody changes it any more.
+/// A parsed file and the models derived from it; immutable.
 struct Workpiece {
     Reading reading = {};
-    std::vector<std::optional<Network>> networks = {};  ///< per closed loop; empty: it is refused
-    std::vector<bool> runs = {};                        ///< per chart: it can be simulated alone
-    std::uint64_t number = 0;                           ///< of the reading
+    std::vector<std::optional<Network>> networks = {};  ///< per closed loop; empty: it was rejected
+    std::vector<bool> runs = {};                        ///< per chart: true if it can be simulated alone
+    std::uint64_t number = 0;                           ///< of the parse
 };
 
 class Bench {
 public:
-    /// `changed` is called after every change, from another thread. Everything outlives the bench.
+    /// `changed` is called after every change, from another thread. All arguments must outlive the bench.
     Bench(const Options& options, std::function<void()> changed);
     ~Bench();
     Bench(const Bench&) = delete;
     Bench& operator=(const Bench&) = delete;
 
-    /// The state as JSON (docs/serve.md), where it is newer than `known`.
+    /// The state as JSON (docs/serve.md), if it is newer than `known`.
     std::optional<std::string> newer(std::uint64_t known) const;
-    /// What was read last.
+    /// The result of the last parse.
     std::shared_ptr<const Workpiece> workpiece() const;
 
 private:

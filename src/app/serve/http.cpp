@@ -31,7 +31,7 @@ constexpr std::size_t largest_header = 16384;
 constexpr auto longest_transfer = std::chrono::seconds(5);
 constexpr std::size_t answering_threads = 4;
 
-/// The same time for all texts of one length.
+/// Constant-time comparison of texts of equal length.
 bool equal(std::string_view one, std::string_view other) {
     bool same = one.size() == other.size();
     for (std::size_t k = 0; k < one.size() && k < other.size(); ++k) same = (one[k] == other[k]) & same;
@@ -44,7 +44,7 @@ int digit_of(char c) {
     return small >= 'a' && small <= 'f' ? small - 'a' + 10 : -1;
 }
 
-/// `%41` is `A`.
+/// Decodes `%41` to `A`.
 std::string decoded(std::string_view text) {
     std::string plain;
     for (std::size_t k = 0; k < text.size(); ++k) {
@@ -73,7 +73,7 @@ std::string_view text_of(boost::beast::string_view view) { return {view.data(), 
     throw std::system_error(error.value(), std::generic_category(), what);
 }
 
-/// What every answer carries: nobody keeps, embeds or guesses at it, and a page asks us alone.
+/// Headers of every response: no caching, no embedding, no type guessing, requests to this server only.
 template <class Message>
 void set_headers(Message& message) {
     message.set(http::field::cache_control, "no-store");
@@ -83,7 +83,7 @@ void set_headers(Message& message) {
     message.set("Cross-Origin-Resource-Policy", "same-origin");
 }
 
-/// Threads for the handler: as many of `answering_threads` as the system starts. Throws if it starts none.
+/// Threads for the handler: up to `answering_threads`, as many as the system starts. Throws if it starts none.
 /// asio::thread_pool waits forever in its constructor if the first thread is started and another one is refused.
 class HandlerThreads {
 public:
@@ -144,7 +144,7 @@ public:
     }
 
 private:
-    /// One request and its answer.
+    /// One request and its response.
     class Connection : public std::enable_shared_from_this<Connection> {
     public:
         Connection(Impl& server, Tcp::socket socket)
@@ -157,7 +157,7 @@ private:
             if (state_ == State::Identified) --server_.identified_;
         }
 
-        /// Makes room for another connection.
+        /// Closes this connection in favour of another.
         void drop() {
             state_ = State::Dropped;
             server_.unidentified_.erase(place_);
@@ -173,7 +173,7 @@ private:
                 [self = shared_from_this()](beast::error_code error, std::size_t) { self->header_is_read(error); });
         }
 
-        /// The handler is asked, in one of its threads.
+        /// Calls the handler in one of its threads.
         void ask(bool at_once) {
             timer_.cancel();
             asio::post(server_.threads_.context(), [self = shared_from_this(), at_once]() mutable {
@@ -186,10 +186,10 @@ private:
                 } catch (const std::exception&) {
                     answer = HttpAnswer{500, "text/plain", "there is no answer: a failure on our side\n"};
                 }
-                Impl& server = self->server_;  // whose thread alone releases connections
+                Impl& server = self->server_;  // its thread alone releases connections
                 asio::post(server.context_, [self = std::move(self), notices, answer = std::move(answer)]() mutable {
                     if (answer) return self->answer(std::move(*answer));
-                    // What has happened while the handler was asked may be what it waits for.
+                    // If something changed during the call of the handler, it may be what the request waits for.
                     self->server_.notices_ == notices ? self->wait() : self->ask(false);
                 });
             });
@@ -241,7 +241,7 @@ private:
             });
         }
 
-        /// Whether somebody is there still: a page that goes away leaves its place to another. What it sends is forgotten.
+        /// Detects that the client has disconnected, which frees its place; ignores what it sends.
         void watch() {
             stream_.async_read_some(asio::buffer(rest_),
                                     [self = shared_from_this()](beast::error_code error, std::size_t) {
@@ -270,7 +270,7 @@ private:
                               [self = shared_from_this()](beast::error_code, std::size_t) { self->linger(); });
         }
 
-        /// What is still being sent is read and forgotten for a while: to close before would take the answer back.
+        /// Reads and ignores remaining input for a while: closing at once would discard the response.
         void linger() {
             beast::error_code ignored;
             stream_.socket().shutdown(Tcp::socket::shutdown_send, ignored);
@@ -302,7 +302,8 @@ private:
         bool watched_ = false, gone_ = false;
     };
 
-    /// On both addresses, at one port; of ports to choose from another one where somebody has it on one of them.
+    /// Listens on both addresses at one port. If the port is chosen freely and is in use on one of them, tries another
+    /// one.
     void listen(int tries) {
         std::vector<Tcp::acceptor> acceptors;
         acceptors.push_back(listening({asio::ip::address_v4::loopback(), options_.port}));
@@ -338,20 +339,20 @@ private:
             if (!error && !full()) std::make_shared<Connection>(*this, std::move(socket))->begin();
             if (error == asio::error::operation_aborted) return;
             if (!error) return accept(acceptor);
-            // There is no room for it now: the machine, or this program, has too many files open.
+            // No connection can be accepted now: the machine, or this process, has too many open files.
             const auto pause = std::make_shared<asio::steady_timer>(context_, std::chrono::milliseconds(100));
             pause->async_wait([this, &acceptor, pause](boost::system::error_code) { accept(acceptor); });
         });
     }
 
-    /// Where we are is all that a request may call us.
+    /// Only the address of this server is accepted as Host.
     bool is_ours(std::string_view host) const {
         const std::string end = ":" + std::to_string(port());
         return host == "127.0.0.1" + end || host == "[::1]" + end || host == "localhost" + end ||
                (port() == 80 && (host == "127.0.0.1" || host == "[::1]" || host == "localhost"));
     }
 
-    /// Why `request` is refused before its body is read; status 0: it is not.
+    /// The reason to reject `request` before its body is read; status 0: accepted.
     template <class Request>
     std::pair<unsigned, std::string> objection(const Request& request) const {
         if (!is_ours(text_of(request[http::field::host])) || request.count(http::field::host) != 1)
@@ -385,8 +386,8 @@ private:
     HttpOptions options_;
     HttpHandler handler_;
     std::atomic<std::uint64_t> notices_ = 0;
-    // Of the thread that reads and writes, like all that follows.
-    std::list<Connection*> unidentified_ = {};  ///< connections whose token has not been read, the oldest first
+    // The following members belong to the thread that reads and writes.
+    std::list<Connection*> unidentified_ = {};  ///< connections whose token has not been read, oldest first
     std::size_t identified_ = 0;
     asio::io_context context_ = asio::io_context(1);
     std::vector<Tcp::acceptor> acceptors_ = {};

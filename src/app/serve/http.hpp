@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// HttpServer: pages for browsers on this machine, and for nobody else. It listens on 127.0.0.1 and, where there is one,
-// on [::1]; a request must name one of these as its Host, come from no other page (Origin), and bring the token, so that
-// no page of another site and no other user of the machine reaches it. Requests are bounded in size, time and number.
+// HttpServer: serves pages to browsers of this user on this machine. It listens on 127.0.0.1 and, if available, on
+// [::1]. A request must name one of these as its Host, must not come from another page (Origin), and must contain the
+// token. So neither pages of other sites nor other users of the machine have access. Requests are bounded in size, time
+// and number.
 //
-// One thread reads and writes; answers are made by a few others. An answer may be put off until something happens.
+// One thread reads and writes; a few others compute responses. A response may be delayed until an event.
 #pragma once
 
 #include <atomic>
@@ -30,21 +31,22 @@ struct HttpAnswer {
     std::string body = {};
 };
 
-/// The answer, or nothing: the request waits for `notify`. With `at_once` there must be one. Called from several threads.
+/// The response, or nothing: the request waits for `notify`. With `at_once` a response is required. Called from several
+/// threads.
 using HttpHandler = std::function<std::optional<HttpAnswer>(const HttpRequest&, bool at_once)>;
 
 struct HttpOptions {
-    std::uint16_t port = 0;  ///< 0: any that is free
+    std::uint16_t port = 0;  ///< 0: any free port
     std::string token = {};
     std::size_t largest_body = std::size_t{1} << 20U;
-    /// With more, the oldest whose token has not been read is closed; if there is none, the new one.
+    /// Above this number the oldest connection whose token has not been read is closed; if there is none, the new one.
     std::size_t most_connections = 64;
-    int longest_wait = 20;  ///< seconds, of an answer put off
+    int longest_wait = 20;  ///< seconds, of a delayed response
 };
 
 class HttpServer {
 public:
-    /// Listens. Throws std::system_error where it cannot: the port is in use.
+    /// Listens. Throws std::system_error if this fails, for example because the port is in use.
     HttpServer(const HttpOptions& options, HttpHandler handler);
     ~HttpServer();
     HttpServer(const HttpServer&) = delete;
@@ -53,7 +55,7 @@ public:
     std::uint16_t port() const;
     /// Serves until `stop` is set.
     void run(const std::atomic<bool>& stop);
-    /// Requests that wait are asked again. From any thread.
+    /// Calls the handler again for the waiting requests. Thread-safe.
     void notify();
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of the page of `serve`, as they stand in `web/`; the source is made by cmake/embed_live.cmake.
+// The files of the `serve` page, from `web/`; cmake/embed_live.cmake generates the source.
 #pragma once
 
 #include <span>

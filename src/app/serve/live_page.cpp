@@ -23,7 +23,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// 128 bits that nobody guesses.
+/// 128 unpredictable bits.
 std::string random_token() {
     std::random_device source;
     std::string token;
@@ -44,7 +44,7 @@ HttpAnswer file_named(std::string_view name) {
 
 constexpr std::uint64_t longest_report_ms = 120'000;
 
-/// What is known already, of the query; whatever is no number knows nothing.
+/// The version that the client has, from the query; 0 if it is not a number.
 std::uint64_t known_version(const HttpRequest& request) {
     std::uint64_t version = 0;
     if (const auto after = request.query.find("after"); after != request.query.end())
@@ -54,10 +54,10 @@ std::uint64_t known_version(const HttpRequest& request) {
 
 }  // namespace
 
-/// What is answered to whom.
+/// Dispatches requests to their handlers.
 class Desk {
 public:
-    /// `room`: somebody who was put off may ask again.
+    /// `room` is called when a simulation ends, so that delayed requests are tried again.
     Desk(const Options& options, std::function<void()> room) : options_(options), room_(std::move(room)) {}
 
     void begin(Bench& bench) { bench_ = &bench; }
@@ -80,7 +80,7 @@ private:
         return {};
     }
 
-    /// Two at a time, so that somebody is left to tell the state.
+    /// At most two at a time, so that a thread remains for the state.
     std::optional<HttpAnswer> simulation(const HttpRequest& request, bool at_once) const {
         if (!simulating_.try_acquire()) {
             if (at_once) return HttpAnswer{503, "text/plain", "other simulations are still being made\n"};
@@ -93,7 +93,7 @@ private:
         return HttpAnswer{.body = play(*bench_->workpiece(), options_, request.body)};
     }
 
-    /// What `report` writes, one at a time.
+    /// The page that `report` writes; one at a time.
     HttpAnswer report_page(const HttpRequest& request) const {
         const std::unique_lock hold(reporting_, std::try_to_lock);
         if (!hold) return {503, "text/plain", "another report is being made; try again when it is there\n"};

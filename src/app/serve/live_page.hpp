@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// LivePage: a file as a page on this machine (docs/serve.md), made anew with every change of the file, with the reports and
-// simulations that are asked of it.
+// LivePage: serves a file as a page on this machine (docs/serve.md), updated with every change of the file, with
+// reports and simulations on request.
 #pragma once
 
 #include <atomic>
@@ -13,13 +13,13 @@ namespace grafverif::app {
 
 class LivePage {
 public:
-    /// The first operand is the file. Throws std::system_error where the port is in use, or there is none.
+    /// The first operand is the file. Throws std::system_error if no port can be opened.
     explicit LivePage(const Options& options);
     ~LivePage();
     LivePage(const LivePage&) = delete;
     LivePage& operator=(const LivePage&) = delete;
 
-    /// With the token that it asks for.
+    /// Includes the token.
     std::string address() const;
     /// Serves until `stop` is set.
     void run(const std::atomic<bool>& stop);

@@ -23,18 +23,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What a page asks for.
+/// A request of a page.
 struct Wish {
-    std::string loop = {}, chart = {};  ///< one of them
+    std::string loop = {}, chart = {};  ///< exactly one is set
     std::vector<std::string> moves = {};
-    std::uint64_t seed = 0, random = 0;  ///< moves to be drawn behind them
-    bool everything = false;             ///< of a loop: every edge is a choice
+    std::uint64_t seed = 0, random = 0;  ///< random moves after the given ones
+    bool everything = false;             ///< of a loop: each edge is a separate choice
 };
 
 Json complaint(const std::string& words) { return {{"complaint", printable(words)}}; }
 
 std::optional<Wish> wish_of(const std::string& request) {
-    // No exceptions, no deep nesting: what is no request is none.
+    // No exceptions and no deep nesting: invalid input is treated as no request.
     const Json::parser_callback_t shallow = [](int depth, Json::parse_event_t, Json&) { return depth < 4; };
     const Json json = Json::parse(request, shallow, false);
     if (!json.is_object()) return {};
@@ -59,17 +59,17 @@ std::optional<Wish> wish_of(const std::string& request) {
     return wish;
 }
 
-/// The line of a script that says the same as a command that was drawn.
+/// The script line that is equivalent to a randomly chosen command.
 std::string line_of(const Command& command, const Simulation& simulation) {
     if (const auto* const wait = std::get_if<WaitCommand>(&command))
         return "wait " + duration_text(*wait->milliseconds);
     return simulation.choices()[std::get<ChooseCommand>(command).number - 1].command;
 }
 
-/// Makes the moves, one after the other, and keeps where each leads.
+/// Executes the moves sequentially and records the state after each.
 class Player {
 public:
-    /// `writers`: of a loop, per shared variable, `environment` or `plant`.
+    /// `writers`: of a loop, per shared variable `environment` or `plant`.
     Player(Simulation& simulation, std::vector<ElementIds> ids, std::map<std::string, std::string> writers)
         : simulation_(simulation), ids_(std::move(ids)), writers_(std::move(writers)) {}
 
@@ -102,7 +102,7 @@ private:
         ends_.push_back(rows());
     }
 
-    /// The ids, in the drawings of the charts, of the steps that are active.
+    /// The ids, in the drawings of the charts, of the active steps.
     Json lit(const ChartRun::State& state) const {
         const ChartRun& run = simulation_.told();
         Json list = Json::array();
@@ -206,7 +206,7 @@ private:
     std::vector<ElementIds> ids_;
     std::map<std::string, std::string> writers_;
     std::vector<std::string> made_ = {};
-    std::vector<std::size_t> ends_ = {};  ///< rows there were behind the power-on, and behind each move
+    std::vector<std::size_t> ends_ = {};  ///< number of rows after power-on and after each move
     std::string problem_ = {};
 };
 
@@ -223,7 +223,7 @@ std::map<std::string, std::string> writers_of(const Model& model, const ClosedLo
     return writers;
 }
 
-/// What lights the elements of a drawing: per transition its ids and the steps that enable it, per action its step.
+/// Highlighting data of a drawing: per transition its ids and the steps that enable it, per action its step.
 Json marks_of(const Chart& chart, const ElementIds& ids) {
     const Json known = chart_json(chart);
     Json transitions = Json::array(), actions = Json::array();
@@ -268,7 +268,7 @@ Json played(const Workpiece& piece, const Options& options, const Wish& wish) {
 std::string drawing_prefix(Id<Chart> chart) { return "c" + std::to_string(chart.index) + "-"; }
 
 std::string drawings(const Workpiece& piece) {
-    constexpr std::size_t most_steps = 5'000;  // nobody looks at more at once
+    constexpr std::size_t most_steps = 5'000;  // more are of no use to a user
     Json list = Json::array(), marks = Json::array();
     if (piece.reading.model)
         for (const Id<Chart> id : piece.reading.model->charts.ids()) {

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The programs that run, as a signal handler can read them. One too many is not in it.
+/// The running child processes, readable by a signal handler. Those that exceed its size are not in it.
 std::array<std::atomic<pid_t>, 64> running = {};
 static_assert(std::atomic<pid_t>::is_always_lock_free);
 
@@ -46,7 +46,7 @@ void strike_out(pid_t pid) {
     }
 }
 
-/// Whose child `pid` is; 0: unknown. /proc/PID/stat is `PID (NAME) STATE PARENT ...`, and NAME may hold anything.
+/// Parent of the process `pid`; 0: unknown. /proc/PID/stat is `PID (NAME) STATE PARENT ...`; NAME is arbitrary.
 pid_t parent_of(std::string_view pid) {
     const Descriptor file(::open(("/proc/" + std::string(pid) + "/stat").c_str(), O_RDONLY | O_CLOEXEC));
     std::string line(1024, '\0');
@@ -79,7 +79,7 @@ void reap(pid_t pid) {
     }
 }
 
-/// What all programs that run now have in common: us.
+/// State shared by all running children: this process as their subreaper.
 class Family {
 public:
     void begin() {
@@ -98,7 +98,8 @@ public:
     }
 
 private:
-    /// Each that ends leaves us its children: the next round finds them. One that we may not end is left alone.
+    /// When a child ends, this process adopts its children; the next round finds them. Children that it may not end are
+    /// left.
     void end_adopted() {
         constexpr int most_rounds = 1000;
         for (int round = 0; round < most_rounds; ++round) {
@@ -179,10 +180,10 @@ void Child::send(int signal) const {
     if (!over_) ::kill(-pid_, signal);
 }
 
-/// Its id is nobody else's before it is reaped, and then no signal is sent to it any more.
+/// The id is not reused before the child is reaped; afterwards no signal is sent to it.
 void Child::end() {
     if (over_) return;
-    const Uninterrupted whole;  // who is ended halfway leaves somebody behind
+    const Uninterrupted whole;  // an interruption here would leave processes running
     ::kill(-pid_, SIGKILL);
     strike_out(pid_);
     reap(pid_);

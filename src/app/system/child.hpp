@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Child: a program that we have started, with all that it starts: what leaves its process group, or its session, is
-// adopted by us when its parent ends (PR_SET_CHILD_SUBREAPER) and ends with it. While several run at once, what they
-// left behind ends with the last of them. Children that we had before the first are not ours to end.
+// Child: a started program with all its descendants. A descendant that leaves its process group or session is adopted
+// when its parent ends (PR_SET_CHILD_SUBREAPER) and ends with the child. While several children run, adopted
+// descendants end with the last of them. Children that this process had before the first one are not ended.
 #pragma once
 
 #include <sys/types.h>
@@ -25,20 +25,20 @@ struct ChildEnd {
 
 class Child {
 public:
-    /// Starts the program at the path `arguments[0]` in `folder` (empty: in ours), in a process group named by its id,
-    /// with no signal blocked or ignored that we block or ignore. Throws std::system_error.
+    /// Starts the program at the path `arguments[0]` in `folder` (empty: the current one), in a process group named by
+    /// its id, without the signal mask and ignored signals of this process. Throws std::system_error.
     Child(const std::vector<std::string>& arguments, const ChildStreams& streams,
           const std::filesystem::path& folder = {});
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
-    /// Ends what is still running, at once.
+    /// Kills all processes that still run.
     ~Child() { end(); }
 
-    /// How it ended, once it has; does not wait.
+    /// How it ended, if it has; does not wait.
     std::optional<ChildEnd> ended();
-    /// To it and its process group.
+    /// Sends a signal to the program and its process group.
     void send(int signal) const;
-    /// Ends what is still running, at once.
+    /// Kills all processes that still run.
     void end();
 
 private:
@@ -47,10 +47,10 @@ private:
     std::optional<ChildEnd> ended_ = {};
 };
 
-/// Whether a program runs that nobody has begun to end. Waits for nothing.
+/// True if a program runs that is not being ended. Does not wait.
 bool children_run() noexcept;
 
-/// Ends the process groups of all programs that run now. For a signal handler that ends us: waits for nothing.
+/// Kills the process groups of all running programs. For signal handlers that end this process: does not wait.
 void kill_children_at_once() noexcept;
 
 }  // namespace grafverif::app

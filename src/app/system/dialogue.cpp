@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All three pipes are read and written as they get ready, so that a program that writes before it reads, or never reads,
-// blocks nobody. What it writes is kept up to a limit; what stands on its standard error is kept from the end.
+// Reads and writes all three pipes as they become ready, so that a program that writes before it reads, or never reads,
+// does not block the caller. Output is kept up to a limit; of standard error the end is kept.
 #include "app/system/dialogue.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// Reads what is there, but no more than `most` bytes; closes at the end.
+/// Reads available bytes, at most `most`; closes the descriptor at the end of file.
 std::string taken(Descriptor& from, std::size_t most) {
     std::string text(most, '\0');
     const ssize_t count = ::read(from.number(), text.data(), text.size());
@@ -32,13 +32,13 @@ std::string taken(Descriptor& from, std::size_t most) {
     return text;
 }
 
-constexpr std::size_t bytes_at_once = 65'536;  ///< bytes read at once
+constexpr std::size_t bytes_at_once = 65'536;  ///< bytes read per call
 constexpr int shell_found_nothing = 127, shell_could_not_run = 126;
 
 }  // namespace
 
 Dialogue::Dialogue(const std::string& command, const DialogueLimits& limits) : limits_(limits) {
-    const MemoryUnbounded unbounded;  // the bound of our memory is none of the program's
+    const MemoryUnbounded unbounded;  // the memory limit of this process does not apply to the program
     Pipe in = make_pipe(), out = make_pipe(), err = make_pipe();
     program_.emplace(std::vector<std::string>{"/bin/sh", "-c", command},
                      ChildStreams{in.read.number(), out.write.number(), err.write.number()});
@@ -46,7 +46,7 @@ Dialogue::Dialogue(const std::string& command, const DialogueLimits& limits) : l
     from_ = std::move(out.read);
     errors_ = std::move(err.read);
     for (const Descriptor* ours : {&to_, &from_, &errors_}) set_nonblocking(*ours);
-    pipe_signal_before_ = std::signal(SIGPIPE, SIG_IGN);  // who has ended does not read
+    pipe_signal_before_ = std::signal(SIGPIPE, SIG_IGN);  // a program that has ended does not read
 }
 
 Dialogue::~Dialogue() {
@@ -58,7 +58,7 @@ Dialogue::~Dialogue() {
         wait_for_end(std::chrono::milliseconds(200));
     }
     program_->end();
-    if (stopped()) work_is_done();  // what is known is told from here on
+    if (stopped()) work_is_done();  // from here on the results are reported
     std::signal(SIGPIPE, pipe_signal_before_);
 }
 
@@ -70,7 +70,7 @@ Reply Dialogue::ask(const std::string& line) {
 
 Reply Dialogue::answer_to(const std::string& line) {
     receive();
-    if (const std::size_t end = heard_.find('\n'); end != std::string::npos)  // a line that nobody asked for
+    if (const std::size_t end = heard_.find('\n'); end != std::string::npos)  // an unsolicited line
         return {Reply::Kind::Flood, heard_.substr(0, end)};
     tell(line);
     const Steady::time_point deadline = Steady::now() + limits_.patience;
@@ -87,7 +87,7 @@ Reply Dialogue::answer_to(const std::string& line) {
     }
 }
 
-/// There is a line, there is more than a line, or there will be none.
+/// True if there is a line, more than a line, or the stream has ended.
 Reply Dialogue::answer_so_far() {
     const std::size_t end = heard_.find('\n');
     if (end == std::string::npos && heard_.size() <= limits_.longest_line) return {Reply::Kind::Ended, heard_};
@@ -115,7 +115,7 @@ void Dialogue::listen() {
     if (said_.size() > kept) said_.erase(0, said_.size() - kept);
 }
 
-/// Until something can be read or written, but not much longer than somebody who asks us to stop would wait.
+/// Waits until a pipe is ready, but no longer than an acceptable reaction time to a stop request.
 void Dialogue::wait(std::chrono::milliseconds longest) {
     constexpr std::chrono::milliseconds most{20};
     const auto writing = static_cast<short>(unsent_.empty() ? 0 : POLLOUT);
@@ -124,7 +124,7 @@ void Dialogue::wait(std::chrono::milliseconds longest) {
     ::poll(waited.data(), waited.size(), static_cast<int>(std::min(longest, most).count()));
 }
 
-/// Its standard error is read meanwhile: nobody ends who cannot say why.
+/// Reads standard error in the meantime: a program blocked on a full pipe cannot end.
 bool Dialogue::wait_for_end(std::chrono::milliseconds longest) {
     const Steady::time_point deadline = Steady::now() + longest;
     while (!program_->ended() && Steady::now() < deadline) {

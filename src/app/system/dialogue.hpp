@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Dialogue: another program that answers line by line, kept running between the lines. Whatever it does - it ends, keeps
-// silent, writes without end - the dialogue goes on within its limits of time and memory, and ends cleanly: the program
-// and all it has started are gone with the object.
+// Dialogue: an external program that answers line by line and keeps running between the lines. If the program ends, is
+// silent or writes without end, the dialogue stays within its limits of time and memory. The destructor ends the
+// program and all its descendants.
 #pragma once
 
 #include <atomic>
@@ -15,18 +15,18 @@
 namespace grafverif::app {
 
 struct DialogueLimits {
-    std::chrono::milliseconds patience{10'000};         ///< for one answer
-    std::size_t longest_line = std::size_t{64} << 10U;  ///< bytes; a longer answer is a flood
-    const std::atomic<bool>* stop = nullptr;            ///< set by somebody else: stop waiting
+    std::chrono::milliseconds patience{10'000};         ///< for one response
+    std::size_t longest_line = std::size_t{64} << 10U;  ///< bytes; a longer response is a flood
+    const std::atomic<bool>* stop = nullptr;            ///< cancellation flag
 };
 
 struct Reply {
     enum class Kind {
-        Line,     ///< `text` is the line, without its end
-        Silent,   ///< none came in time
-        Ended,    ///< the program ended, or closed its output, before it had answered
+        Line,     ///< `text` is the line, without its terminator
+        Silent,   ///< no line within the time limit
+        Ended,    ///< the program ended, or closed its output, before it answered
         Flood,    ///< more than one line, or one without end; `text` is its beginning
-        Stopped,  ///< we were asked to stop waiting
+        Stopped,  ///< the cancellation flag was set
     };
     Kind kind = Kind::Line;
     std::string text = {};
@@ -36,20 +36,20 @@ struct Reply {
 
 class Dialogue {
 public:
-    /// Starts `command`, which the shell reads. Throws std::system_error.
+    /// Starts `command` in the shell. Throws std::system_error.
     Dialogue(const std::string& command, const DialogueLimits& limits);
     Dialogue(const Dialogue&) = delete;
     Dialogue& operator=(const Dialogue&) = delete;
     ~Dialogue();
 
-    /// Sends `line` and waits for the one that answers it. After any answer but a Line the dialogue is over.
+    /// Sends `line` and waits for the response. After any reply other than Line the dialogue is over.
     Reply ask(const std::string& line);
-    /// Sends `line`, which has no answer, before the next one.
+    /// Sends `line`, which has no response, before the next one.
     void tell(const std::string& line) { unsent_ += line + '\n'; }
 
-    /// After Ended: how the program did, with what it said last on its standard error. Waits a moment for its end.
+    /// After Ended: how the program ended, with its last line on standard error. Waits briefly for its end.
     std::string end_text();
-    /// After Ended: the shell found no such program, or could not run it.
+    /// After Ended: true if the shell found no such program, or could not run it.
     bool not_found();
 
 private:
@@ -67,10 +67,10 @@ private:
     DialogueLimits limits_;
     Descriptor to_, from_, errors_;
     std::optional<Child> program_ = {};
-    bool over_ = false;        ///< the last answer was no line: its end need not be waited for
-    std::string unsent_ = {};  ///< on its way to the program
-    std::string heard_ = {};   ///< of the answer, so far
-    std::string said_ = {};    ///< the last of its standard error
+    bool over_ = false;        ///< the last reply was not a line: do not wait for the end of the program
+    std::string unsent_ = {};  ///< not yet written to the program
+    std::string heard_ = {};   ///< the response so far
+    std::string said_ = {};    ///< the end of its standard error
     void (*pipe_signal_before_)(int) = nullptr;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The thread of the guard allocates nothing and takes no lock but its own: the run may hold any other, and there may be
-// no memory left.
+// The guard's thread allocates nothing and acquires only its own lock: the run may hold any other lock, and memory may
+// be exhausted.
 #include "app/system/guard.hpp"
 
 #include <fcntl.h>
@@ -37,12 +37,12 @@ constexpr bool sanitized = false;
 #endif
 
 constexpr std::uint64_t own_memory = std::uint64_t{32} << 20U;  ///< of the program itself: code, library, buffers
-constexpr std::size_t kept_back = std::size_t{2} << 20U;        ///< to tell with that there is no more
+constexpr std::size_t kept_back = std::size_t{2} << 20U;        ///< reserve for reporting that memory is exhausted
 constexpr auto patience_with_programs = 3s;
 constexpr auto grace = 400ms, longest_grace = 60'000ms, look_every = 25ms;
 
-std::atomic<std::int64_t> telling = 0;      ///< since when, on the steady clock; 0: not yet
-std::atomic<std::int64_t> telling_cpu = 0;  ///< the processor time used until then, nanoseconds
+std::atomic<std::int64_t> telling = 0;      ///< since when results are printed, on the steady clock; 0: not yet
+std::atomic<std::int64_t> telling_cpu = 0;  ///< the processor time used until then, in nanoseconds
 std::atomic<char*> reserve = nullptr;
 
 void write_whole(std::string_view text) {
@@ -69,7 +69,7 @@ std::uint64_t number_in(const char* file) {
     return number;
 }
 
-/// What the machine, or the container, has for us; 0: unknown.
+/// Memory available to this process on the machine or in the container; 0: unknown.
 std::uint64_t memory_of_machine() {
     const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
     const std::uint64_t machine =
@@ -78,7 +78,7 @@ std::uint64_t memory_of_machine() {
     return container != 0 && (machine == 0 || container < machine) ? container : machine;
 }
 
-/// Bytes of ours in memory that no file backs; 0: unknown.
+/// Bytes of this process in memory that no file backs; 0: unknown.
 std::uint64_t resident() {
     std::array<char, 128> text = {};
     const int descriptor = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
@@ -102,7 +102,7 @@ void allow_memory(std::uint64_t bytes) {
     ::setrlimit(RLIMIT_DATA, &limit);
 }
 
-/// Of all threads, in nanoseconds.
+/// Processor time of all threads, in nanoseconds.
 std::int64_t processor_time() {
     timespec now = {};
     ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -130,16 +130,16 @@ void no_memory() {
     ::_exit(static_cast<int>(code));
 }
 
-/// Touches that many pages of the stack below the caller, page by page: a single large object would be a jump past the
-/// end of a small stack.
+/// Touches that many stack pages below the caller, page by page: a single large object would skip the guard page of a
+/// small stack.
 [[gnu::noinline]] void touch_stack(std::size_t pages) {  // NOLINT(misc-no-recursion)
     std::array<volatile char, 4096> page;
     page[0] = 0;
     if (pages > 0) touch_stack(pages - 1);
-    page[1] = page[0];  // after the call, so that it is not a jump in the same frame
+    page[1] = page[0];  // after the call, to prevent a tail call, which would stay in this frame
 }
 
-/// Takes memory for the stack now, if it may be refused later: a stack that cannot grow ends in a signal.
+/// Allocates stack memory now if that may fail later: a stack that cannot grow raises a signal.
 void grow_stack() {
     rlimit addresses = {}, stack = {};
     if (::getrlimit(RLIMIT_AS, &addresses) != 0 || addresses.rlim_cur == RLIM_INFINITY) return;
@@ -185,7 +185,7 @@ Guard::Guard(GuardOrders orders) : orders_(std::move(orders)) {
 
     sigset_t all, before;
     ::sigfillset(&all);
-    ::pthread_sigmask(SIG_SETMASK, &all, &before);  // signals are for the run
+    ::pthread_sigmask(SIG_SETMASK, &all, &before);  // only the threads of the run handle signals
     pthread_attr_t attributes;
     ::pthread_attr_init(&attributes);
     ::pthread_attr_setstacksize(&attributes, std::size_t{256} << 10U);
@@ -197,7 +197,7 @@ Guard::Guard(GuardOrders orders) : orders_(std::move(orders)) {
 
 Guard::~Guard() {
     {
-        const std::lock_guard lock(mutex_);  // whoever ends the run keeps it
+        const std::lock_guard lock(mutex_);  // if the run is being ended, wait for that
         done_ = true;
     }
     over_.notify_one();
@@ -218,10 +218,10 @@ void Guard::watch() {
 const std::string* Guard::reason() {
     const Steady::time_point now = Steady::now();
     if (!interrupted_ && interrupt_.asked()) interrupted_ = now;
-    const Steady::time_point told(Steady::duration(telling.load()));  // what is known may still be told
+    const Steady::time_point told(Steady::duration(telling.load()));  // results may still be printed
     if (interrupted_ && now - std::max(*interrupted_, told) >= grace) return &orders_.interrupted;
-    // What is known may be printed after the time limit, for the margin in processor time: neither a reader that is slow
-    // nor a machine that is loaded truncates it.
+    // Results may be printed after the time limit, for the margin in processor time: neither a slow reader nor a loaded
+    // machine truncates them.
     const bool printed = telling == 0 || std::chrono::nanoseconds(processor_time() - telling_cpu) >= margin_;
     if (last_moment_ && now >= *last_moment_ && printed) return &orders_.timed_out;
     constexpr std::uint64_t times = sanitized ? 4 : 1;
@@ -229,8 +229,8 @@ const std::string* Guard::reason() {
     return nullptr;
 }
 
-/// Files that are being written come first, and the end of programs that we have started: whoever runs them looks at
-/// the same bounds, and ends all that they have started.
+/// Files that are being written are completed first, and started programs are given time to end: the thread that runs
+/// them observes the same limits and ends their descendants.
 void Guard::end(const std::string& why) {
     if (!ending_) ending_ = Steady::now();
     if (children_run() && Steady::now() - *ending_ < patience_with_programs) return;

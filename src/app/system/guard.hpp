@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Guard: `--timeout`, `--max-memory` and Ctrl-C are kept by every verb, whatever its input.
+// Guard: enforces `--timeout`, `--max-memory` and Ctrl-C for every command and every input.
 //
-// Engines look at these bounds themselves and end in time with what is known. A stage that does not, because it is
-// quick on charts that people write or because it waits for somebody, is ended by the guard: after a grace it tells why
-// and ends the process with exit code 3. So the bounds are kept within a tenth and half a second.
+// Engines poll these limits and end in time with their results so far. Other stages do not, because they are fast on
+// hand-written charts or because they wait for input. The guard ends such a stage: after a grace period it reports the
+// reason and ends the process with exit code 3. So the limits hold within a tenth plus half a second.
 //
-// Memory: the process asks the system for no more than is allowed (RLIMIT_DATA), so that the allocation that would be
-// too large fails, wherever it happens, and what fails can be told like any other error. Without --max-memory the bound
-// is what the machine has: better to fail than to be killed. Where the system does not count (and under sanitizers,
-// which take memory of their own) the guard looks at what is resident.
+// Memory: the process requests at most the permitted amount from the system (RLIMIT_DATA). A larger allocation fails,
+// wherever it occurs, and is reported like any other error. Without --max-memory the limit is the memory of the
+// machine: an error is better than being killed. If the system does not count (and under sanitizers, which allocate
+// memory themselves), the guard checks the resident memory.
 #pragma once
 
 #include <pthread.h>
@@ -25,7 +25,7 @@
 
 namespace grafverif::app {
 
-/// What a run was promised, and what is written to standard error when the guard ends it: whole lines.
+/// The limits of a run, and the messages written to standard error when the guard ends it: complete lines.
 struct GuardOrders {
     std::optional<std::chrono::milliseconds> timeout = {};
     std::optional<std::uint64_t> max_memory = {};  ///< bytes
@@ -34,7 +34,7 @@ struct GuardOrders {
 
 class Guard {
 public:
-    /// Only where the process is ours to end. Throws std::system_error if its thread cannot be started.
+    /// Requires that this process may be ended. Throws std::system_error if the thread cannot be started.
     explicit Guard(GuardOrders orders);
     ~Guard();
     Guard(const Guard&) = delete;
@@ -43,7 +43,7 @@ public:
 private:
     static void* watch(void* guard);
     void watch();
-    /// What ends the run by now; null: nothing.
+    /// The message for a limit that is exceeded now; null: none.
     const std::string* reason();
     void end(const std::string& why);
 
@@ -58,15 +58,14 @@ private:
     bool done_ = false;
 };
 
-/// From here on, what a run found is printed: after the time limit that may take a tenth and half a second of processor
-/// time.
+/// From now on results are printed: after the time limit this may use a tenth plus half a second of processor time.
 void work_is_done();
 
-/// Prepares the process, once and first of all, for a system that has no memory left: something is kept back to tell it
-/// with, and no place that cannot fail ends in a signal.
+/// Prepares the process for exhausted memory; call once, before anything else. Reserves memory for the message, and for
+/// the stack, so that its growth does not raise a signal.
 void expect_memory_to_end();
 
-/// While one exists, programs that are started have the memory that we had, not what is allowed to us.
+/// While one exists, started programs inherit the original memory limit, not the reduced one of this process.
 class MemoryUnbounded {
 public:
     MemoryUnbounded();

@@ -15,21 +15,21 @@ namespace {
 
 constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
 
-// A signal handler reaches nothing else.
+// A signal handler accesses only these objects.
 std::atomic<bool> interrupted = false;
-std::atomic<int> listeners = 0;                            ///< Interrupts
-std::atomic<int> guards = 0;                               ///< Uninterrupteds
-std::atomic<int> put_off = 0;                              ///< the signal that ends us behind the last guard
-std::array<struct sigaction, signals.size()> before = {};  ///< written while no handler of ours is set
+std::atomic<int> listeners = 0;                            ///< number of Interrupts
+std::atomic<int> guards = 0;                               ///< number of Uninterrupteds
+std::atomic<int> put_off = 0;                              ///< the pending signal, raised after the last guard
+std::array<struct sigaction, signals.size()> before = {};  ///< written while this handler is not installed
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
-/// For who comes and goes; no handler holds it.
+/// Serializes constructors and destructors; no handler locks it.
 std::mutex& door() {
     static std::mutex mutex;
     return mutex;
 }
 
-/// As the signal would have done without us.
+/// Raises the signal with its original disposition.
 void obey(int signal) {
     kill_children_at_once();
     for (std::size_t k = 0; k < signals.size(); ++k)
@@ -88,7 +88,7 @@ Uninterrupted::Uninterrupted() {
 
 bool Uninterrupted::none_from_now_on() {
     if (!door().try_lock()) return false;
-    if (guards == 0) return true;  // the door stays shut
+    if (guards == 0) return true;  // the lock is kept: no guard can be created any more
     door().unlock();
     return false;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Interrupt: while one exists, Ctrl-C (SIGINT), SIGTERM and SIGHUP ask for an end instead of ending the program; a
-// second one ends it, and the programs that it runs. Signals that were ignored before stay ignored (`nohup`).
+// Interrupt: while one exists, Ctrl-C (SIGINT), SIGTERM and SIGHUP request an end instead of ending the program. A
+// second one ends the program and its children. Signals that were ignored before stay ignored (`nohup`).
 #pragma once
 
 #include <atomic>
@@ -17,8 +17,8 @@ public:
     const std::atomic<bool>& asked() const;
 };
 
-/// While one exists, none of these signals ends the program: one that would does so afterwards. For what must not be
-/// left half done; it lasts no longer than that.
+/// While one exists, none of these signals ends the program; a pending one does so afterwards. For short sections that
+/// must not be left half done.
 class Uninterrupted {
 public:
     Uninterrupted();
@@ -26,8 +26,8 @@ public:
     Uninterrupted(const Uninterrupted&) = delete;
     Uninterrupted& operator=(const Uninterrupted&) = delete;
 
-    /// For who ends the process by other means than a signal: true if none exists, and then none begins any more. Waits
-    /// for nothing.
+    /// For code that ends the process other than by a signal: true if none exists, and then no new one can be created.
+    /// Does not wait.
     static bool none_from_now_on();
 };
 

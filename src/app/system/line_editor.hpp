@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lines that a person types at a terminal, edited, with those before at hand and words completed by Tab (libedit; a person's
-// ~/.editrc is obeyed).
+// LineEditor: reads lines from a terminal with editing, history, and completion of words by Tab (libedit, including the
+// user's ~/.editrc).
 #pragma once
 
 #include <atomic>
@@ -15,18 +15,18 @@ namespace grafverif::app {
 
 class LineEditor {
 public:
-    /// What the last word of a line may become; the line up to the cursor.
+    /// Candidates for the last word of a line, given the line up to the cursor.
     using Complete = std::function<std::vector<std::string>(std::string_view line)>;
 
-    /// `last_word`: where the last word of a line begins; `stop`, set by somebody else: the input has ended. Requires that
-    /// standard input and output are a terminal.
+    /// `last_word`: the position of the last word of a line; `stop`: cancellation flag, which ends the input. Requires
+    /// that standard input and output are a terminal.
     LineEditor(std::string prompt, Complete complete, std::size_t (*last_word)(std::string_view),
                const std::atomic<bool>& stop);
     LineEditor(const LineEditor&) = delete;
     LineEditor& operator=(const LineEditor&) = delete;
     ~LineEditor();
 
-    /// Without its end; Ctrl-C gives an empty one. Nothing: the input has ended, by Ctrl-D on an empty line or by `stop`.
+    /// A line without its terminator; Ctrl-C returns an empty one. Nothing: end of input, by Ctrl-D or by `stop`.
     std::optional<std::string> line();
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The input of the program is a file without a name: nothing has to be written to it while it runs, and one that does
-// not read it breaks no pipe.
+// The input of the program is an unnamed file: nothing has to be written while it runs, and a program that does not
+// read it breaks no pipe.
 #include "app/system/process.hpp"
 
 #include <fcntl.h>
@@ -45,12 +45,12 @@ Descriptor file_of(const std::string& input) {
     return file;
 }
 
-/// One of its output streams as it comes in.
+/// Reads one output stream as data arrives.
 struct Stream {
     Descriptor from = Descriptor();
     std::string text = {};
 
-    /// Takes what is there, but little more than `most` bytes in all.
+    /// Reads available data, but little more than `most` bytes in total.
     void take(std::size_t most) {
         std::array<char, 65536> buffer = {};
         while (from.open() && text.size() <= most) {
@@ -66,7 +66,7 @@ struct Stream {
 
 void wait_for_output(const Stream& out, const Stream& err, int milliseconds) {
     std::array<pollfd, 2> waited = {pollfd{out.from.number(), POLLIN, 0}, pollfd{err.from.number(), POLLIN, 0}};
-    ::poll(waited.data(), waited.size(), milliseconds);  // a closed descriptor is negative: poll leaves it out
+    ::poll(waited.data(), waited.size(), milliseconds);  // a closed descriptor is negative: poll ignores it
 }
 
 }  // namespace
@@ -117,7 +117,7 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const std::
     {
         const Uninterrupted whole;
         child.end();
-        if (result.end == ProgramResult::End::Stopped) work_is_done();  // what is known is told from here on
+        if (result.end == ProgramResult::End::Stopped) work_is_done();  // from here on the results are reported
     }
     out.take(limits.max_output);
     err.take(limits.max_output);
@@ -132,17 +132,17 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const std::
 
 namespace {
 
-/// Made by us, after the lock; a folder without it is somebody else's.
+/// Created after the lock; a folder without it belongs to another program.
 constexpr const char* lock_mark = ".grafverif-run";
 constexpr std::string_view folder_name = "grafverif-run-", random_part = "XXXXXX";
 
-/// The folder at `path`, locked; nothing if somebody else holds it, or it is no folder.
+/// The folder at `path`, locked; nothing if another process holds the lock, or it is not a folder.
 Descriptor locked_folder(const fs::path& path) {
     Descriptor folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
     return folder.open() && ::flock(folder.number(), LOCK_EX | LOCK_NB) == 0 ? std::move(folder) : Descriptor();
 }
 
-/// The folders that killed runs of the same user left in `where`.
+/// Removes the folders that killed runs of the same user left in `where`.
 void remove_litter(const fs::path& where) {
     std::error_code failure;
     for (auto entry = fs::directory_iterator(where, failure); !failure && entry != fs::directory_iterator();

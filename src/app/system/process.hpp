@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Other programs: found on the PATH, run within limits, their output kept in memory. No shell takes part: arguments
-// reach the program as they are.
+// External programs: found on the PATH, run within limits, with their output kept in memory. No shell is involved:
+// arguments are passed unchanged.
 #pragma once
 
 #include <atomic>
@@ -17,23 +17,23 @@ namespace grafverif::app {
 
 struct ProgramLimits {
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;           ///< set by somebody else: end the program
-    std::size_t max_output = std::size_t{256} << 20U;  ///< bytes, of standard output and of standard error
-    std::filesystem::path folder = {};                 ///< where the program runs; empty: where we do
+    const std::atomic<bool>* stop = nullptr;           ///< cancellation flag: end the program
+    std::size_t max_output = std::size_t{256} << 20U;  ///< bytes, for standard output and standard error each
+    std::filesystem::path folder = {};                 ///< the program's current folder; empty: that of this process
 };
 
 /// The executable file called `name` in the first folder of the PATH that has one, as an absolute path. A name with a
-/// slash is a path and is looked for nowhere else.
+/// slash is a path and is not searched for.
 std::optional<std::filesystem::path> find_program(const std::string& name);
 
-/// Runs `arguments`, the first one being the path of the program, with `input` as its standard input. The program and
-/// what it has started end with this call, whatever the outcome. Throws std::system_error if it cannot be started.
+/// Runs `arguments`, of which the first is the path of the program, with `input` as its standard input. The program and
+/// its descendants end with this call in any case. Throws std::system_error if it cannot be started.
 ProgramResult run_program(const std::vector<std::string>& arguments, const std::string& input,
                           const ProgramLimits& limits);
 
-/// A new folder for files that other programs read; gone with the object. Those of runs that were killed are removed
-/// on the way: nobody holds their lock. Programs run in it and name its files without their path, whatever that holds.
-/// Throws std::system_error.
+/// A new folder for files that other programs read, removed by the destructor. The constructor also removes folders of
+/// killed runs: their locks are free. Programs run in it and name its files without their path, whose characters
+/// therefore do not matter. Throws std::system_error.
 class TemporaryFolder {
 public:
     TemporaryFolder();
@@ -42,7 +42,7 @@ public:
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
-    /// Writes the file `name`, in place of one that was there. Throws std::system_error.
+    /// Writes the file `name`, replacing an existing one. Throws std::system_error.
     void write(const std::string& name, const std::string& content) const;
 
 private:

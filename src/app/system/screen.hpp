@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Screen: what a person sees of a stream.
+// Screen: terminal properties of a stream.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +9,18 @@ namespace grafverif::app {
 
 struct Screen {
     bool terminal = false;
-    bool rewrites = false;  ///< a terminal on which a line can be written over
+    bool rewrites = false;  ///< a terminal on which a line can be overwritten
     bool colours = false;
-    std::size_t columns = 0;  ///< 0: as wide as it gets
+    std::size_t columns = 0;  ///< 0: unlimited
 };
 
-/// Whether to colour what goes there, if nobody says: `NO_COLOR` (no-color.org) forbids it, `CLICOLOR_FORCE`
-/// (bixense.com/clicolors) asks for it in any case; else a terminal has colours unless its `TERM` is `dumb`, or missing.
-/// A variable that is empty, and `CLICOLOR_FORCE=0`, count as missing.
+/// Default colour choice: `NO_COLOR` (no-color.org) disables colours; `CLICOLOR_FORCE` (bixense.com/clicolors) enables
+/// them in any case. Otherwise a terminal has colours unless its `TERM` is `dumb` or missing. An empty variable, and
+/// `CLICOLOR_FORCE=0`, count as missing.
 bool has_colours(bool terminal, const std::string& no_color, const std::string& clicolor_force,
                  const std::string& term);
 
-/// That of a descriptor of ours, by the environment.
+/// The screen of a descriptor of this process, according to the environment.
 Screen screen_of(int descriptor);
 
 }  // namespace grafverif::app

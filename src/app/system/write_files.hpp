@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Files are written whole or not at all. What is promised, and by what means:
+// Writes files completely or not at all. Guarantees, and how they are achieved:
 //
-//   a file    Whoever looks sees the old content or the new one, never a part: the new one is written to a draft of an
+//   a file    A reader sees the old content or the new one, never a part. The new content is written to a draft of an
 //             unpredictable name in the same folder, flushed to the disk, and renamed.
-//   a set     After an error nothing has changed: what was renamed already is renamed back. SIGINT, SIGTERM and SIGHUP
-//             wait until the set is written. Who cannot put us off - SIGKILL, a loss of power - can leave a set of which
-//             some files are new and others old, each of them whole: POSIX renames one file at a time.
-//   two runs  take turns at a folder (flock on it), so that one whole set remains. Where the file system has no such
-//             locks they do not, and drafts of killed runs stay; elsewhere the next run in that folder removes them.
+//   a set     After an error nothing has changed: renamed files are renamed back. SIGINT, SIGTERM and SIGHUP are
+//             postponed until the set is written. SIGKILL or a loss of power cannot be postponed and can leave a set
+//             of which some files are new and others old, each of them complete: POSIX renames one file at a time.
+//   two runs  A lock (flock) on each folder serializes them, so that one complete set remains. If the file system has
+//             no such locks, they are not serialized, and drafts of killed runs stay; otherwise the next run in that
+//             folder removes them.
 #pragma once
 
 #include <filesystem>
@@ -21,9 +22,9 @@ struct OutputFile {
     std::string content = {};
 };
 
-/// Writes the set, as promised above. Symbolic links stay, and what they lead to is written, also where that is missing.
-/// Missing folders are made. Permissions of a file stay; one that may not be written is none that is replaced. Pipes,
-/// devices and descriptors of ours are written to in the end, one after the other, and promise nothing. Throws
+/// Writes the set with these guarantees. Symbolic links are kept and their targets written, even missing ones. Missing
+/// folders are created. The permissions of a file are kept; a file without write permission is not replaced. Pipes,
+/// devices and descriptors of this process are written last, sequentially and without guarantees. Throws
 /// std::system_error.
 void write_files(const std::vector<OutputFile>& files);
 

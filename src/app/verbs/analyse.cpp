@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `analyse`: what can go wrong in a chart and what never happens in it, whatever the inputs do.
+// `analyse`: finds possible faults of a chart, and elements that are never used, for all inputs.
 #include <ostream>
 #include <sstream>
 
@@ -70,7 +70,7 @@ ExitCode analyse_one(const Model& model, Id<Chart> chart, Job& job, const Stream
     const std::string text = printed(analysis, job, streams);
     work_is_done();
     if (job.options.output) deliver(text, job, streams);
-    else streams.out << text;  // clean, but for our colours
+    else streams.out << text;  // text without control characters, except for the colour codes
     if (job.options.sarif) add_findings(analysis, job.sources, job.reports->sarif);
     for (const std::string& failure : analysis.failures)
         streams.err << "grafverif: internal failure: " << failure << '\n';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `automaton` and `mealy`: what a controller does, as a location automaton and as a Mealy machine.
+// `automaton` and `mealy`: the behaviour of a controller as a location automaton and as a Mealy machine.
 #include "syntax/print/automaton.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// To the file of `-o`, else straight to standard output: an automaton may be large.
+/// To the file of `-o`, otherwise directly to standard output: an automaton may be large.
 template <class Print>
 void print_to_output(Job& job, const Streams& streams, Print print) {
     if (!job.options.output) return print(streams.out);

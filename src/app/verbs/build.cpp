@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `build`: the main job, a closed loop to a UPPAAL project and a NuSMV model, both or nothing.
+// `build`: translates a closed loop to a UPPAAL project and a NuSMV model, both or none.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -56,7 +56,7 @@ ExitCode build(Job& job, const Streams&) {
     if (!model) return ExitCode::Input;
     std::vector<Id<ClosedLoop>> loops;
     if (job.options.all) loops.assign(model->loops.ids().begin(), model->loops.ids().end());
-    if (loops.empty())  // of no loop `--all` has nothing to write
+    if (loops.empty())  // without loops, `--all` has nothing to write
         if (const auto loop = chosen_loop(*model, job)) loops = {*loop};
     for (const Id<ClosedLoop> loop : loops)
         if (!keep_asked(model->loops[loop], job)) return ExitCode::Input;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `check`: every property of a closed loop, decided on the spot.
+// `check`: decides every property of a closed loop with the built-in or external engines.
 #include <fmt/format.h>
 
 #include <ostream>
@@ -21,8 +21,8 @@ namespace grafverif::app {
 
 namespace {
 
-/// The trace that goes to files: of the first place where the model breaks off, of the first verdict against
-/// expectation, of the first that has one.
+/// The trace written to files: of the first model error; without one, of the first unexpected verdict; without one, of
+/// the first verdict that has a trace.
 struct Chosen {
     const ChartRun* trace = nullptr;
     std::string title = {};
@@ -46,7 +46,7 @@ void note_trace(const Report& report, Job& job, const Streams& streams) {
         streams.err << "note: no verdict has a trace; none was written\n";
 }
 
-/// What a loop expects may be about the schedule that it names, which timed models do not have.
+/// The expected verdicts of a loop may refer to its schedule, which timed models do not have.
 void point_to_schedule(const ClosedLoop& loop, const Job& job, const Streams& streams) {
     if (!loop.schedule || job.options.quiet) return;
     streams.err << fmt::format(
@@ -55,7 +55,7 @@ void point_to_schedule(const ClosedLoop& loop, const Job& job, const Streams& st
         loop.name, printable(job.options.operands[0]));
 }
 
-/// What to check in a file, one by one: a loop, or a chart that belongs to none.
+/// The models to check in a file, one by one: each loop, and each chart that belongs to none.
 struct Aim {
     std::optional<std::string> loop = {}, chart = {};
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `components`: what the library holds, and the text of one component.
+// `components`: lists the component library, or prints the text of one component.
 #include "pipeline/components.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// The component an entry of the library holds; the library is part of the program, so failing to read it is our fault.
+/// The component in a library entry; the library is part of the program, so a parse error is an internal failure.
 Component component_of(const LibraryEntry& entry) {
     Sources sources;
     Diagnostics diagnostics;

@@ -22,7 +22,7 @@ std::string printed(const Equations& equations, Format format) {
     case Format::Sarif:
     case Format::Dot:
     case Format::Svg:
-    case Format::Csv: break;  // not offered
+    case Format::Csv: break;  // not supported
     }
     return out.str();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `fmt`: canonical text.
+// `fmt`: prints a file in canonical form.
 #include "app/system/guard.hpp"
 #include "app/system/write_files.hpp"
 #include "app/verbs.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `import`: a chart of another format as our text.
+// `import`: translates a chart of another format to grafverif's text language.
 #include "app/system/write_files.hpp"
 #include "app/verbs.hpp"
 #include "derive/derive.hpp"
@@ -18,7 +18,8 @@ ExitCode import_chart(Job& job, const Streams& streams) {
     if (format_of(text) == FileFormat::Unknown) job.diagnostics.add(messages::unknown_format({*source, 0, 0}, ""));
     if (job.diagnostics.has_errors()) return ExitCode::Input;
     tree::File file = read_any(*source, job.sources, {job.options.lossy}, job.diagnostics);
-    // What is written, every verb reads: what they would refuse of the text is refused here, with its place in the file.
+    // All commands must accept the result: errors that they would report in the text are reported here, with their
+    // location in the source file.
     const auto model = model_of({&file, 1}, false, job.sources, {}, job.diagnostics);
     if (model)
         for (const Chart& chart : model->charts) derive(chart, job.diagnostics);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `lsp`: the language server, for an editor that starts it.
+// `lsp`: the language server, started by an editor.
 #include <poll.h>
 #include <signal.h>
 #include <unistd.h>
@@ -27,7 +27,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// Standard input, until `asked_to_end`, and a way to stop waiting for it.
+/// Standard input until `asked_to_end`, with a way to cancel waiting for it.
 class Ear {
 public:
     explicit Ear(const std::atomic<bool>& asked_to_end) : asked_to_end_(asked_to_end) {
@@ -69,7 +69,7 @@ bool is_alive(std::int64_t process) {
     return process <= 0 || ::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH;
 }
 
-/// Pages of `serve`, one for each file that was asked for, until the end.
+/// Runs `serve` pages, one for each requested file, until the end.
 class Pages {
 public:
     explicit Pages(const Options& options) : options_(options) {}
@@ -98,7 +98,7 @@ private:
     std::vector<std::thread> threads_ = {};
 };
 
-/// A folder for what other programs show.
+/// A folder for files that other programs display.
 class Shelf {
 public:
     std::string keep(const std::string& name, const std::string& text) {
@@ -111,7 +111,7 @@ private:
     std::optional<TemporaryFolder> folder_ = {};
 };
 
-/// LSP 3.17, "Exit Notification": 0 only where `shutdown` came first.
+/// LSP 3.17, "Exit Notification": 0 only if `shutdown` came first.
 ExitCode code_of(grafverif::lsp::Ending ending) {
     return ending == grafverif::lsp::Ending::Asked ? ExitCode::Done : ExitCode::Verdict;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `uppaal`, `pins`, `nusmv`, `aiger` and `btor2`: one model, to a file or to standard output.
+// `uppaal`, `pins`, `nusmv`, `aiger` and `btor2`: writes one model to a file or to standard output.
 #include "pipeline/models.hpp"
 
 #include <utility>
@@ -12,7 +12,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// The timed model of the loop that the options choose.
+/// The timed model of the selected loop.
 std::optional<Network> timed_model(Job& job) {
     auto model = read_model(job.options.operands[0], job);
     const auto loop = model ? chosen_loop(*model, job) : std::nullopt;
@@ -39,7 +39,7 @@ ExitCode pins(Job& job, const Streams& streams) {
 
 namespace {
 
-/// The untimed model of the loop or the chart that the options choose.
+/// The untimed model of the selected loop or chart.
 std::optional<TransitionSystem> untimed_model(Job& job) {
     auto model = read_model(job.options.operands[0], job);
     if (!model) return {};

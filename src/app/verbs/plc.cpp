@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `plc`: a chart run as a PLC runs it, on standard input and output: the controller under test of `test --against`, for
-// trial. One line of inputs is one scan: inputs read, the whole stability search if the mode has one, outputs written.
+// `plc`: runs a chart as a PLC does, on standard input and output; a sample controller under test for `test --against`.
+// One line of inputs is one scan: read inputs, search for stability if the mode does so, write outputs.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -23,7 +23,7 @@ std::vector<ScanColumn> scan_columns(const Chart& chart, const Scanner& plc) {
     return columns;
 }
 
-/// The next line, or as much of it as is worth keeping: whatever is beyond `longest` is read and forgotten.
+/// Reads the next line; characters beyond `longest` are discarded.
 bool next_line(std::istream& in, std::size_t longest, std::string& line) {
     line.clear();
     std::streambuf& bytes = *in.rdbuf();
@@ -34,7 +34,7 @@ bool next_line(std::istream& in, std::size_t longest, std::string& line) {
     return true;
 }
 
-/// The PLC at its lines: each that is understood is obeyed, each that is not is answered by what is wrong with it.
+/// Executes the lines: each valid line is obeyed, each invalid one is answered with an error message.
 class PlcSession {
 public:
     PlcSession(const Chart& chart, ExecutionMode mode, Clock clock, const Streams& streams)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `report`: what `check` and `analyse` find out, the drawn charts, the plant and the equations, as one page.
+// `report`: results of `check` and `analyse`, drawn charts, plant and equations as one page.
 #include "report/report.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::vector<Id<Chart>> charts_of(const Model& model, const Decided& decided) {
     return charts;
 }
 
-/// Everything that is said of one chart alone; nothing after an error.
+/// The report content of one chart; nothing after an error.
 std::optional<ChartContent> content_of(const Model& model, Id<Chart> chart, bool single, Job& job,
                                        const Bounds& bounds) {
     auto equations = equations_of(model, chart, job);
@@ -45,7 +45,7 @@ std::optional<ChartContent> content_of(const Model& model, Id<Chart> chart, bool
     return content;
 }
 
-/// The components of the loop, drawn where they are small enough.
+/// The components of the loop, drawn if they are small enough.
 std::vector<ComponentContent> components_of(const Model& model, Id<ClosedLoop> loop) {
     std::set<Id<Component>> used;
     for (const ClosedLoop::Instance& instance : model.loops[loop].instances) used.insert(instance.component);
@@ -59,7 +59,7 @@ std::vector<ComponentContent> components_of(const Model& model, Id<ClosedLoop> l
     return list;
 }
 
-/// What the chart does in the test of `--sequence`; nothing after an error.
+/// The runs of the charts in the test of `--sequence`; nothing after an error.
 std::optional<std::vector<ChartRun>> tests_of(const Model& model, const std::vector<Id<Chart>>& charts, Job& job) {
     if (charts.size() > 1) {
         std::vector<std::string> names;

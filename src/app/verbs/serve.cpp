@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `serve`: a page on this machine that shows a file as it is now, proves it with every save, and plays with it.
+// `serve`: a page on this machine that shows the current file, checks it with every save, and simulates it.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
@@ -25,7 +25,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// Opens `page` in the browser of the user, which is not ended with this program.
+/// Opens `page` in the user's browser, which continues after this program ends.
 void open_in_browser(const std::filesystem::path& page, const Streams& streams) {
     std::string program = "xdg-open", operand = page.string();
     char* arguments[] = {program.data(), operand.data(), nullptr};
@@ -43,7 +43,8 @@ void open_in_browser(const std::filesystem::path& page, const Streams& streams) 
     if (failure != 0) streams.err << "note: there is no `xdg-open` to open the page with; open the address by hand\n";
 }
 
-/// A page that leads to `address`: the command line of a browser, which other users can read, must not contain the token.
+/// A page that redirects to `address`: the browser's command line is readable by other users and must not contain the
+/// token.
 std::string redirect_to(const std::string& address) {
     return fmt::format(
         "<!doctype html>\n<meta charset=\"utf-8\">\n"
@@ -72,7 +73,7 @@ ExitCode serve(Job& job, const Streams& streams) {
     try {
         page = std::make_unique<LivePage>(job.options);
     } catch (const std::system_error& failure) {
-        if (failure.code() == std::errc::resource_unavailable_try_again) throw;  // a thread was refused
+        if (failure.code() == std::errc::resource_unavailable_try_again) throw;  // a thread could not be started
         const bool in_use = failure.code() == std::errc::address_in_use;
         job.diagnostics.add(messages::cannot_listen(
             job.options.port, in_use ? "another program listens there" : failure.code().message()));
@@ -81,7 +82,7 @@ ExitCode serve(Job& job, const Streams& streams) {
     const std::string address = page->address();
     streams.out << fmt::format("{} is at {}\nCtrl-C ends it.\n", printable(job.options.operands[0]), address)
                 << std::flush;
-    std::optional<TemporaryFolder> folder;  // of this user alone, until the end: the browser may be slow
+    std::optional<TemporaryFolder> folder;  // readable by this user only, kept until the end: the browser may be slow
     if (job.options.open) {
         folder.emplace();
         folder->write("open.html", redirect_to(address));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `simulate`: a closed loop, or a chart alone, moved by hand, by a script, or at random; what it did is told like a counterexample and
-// replayed on the rules in the end.
+// `simulate`: moves a closed loop, or a chart alone, interactively, by a script, or at random. The run is printed like
+// a counterexample and finally replayed by the interpreter.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,13 +37,13 @@ namespace grafverif::app {
 
 namespace {
 
-/// A conversation: each line a command, answered by the steps that it caused.
+/// An interactive session: each line is a command, answered by the steps that it caused.
 class Session {
 public:
     Session(Simulation& simulation, const Streams& streams)
         : simulation_(simulation), recording_(simulation), out_(streams.out) {}
 
-    /// `prompts`: what may be chosen is shown, and `prompt` behind it.
+    /// `prompts`: show the choices, followed by `prompt`.
     void begin(bool prompts, std::string_view prompt = "") {
         prompts_ = prompts;
         prompt_ = prompt;
@@ -51,7 +51,7 @@ public:
         answer(simulation_.begin());
     }
 
-    /// What went wrong; empty: all is well. `line`: as it was typed.
+    /// The error message; empty: none. `line`: the command as typed.
     std::string obey(const Command& command, std::string_view line) {
         over_ = over_ || std::holds_alternative<QuitCommand>(command);
         if (std::holds_alternative<HelpCommand>(command)) out_ << help;
@@ -62,7 +62,7 @@ public:
         return recording_.obey(command, line);
     }
 
-    /// Shows the new steps, what went wrong, and in a conversation what may be chosen.
+    /// Shows the new steps, the error, and in an interactive session the choices.
     void answer(const std::string& problem) {
         const ChartRun& run = simulation_.told();
         if (run.rows.size() < shown_) {
@@ -114,7 +114,7 @@ private:
         }
     }
 
-    /// A file that is none of these is not written over.
+    /// Existing files that are not traces are not overwritten.
     std::string saved(const std::string& file) {
         std::string why;
         const bool is_there = std::filesystem::exists(std::filesystem::symlink_status(file));
@@ -133,7 +133,7 @@ private:
         return {};
     }
 
-    /// Each constraint when it begins to be broken.
+    /// Reports each constraint when it becomes violated.
     void tell_broken_constraints() {
         std::vector<std::string> now = simulation_.broken_constraints();
         for (const std::string& constraint : now)
@@ -186,21 +186,20 @@ ExitCode converse(Simulation& simulation, const Streams& streams, Job& job) {
     return ExitCode::Done;
 }
 
-/// What became of the expectations on one line of a script.
+/// The results of the expectations on one line of a script.
 struct Expectation {
     std::string text = {};
-    std::string unmet = {};  ///< the first time; empty: met whenever it was asked
+    std::string unmet = {};  ///< the first time; empty: met at each evaluation
 };
 
-/// A script stops at its first command that cannot be obeyed; an expectation that is not met is told, and it goes on.
+/// A script stops at its first command that fails; an unmet expectation is reported, and the script continues.
 class ScriptRun {
 public:
     ScriptRun(const Script& script, std::string path, Session& session, Simulation& simulation, const Streams& streams)
         : script_(script), path_(std::move(path)), session_(session), simulation_(simulation), streams_(streams) {}
 
     ExitCode run() {
-        std::vector<std::pair<std::size_t, std::uint64_t>>
-            rounds;  // of each open `repeat`: its place, how many are left
+        std::vector<std::pair<std::size_t, std::uint64_t>> rounds;  // per open `repeat`: its position, remaining count
         for (std::size_t at = 0; at < script_.lines.size() && !session_.over();) {
             const Script::Line& line = script_.lines[at++];
             if (const auto* const repeat = std::get_if<RepeatCommand>(&line.command)) {
@@ -242,7 +241,7 @@ private:
     Simulation& simulation_;
     const Streams& streams_;
     std::map<std::uint32_t, Expectation> expectations_ = {};  ///< by line
-    std::string ended_ = {};                                  ///< the command that could not be obeyed
+    std::string ended_ = {};                                  ///< the command that failed
 };
 
 ExitCode follow_script(Simulation& simulation, const std::string& path, const Streams& streams, Job& job) {
@@ -277,8 +276,7 @@ std::string walk(Simulation& simulation, std::uint64_t seed, std::uint64_t steps
     return {};
 }
 
-/// Moves `simulation` as the options ask for it; what was done is replayed on the rules of the charts, and written where
-/// it is asked for.
+/// Moves `simulation` according to the options, replays the run by the interpreter, and writes the requested files.
 ExitCode move(Simulation& simulation, const std::vector<const Chart*>& charts, Job& job, const Streams& streams) {
     ExitCode code = ExitCode::Done;
     std::string problem;
@@ -288,7 +286,7 @@ ExitCode move(Simulation& simulation, const std::vector<const Chart*>& charts, J
     const ChartRun run = job.options.random_seed ? simulation.retold(detail_of(job)) : simulation.told();
     if (job.options.random_seed) print_trace(run, streams.out);
     if (!problem.empty()) streams.out << "! " << printable(problem) << '\n';
-    const bool is_trial = simulation.trial_row().has_value();  // of which the rules of the charts know nothing
+    const bool is_trial = simulation.trial_row().has_value();  // the interpreter does not support it
     if (const auto found = is_trial ? std::nullopt : disagreement(run, charts)) {
         streams.err << "grafverif: internal failure: " << replay_failure("this run", *found) << '\n';
         return ExitCode::Failure;
@@ -306,7 +304,7 @@ ExitCode simulate_loop(const Model& model, Job& job, const Streams& streams) {
     const auto loop = chosen_loop(model, job);
     const auto network = loop ? network_of(model, *loop, job) : std::nullopt;
     if (!network) return ExitCode::Input;
-    // At random every edge is drawn.
+    // Random walks draw each edge separately.
     const std::vector<const Chart*> charts = charts_of(model, model.loops[*loop]);
     Simulation simulation(*network, charts, job.options.random_seed ? Detail::Everything : detail_of(job));
     return move(simulation, charts, job, streams);
@@ -314,7 +312,7 @@ ExitCode simulate_loop(const Model& model, Job& job, const Streams& streams) {
 
 ExitCode simulate_chart(const Model& model, Job& job, const Streams& streams) {
     const auto chart = chosen_chart(model, job);
-    if (!chart || !equations_of(model, *chart, job)) return ExitCode::Input;  // what has none has no rules
+    if (!chart || !equations_of(model, *chart, job)) return ExitCode::Input;  // no interpreter without equations
     Simulation simulation(model.charts[*chart], execution_mode(model, *chart, job), detail_of(job));
     return move(simulation, {&model.charts[*chart]}, job, streams);
 }

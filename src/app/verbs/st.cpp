@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `st`: a chart, or a test of it, as a program for a PLC.
+// `st`: writes a chart, or a test of it, as a PLC program.
 #include "app/verbs.hpp"
 #include "pipeline/models.hpp"
 

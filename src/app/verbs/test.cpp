@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `test`: does an implementation do what the chart says?
+// `test`: checks that an implementation behaves as its chart specifies.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,16 +29,16 @@ namespace grafverif::app {
 
 namespace {
 
-// The test bench: a controller is driven through a test sequence line by line and its outputs are compared in every scan
-// (JESA13 section 6). Each sequence starts the controller anew, which is its power-on.
+// The test bench drives a controller through a test sequence line by line and compares its outputs in every scan
+// (JESA13 section 6). Each sequence restarts the controller, which is its power-on.
 
 struct BenchOptions {
-    std::string controller = {};  ///< the command that runs it, for the shell
+    std::string controller = {};  ///< the shell command that runs it
     Clock clock = Clock::Simulated;
-    bool go_on = false;                              ///< after a failure, as far as that is possible
-    std::chrono::milliseconds patience{10'000};      ///< for one answer
-    const std::atomic<bool>* stop = nullptr;         ///< set by somebody else: run no further step
-    std::function<void(std::size_t)> progress = {};  ///< called with the number of rows done
+    bool go_on = false;                              ///< after a failure, if possible
+    std::chrono::milliseconds patience{10'000};      ///< for one response
+    const std::atomic<bool>* stop = nullptr;         ///< cancellation flag: run no further step
+    std::function<void(std::size_t)> progress = {};  ///< called with the number of completed rows
 };
 
 using Cause = TestReport::Cause;
@@ -54,7 +54,7 @@ public:
             report_.verdicts.emplace_back(rows_of(sequence).size(), StepVerdict::NotRun);
     }
 
-    /// False: the shell found no program.
+    /// False if the shell found no such program.
     bool run() {
         const auto start = std::chrono::steady_clock::now();
         for (std::size_t k = 0; k < report_.test.sequences.size() && !stopped(); ++k) {
@@ -68,7 +68,7 @@ public:
     TestReport take() { return std::move(report_); }
 
 private:
-    /// A failure after which the controller cannot be driven on.
+    /// True for a failure after which the controller cannot be driven further.
     static bool is_fatal(Cause cause) { return cause != Cause::Different && cause != Cause::NotUnderstood; }
 
     bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
@@ -92,7 +92,7 @@ private:
         return true;
     }
 
-    /// The first failure of the scans of `step`; where the test goes on after it, so do the scans.
+    /// The first failure of the scans of `step`; the remaining scans run only if the test continues after a failure.
     std::optional<Failure> run_row(Dialogue& dialogue, const TestSequence::Step& step) {
         std::optional<Failure> first;
         if (step.wait_ms != 0) wait(dialogue, step.wait_ms);
@@ -106,7 +106,7 @@ private:
         return first;
     }
 
-    /// A real controller is kept waiting a little longer: its clock may tick less often than ours.
+    /// A real controller gets a slightly longer wait: its clock may tick less often than the test bench's.
     void wait(Dialogue& dialogue, std::int64_t wait_ms) const {
         if (options_.clock == Clock::Simulated) return dialogue.tell("wait " + duration_text(wait_ms));
         constexpr std::chrono::milliseconds margin{20}, nap{50};
@@ -156,14 +156,14 @@ private:
     std::size_t done_ = 0;
 };
 
-/// Empty where the shell finds no such program. Throws std::system_error where it cannot be started.
+/// Empty if the shell finds no such program. Throws std::system_error if it cannot be started.
 std::optional<TestReport> run_test(const TestSequence& test, const BenchOptions& options) {
     Bench bench(test, options);
     if (!bench.run()) return {};
     return bench.take();
 }
 
-/// The table of `--sequence`; or a test made of the chart, which passes on the rules of IEC 60848 before it is run.
+/// The table of `--sequence`, or a test generated from the chart, which passes on the interpreter before it is run.
 std::optional<TestSequence> sequence_to_run(const Model& model, Id<Chart> chart, Job& job, const Limits& limits) {
     if (job.options.sequence) return test_sequence(model, chart, job);
     return test_of(model, chart, conform_options(job.options, limits), job.diagnostics);

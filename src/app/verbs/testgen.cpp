@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `testgen`: a test sequence for the program of a PLC. None is written that the interpreter of the rules does not pass.
+// `testgen`: generates a test sequence for a PLC program; each sequence passes on the interpreter before it is written.
 #include <fmt/format.h>
 
 #include <ostream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `init`: a project to begin with, whole: it is checked, built and tested as it is.
+// `init`: creates a complete project, which can be checked, built and tested as it is.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file of a project that is called NAME, which stands for it in path and text.
+/// A file of a project called NAME, which is the placeholder in path and text.
 struct Part {
     std::string path = {}, use = {}, text = {};
 };
@@ -109,7 +109,7 @@ grafverif_check(NAME NAME CHART NAME.grafcet)
 }
 
 std::string named(std::string text, const std::string& name) {
-    // `grafverif_check(NAME NAME ...)`: the first is a word of CMake.
+    // `grafverif_check(NAME NAME ...)`: the first is a keyword of CMake.
     constexpr std::string_view placeholder = "NAME", of_cmake = "(NAME ";
     for (std::size_t at = text.find(placeholder); at != std::string::npos; at = text.find(placeholder, at)) {
         const bool word = at > 0 && text.compare(at - 1, of_cmake.size(), of_cmake) == 0 && text[at + 5] == 'N';
@@ -119,7 +119,7 @@ std::string named(std::string text, const std::string& name) {
     return text;
 }
 
-/// Whether charts and loops may be called so.
+/// True if `name` is a valid name of a chart and a loop.
 bool is_name(const std::string& name) {
     Sources sources;
     Diagnostics diagnostics;

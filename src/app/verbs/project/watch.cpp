@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `watch`: another verb, and again with every change of what it reads. Each run is a process of its own, so that it may
-// end as it likes; what it reads is read here first, and looked at from then on.
+// `watch`: runs another command, and runs it again whenever its inputs change. Each run is a separate process, which
+// may end in any way; the inputs are read here first and then polled.
 #include "pipeline/watch.hpp"
 
 #include <fcntl.h>
@@ -30,11 +30,11 @@ using namespace std::chrono_literals;
 using std::chrono::steady_clock;
 
 constexpr auto look_every = 50ms;
-constexpr auto patience_with_runs = 1s;   ///< that are told to end
-constexpr auto patience_with_saves = 1s;  ///< that take a file away before they put the new one there
+constexpr auto patience_with_runs = 1s;   ///< time for runs to end on request
+constexpr auto patience_with_saves = 1s;  ///< time between deletion and replacement of a file by an editor
 constexpr int closed_pipe = 128 + SIGPIPE;
 
-/// The verb that is watched, with what it was given.
+/// The watched command with its arguments.
 struct Command {
     Verb verb = {};
     std::vector<std::string> words = {};
@@ -64,7 +64,7 @@ Command command_of(const std::vector<std::string>& words) {
     return command;
 }
 
-/// Notes all that the command is going to read. What is wrong with it the command itself will tell.
+/// Records all inputs of the command. The command itself reports their errors.
 void note(const Command& command, Watch& seen) {
     Job job{.options = command.options};
     job.watch = &seen;
@@ -81,7 +81,7 @@ void note(const Command& command, Watch& seen) {
     }
 }
 
-/// How the run ended; nothing: it was ended, by a change or by Ctrl-C.
+/// How the run ended; nothing if it was ended by a change or by Ctrl-C.
 std::optional<ChildEnd> run_once(const Command& command, const Watch& seen, const std::atomic<bool>& asked_to_end) {
     const Descriptor nothing(::open("/dev/null", O_RDONLY | O_CLOEXEC));
     std::vector<std::string> words = {"/proc/self/exe"};
@@ -101,7 +101,7 @@ std::optional<ChildEnd> run_once(const Command& command, const Watch& seen, cons
     return {};
 }
 
-/// Waits for a change, and then until a file that an editor has put aside is there again.
+/// Waits for a change, and then until a file that an editor has moved away exists again.
 void wait_for_change(const Watch& seen, const std::atomic<bool>& asked_to_end) {
     while (!asked_to_end && !seen.changed()) std::this_thread::sleep_for(look_every);
     for (const auto end = steady_clock::now() + patience_with_saves;
@@ -127,7 +127,7 @@ ExitCode watch(Job& job, const Streams& streams) {
         Watch seen;
         note(command, seen);
         const auto end = run_once(command, seen, interrupt.asked());
-        if (end && !end->by_signal && end->status == closed_pipe) return ExitCode::Done;  // nobody reads what it says
+        if (end && !end->by_signal && end->status == closed_pipe) return ExitCode::Done;  // the reader has gone
         if (end)
             tell(fmt::format("{} {}; looking at {} file{}, Ctrl-C ends",
                              end->by_signal ? "ended by signal" : "exit code", end->status, seen.size(),

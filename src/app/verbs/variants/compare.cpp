@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `compare`: whether two charts answer all inputs alike, and what their texts say otherwise.
+// `compare`: checks that two charts have equal outputs for all inputs, and lists other differences of their texts.
 #include <ostream>
 #include <sstream>
 
@@ -12,7 +12,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// `3,5` of both charts, `3,5:W3,W5` of each its own.
+/// `3,5` applies to both charts, `3,5:W3,W5` to each separately.
 std::array<std::vector<Id<Chart::Step>>, 2> beginnings(const Chart& a, const Chart& b, Job& job) {
     if (!job.options.from_situation) return {};
     const std::string_view asked = *job.options.from_situation;
@@ -32,13 +32,13 @@ ExitCode exit_code(const Comparison& comparison) {
     return ExitCode::Failure;
 }
 
-/// Nothing: as the loop of FILE has it.
+/// An empty mode is that of the loop in FILE.
 std::vector<std::optional<ExecutionMode>> asked_modes(const Options& options) {
     if (!options.each_mode) return {options.mode};
     return {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle};
 }
 
-/// One object, or with `--each-mode` a list; as text what the charts say once, in the end.
+/// One object, or a list with `--each-mode`; in text output, differences of the texts are printed once, at the end.
 void print(const std::vector<Comparison>& all, const Options& options, Colour colour, std::ostream& out) {
     const bool json = options.format == Format::Json, list = options.each_mode;
     if (json && list) out << "[\n";
@@ -80,7 +80,7 @@ ExitCode compare(Job& job, const Streams& streams) {
     print(all, job.options, colour_on(to_file ? Screen{} : streams.out_screen, job.options), out);
     work_is_done();
     if (job.options.output) deliver(std::move(out).str(), job, streams);
-    else streams.out << std::move(out).str();  // clean, but for our colours
+    else streams.out << std::move(out).str();  // text without control characters, except for the colour codes
     ExitCode code = ExitCode::Done;
     for (const Comparison& found : all) {
         for (const std::string& failure : found.failures)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `mutate`: plausible mistakes in a chart, one at a time: which are none, which the properties notice, which the test sequence
-// catches. Several threads judge; what is known is kept in a file, so that a run that was stopped goes on.
+// `mutate`: mutation testing of a chart. Finds mutants that are equivalent, that violate a property, and that the test
+// sequence detects. Several threads check mutants; results are stored in a file, so that a stopped run can continue.
 #include "pipeline/variants/mutate.hpp"
 
 #include <fmt/format.h>
@@ -39,15 +39,15 @@ namespace {
 
 using Kind = MutantFate::Kind;
 
-// -- what is known from a run before -------------------------------------------------------------------------------------
+// -- results of a previous run --
 
 std::uint64_t hashed(std::uint64_t hash, const std::string& text) {
     for (const char byte : text + '\0') hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211U;
     return hash;
 }
 
-/// FNV-1a of all that fates depend on besides the mutant: the program, every file that was read, components of the library too,
-/// and what was asked. Bounds are not among it: see StateFile.
+/// FNV-1a hash of all inputs of a fate besides the mutant: the program, every file that was read, including library
+/// components, and the options. Limits are not included: see StateFile.
 std::uint64_t hash_of_question(const Job& job) {
     std::uint64_t hash = hashed(14695981039346656037U, GRAFVERIF_VERSION);
     for (const Source& source : job.sources) hash = hashed(hash, source.text);
@@ -71,10 +71,10 @@ nlohmann::ordered_json stored(const std::string& key, const std::string& bounds,
             {"scans", fate.scans}};
 }
 
-/// Whether other bounds may lead to another fate.
+/// True if other limits may lead to another fate.
 bool depends_on_bounds(const MutantFate& fate) { return fate.kind == Kind::Unknown || !fate.undecided.empty(); }
 
-/// Nothing where the line is none of ours, or was found under bounds that it depends on and that are not `bounds`.
+/// Nothing if the line is not a stored fate, or if it depends on limits other than `bounds`.
 std::optional<std::pair<std::string, MutantFate>> restored(const std::string& line, const std::string& bounds) {
     const auto json = nlohmann::json::parse(line, nullptr, false);
     if (!json.is_object()) return {};
@@ -102,15 +102,15 @@ std::chrono::milliseconds each_of(const Options& options) {
     return std::chrono::milliseconds(options.each_ms.value_or(60'000));
 }
 
-/// The fates of a run before and of this one. The file is replaced as every output is (see write_files): at once, so that one
-/// that cannot be written is refused before the work, then at most once a second, and in the end.
+/// The fates of a previous run and of this one. The file is replaced like every output (see write_files): at the start,
+/// so that an unwritable file is rejected before the work, then at most once a second, and at the end.
 class StateFile {
 public:
     explicit StateFile(const Options& options)
         : path_(options.state_file),
           bounds_(fmt::format("{} ms, {} bytes", each_of(options).count(), options.max_memory.value_or(0))) {}
 
-    /// False after an error: what is there cannot be read, or is another file. Throws std::system_error.
+    /// False after an error: the file cannot be read, or is not a state file. Throws std::system_error.
     bool open(Diagnostics& diagnostics) {
         if (!path_) return true;
         std::string why;
@@ -140,7 +140,7 @@ public:
         try {
             save();
         } catch (const std::system_error&) {
-            next_save_ = std::chrono::steady_clock::now() + between_saves;  // the last one reports it
+            next_save_ = std::chrono::steady_clock::now() + between_saves;  // the final save reports it
         }
     }
     /// Throws std::system_error.
@@ -156,16 +156,16 @@ private:
     static constexpr std::chrono::seconds between_saves{1};
 
     std::optional<std::string> path_;
-    std::string bounds_;  ///< of the work on each
+    std::string bounds_;  ///< limits of the work on each mutant
     std::map<std::string, MutantFate> known_ = {};
     std::string text_ = {};
     bool saved_ = false;
     std::chrono::steady_clock::time_point next_save_ = {};
 };
 
-// -- a run ---------------------------------------------------------------------------------------------------------------
+// -- a run ------------------------------------------------------------------------------------------------------------
 
-/// `most` of them, chosen by `seed`, in their order.
+/// A random sample of `most` mutants, chosen by `seed`, in their original order.
 void sample(std::vector<Mutant>& all, std::uint64_t most, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::vector<std::size_t> order(all.size());
@@ -178,7 +178,7 @@ void sample(std::vector<Mutant>& all, std::uint64_t most, std::uint64_t seed) {
     all = std::move(chosen);
 }
 
-/// Judges all, several at once. A fate stays empty where the run was stopped before.
+/// Checks all mutants in parallel. A fate stays empty if the run was stopped before.
 class Judging {
 public:
     Judging(const MutantBench& bench, Mutation& mutation, StateFile& state, const Job& job, const Limits& limits)
@@ -253,8 +253,8 @@ private:
     std::size_t done_ = 0;
 };
 
-/// Text and drawing of the original and of each mutant that no property notices; in the drawings of both what the other does
-/// not have is marked.
+/// Writes text and drawing of the original and of each mutant that no property detects; both drawings mark the elements
+/// that the other one does not have.
 bool write_survivors(const Mutation& mutation, const Model& model, Id<Chart> chart, const std::string& original,
                      const ReadOptions& read, Job& job, const Streams& streams) {
     if (!job.options.survivors) return true;
@@ -322,7 +322,7 @@ ExitCode mutate(Job& job, const Streams& streams) {
     try {
         state.save();
     } catch (const std::system_error& failure) {
-        job.diagnostics.add(messages::world_failed(failure.what()));  // the results are printed all the same
+        job.diagnostics.add(messages::world_failed(failure.what()));  // the results are printed anyway
     }
     if (!write_survivors(mutation, *model, *chart, original, read, job, streams)) return ExitCode::Input;
     std::ostringstream out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `supervise`: conditions on a chart under which the properties of its loop hold.
+// `supervise`: synthesizes conditions on a chart that enforce the properties of its loop.
 #include "pipeline/variants/supervise.hpp"
 
 #include <fmt/format.h>
@@ -162,7 +162,7 @@ nlohmann::ordered_json json_of(const Supervised& found, const Sources& sources) 
     return json;
 }
 
-/// The text with the conditions; false after an error.
+/// Writes the text with the conditions; false after an error.
 bool write_chart(const Supervised& found, Job& job, const Streams& streams) {
     if (!job.options.output || found.outcome != Supervisor::Outcome::Found) return true;
     if (found.file) return deliver(found.text, job, streams), true;
