@@ -50,7 +50,7 @@ void add_structural(const Chart& chart, const Equations& equations, Analysis& re
     }
 }
 
-/// Whether a finding tells of an evolution that is the end of its run.
+/// True if a finding describes an evolution that ends its run.
 bool is_break(std::string_view code) {
     return code == "action-race" || code == "out-of-range" || code == "no-value" || code == "forced-twice";
 }
@@ -60,10 +60,10 @@ std::string obstacle_text(const BddExhausted& exhausted, const AnalyseOptions& o
     return "the memory allowed, " + std::to_string(options.max_memory >> 20U) + " MiB, is used up";
 }
 
-/// Where ways back alone are left to look for, the work on a part is at most so many first slices.
+/// Limit of the work on a part, in first slices, once only queries about absorbing regions are open.
 constexpr std::uint64_t most_for_ways = 16;
 
-/// The parts of a chart, each searched in turns until nothing is open or no part can go on.
+/// Schedules the parts of a chart: each is searched in turns until no query is open or no part can continue.
 class Course {
 public:
     Course(const Chart& chart, const Equations& equations, const AnalyseOptions& options, Analysis& result)
@@ -100,9 +100,9 @@ private:
     struct Part {
         Cone cone = {};
         AnalyseOptions options = {};
-        bool loosely = false;  ///< it was looked at with inputs that change before every evolution
+        bool loosely = false;  ///< the over-approximating search was started
         bool complete = false, given_up = false, doubtful = false;
-        bool ways_known = false;  ///< what never comes again in it was looked for
+        bool ways_known = false;  ///< the absorbing regions of the part were searched for
     };
 
     bool counts_on() const {
@@ -113,7 +113,7 @@ private:
 
     bool is_last(const Part& part) const { return part.options.longest_count != options_.longest_count; }
 
-    /// One turn of each part; false where there is none that can go on.
+    /// One turn of each part; false if none can continue.
     bool turns(std::uint64_t slice) {
         bool any = false;
         for (std::size_t k = 0; k < parts_.size() && questions_.any_open(); ++k) {
@@ -129,7 +129,8 @@ private:
         return any && !stopped_;
     }
 
-    /// What follows once all parts are done, if nothing is in the whole alone: whatever goes on for ever goes on in one of them.
+    /// Decides the queries that follow once all parts are complete and together contain all of the chart: every
+    /// infinite evolution is infinite in one of them.
     void add_up() {
         for (const Part& part : parts_)
             if (!whole(part) && (!part.complete || part.doubtful)) return;
@@ -164,8 +165,8 @@ private:
             questions_.all(), [](const Question& question) { return !question.decided && is_break(question.code); });
     }
 
-    /// Under stability search first a look at more than what the part does, which costs less: inputs change before every
-    /// evolution. What does not happen then never does.
+    /// Under stability search, begins with a cheaper over-approximation of the part: inputs change before every
+    /// evolution. What does not happen in it never happens.
     void turn(std::size_t k, std::uint64_t slice) {
         Part& part = parts_[k];
         if (options_.mode == ExecutionMode::StabilitySearch && !part.loosely && !is_last(part)) {
@@ -176,7 +177,7 @@ private:
         spend(part, slice, [&](BddSpace& space) { look_at(k, space); });
     }
 
-    /// Whether `look` came to its end.
+    /// True if `look` ran to completion.
     template <class Look>
     bool spend(Part& part, std::uint64_t slice, const Look& look) {
         if (is_over()) {
@@ -228,7 +229,7 @@ private:
         if (is_contradictory(machine)) return;
         Search search(machine, options_.mode);
         Analyst analyst(chart_, equations_, options_, machine, search, questions_, result_);
-        std::uint64_t searching = 0, looking = 0;  // work: deep searches of small sets are looked at now and then
+        std::uint64_t searching = 0, looking = 0;  // work: deep searches of small sets are examined only occasionally
         try {
             while (!search.done()) {
                 const std::uint64_t start = space.work();

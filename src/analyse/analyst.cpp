@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The course of the questions, and the evidence of all findings.
+// Evaluation of the queries during the search, and the runs that show the findings.
 #include "analyse/analyst.hpp"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ void Analyst::conclude_loosely() {
     silent_outputs();
     for (const Transition id : chart_.transitions.ids())
         if (unseen("transition-never-fired", id.index) && !seen(enabled(id))) dead_transition(id);
-    std::set<const Question*> met;  // a question may have several events
+    std::set<const Question*> met;  // a query may have several events
     for (const Event& event : events_)
         if (event.seen || (event.question->index == no_variable && !machine_.whole())) met.insert(event.question);
     for (const Event& event : events_)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Analyst: asks the open questions of an analysis about the points of one machine, instant by instant as the search goes
-// on, so that what is found is there at once. What comes about is decided by a run that the rules confirm; that something
-// never does is decided when the search is done. What a cone shows and the chart does not confirm stays open.
+// Analyst: evaluates the open queries of an analysis on the points of one machine after each instant of the search, so
+// that findings are available immediately. That something can happen is decided by a run that the interpreter confirms;
+// that it never happens is decided when the search is complete. A query stays open if a cone satisfies it and the chart
+// does not confirm that.
 #pragma once
 
 #include <cstddef>
@@ -22,35 +23,36 @@
 
 namespace grafverif::analysis {
 
-// Questions: everything an analysis asks of a chart, one by one, and what is known of each.
+// Questions: the queries of an analysis, with the results so far.
 
-/// In the place of a variable: what is about no single one.
+/// In place of a variable: the query concerns no single variable.
 inline constexpr std::size_t no_variable = static_cast<std::size_t>(-1);
 
 struct Question {
     std::string_view code = {};
-    std::size_t index = 0;  ///< of what it is about, in the table that its code speaks of
+    std::size_t index = 0;  ///< of its subject, in the table that its code refers to
     std::string subject = {};
     bool decided = false;
-    bool seen_in_part = false;    ///< a part has what would answer it; the chart did not confirm that it has
-    std::size_t instants = 0;     ///< while it is open: in the first so many the answer did not come
-    std::int64_t evolutions = 0;  ///< of a counter: in so many evolutions it stays in its range
+    bool seen_in_part = false;    ///< the event occurs in a part, but the chart did not confirm it
+    std::size_t instants = 0;     ///< while it is open: the number of instants searched without a result
+    std::int64_t evolutions = 0;  ///< of a counter: the number of evolutions in which it stays in its range
 };
 
 class Questions {
 public:
     Questions(const Chart& chart, const Equations& equations, const AnalyseOptions& options);
 
-    /// The question where it is asked and still open, else nothing.
+    /// The query with this subject if it exists and is open, otherwise nothing.
     Question* open(std::string_view code, std::size_t index);
     bool any_open() const;
-    /// Whether one of them is open that is about ways back.
+    /// True if a query about absorbing regions is open.
     bool any_trap_open() const;
     bool only_traps_open() const;
     const std::vector<Question>& all() const { return all_; }
-    /// Nothing is asked any more.
+    /// Removes all queries.
     void drop() { all_.clear(), places_.clear(); }
-    /// What a part has, the chart has: no run of it breaks off or goes on for ever.
+    /// Transfers results of parts to the chart: requires that no run of the chart aborts or is infinite within an
+    /// instant.
     void trust_parts();
     void decide(std::string_view code, std::size_t index = 0);
 
@@ -63,38 +65,39 @@ private:
 
 class Analyst {
 public:
-    /// Everything outlives the analyst.
+    /// All arguments must outlive the analyst.
     Analyst(const Chart& chart, const Equations& equations, const AnalyseOptions& options, Machine& machine,
             Search& search, Questions& questions, Analysis& result);
 
-    /// Looks at the points that were found since it looked last.
+    /// Examines the points that were found since the last call.
     void look();
-    /// Tells what never happens. Requires that the search is done and every instant was looked at.
+    /// Reports what never happens. Requires that the search is complete and every instant was examined.
     void conclude();
-    /// Tells what never comes again from some points on. Requires what conclude() does.
+    /// Reports what never happens again from some points on. Same requirements as conclude().
     void look_for_traps();
-    /// Tells what never happens even where inputs change before every evolution. Requires that the search was of that kind, though
-    /// the chart is executed with stability search: what was seen in it means nothing.
+    /// Reports what never happens even if inputs change before every evolution. Requires a search of that kind,
+    /// although the chart is executed with stability search; the points found by it prove nothing beyond that.
     void conclude_loosely();
-    /// Looks at the last instant of such a search.
+    /// Examines the last instant of such a search.
     void look_loosely();
-    /// Notes on the questions that are still open how far they were looked into; never ends with BddExhausted.
+    /// Records in each open query how far it was searched; never throws BddExhausted.
     void leave() noexcept;
-    /// Whether something went on for ever and the chart did not confirm it.
+    /// True if an instability of a part was not confirmed by the chart.
     bool doubtful() const;
 
 private:
     using Step = Id<Chart::Step>;
     using Transition = Id<Chart::Transition>;
 
-    /// Something that comes about in some points: a finding.
+    /// An event that is a finding if it occurs in some points.
     struct Event {
         Question* question = nullptr;
         Bdd goal = {};
         bool seen = false;
-        std::function<bool(const Bdd& seen)> tell = {};  ///< whether it is shown; `seen`: the fresh points of the goal
+        std::function<bool(const Bdd& seen)> tell = {};  ///< true if shown; `seen`: the new points of the goal
     };
-    /// Something whose absence is a finding. `goal` is over points, stable points, or points right after an evolution.
+    /// An event whose absence is a finding. `goal` is over points, stable points, or points directly after an
+    /// evolution.
     enum class Among { Points, Stable, Landings };
     struct Sign {
         Question* question = nullptr;
@@ -103,7 +106,7 @@ private:
         bool seen = false;
     };
 
-    // What can happen (analyst_events.cpp).
+    // Events that can happen (analyst_events.cpp).
     void expect_breaks();
     void expect_break(const Machine::Break& each);
     void expect(std::string_view code, std::size_t index, const Bdd& goal, std::function<bool(const Bdd&)> tell);
@@ -116,7 +119,7 @@ private:
     bool tell_break(std::string_view code, const Machine::Break& each, const Bdd& points, const Bdd& early);
     bool tell_reactivated(Step step, const Bdd& seen);
 
-    // What never happens (analyst_never.cpp).
+    // Events that never happen (analyst_never.cpp).
     void watch_signs();
     void watch(std::string_view code, std::size_t index, Among among, const Bdd& goal);
     void watch_outputs();
@@ -133,17 +136,17 @@ private:
     void transient_steps();
     void silent_outputs();
 
-    // What never comes again (analyst_traps.cpp).
+    // Events that never happen again (analyst_traps.cpp).
 
-    /// Something that comes about: a step is active, a transition is cleared, a stored value changes.
+    /// A recurring event: a step is active, a transition is cleared, a stored value changes.
     struct Passing {
         enum class Kind { Step, Transition, Value } kind = Kind::Step;
         Question* question = nullptr;
         Span origin = {};
-        Bdd comes = {};                  ///< the points in which it does
-        Bdd gone = {};                   ///< the points from which it never does again, whatever the inputs are
-        bool again = false;              ///< it can come about, cease and come about again
-        std::vector<bool> lost_in = {};  ///< per region: it never comes about there
+        Bdd comes = {};                  ///< the points at which it occurs
+        Bdd gone = {};                   ///< the points from which it never occurs again, for all inputs
+        bool again = false;              ///< it can occur, cease and occur again
+        std::vector<bool> lost_in = {};  ///< per region: it never occurs there
     };
     std::vector<Passing> passing();
     bool find_gone(Passing& each, const Ways& ways, const Bdd& sound, const std::vector<Bdd>& regions) const;
@@ -155,13 +158,13 @@ private:
     void tell_once(const std::vector<const Passing*>& once, const Ways& ways);
     void tell_regions(const std::vector<Passing>& lost, const Ways& ways, const Bdd& sound, const Bdd& known,
                       std::size_t regions);
-    /// Tells it by a shortest way to `goal`; else the questions stay open.
+    /// Reports it by a shortest path to `goal`; if that fails, the queries stay open.
     void keep_trap(Finding made, const std::vector<const Passing*>& of, const Ways& ways, const Bdd& goal);
     std::string stays_active(const std::vector<const Passing*>& lost, const Bdd& goal);
 
     bool searching() const { return options_.mode == ExecutionMode::StabilitySearch; }
     bool seen(const Bdd& points) const { return !(search_.reached() & points).is_false(); }
-    /// Whether the runs so far are runs of the chart without more ado.
+    /// True if the runs so far are certainly runs of the complete chart.
     bool certain() const { return machine_.whole() && search_.evolutions() <= machine_.exact_evolutions(); }
     bool is_uncertain(const Question* question) const;
     bool ever_active(Step step) const;
@@ -173,16 +176,17 @@ private:
     const std::string& name(Transition transition) const { return chart_.transitions[transition].name; }
 
     Finding finding(std::string_view code, std::string subject, std::string message, Span origin) const;
-    /// Shows the finding by a path; false where the rules do not confirm it, which is a failure of ours if they should.
+    /// Shows the finding by a path; false if the interpreter does not confirm it, which is an internal error if
+    /// `certain`.
     bool show(Finding& finding, const std::optional<Path>& path, const Demand& demand, std::string shows, bool certain);
     bool show(Finding& finding, const Bdd& goal, const Demand& demand, std::string shows) {
         return show(finding, search_.path_to(goal), demand, std::move(shows), certain());
     }
-    /// `points`, or those of them whose evolution does not break off, if there are any.
+    /// Those of `points` whose evolution does not abort; `points` itself if there are none.
     Bdd rather_unbroken(const Bdd& points) const;
     bool keep(Finding finding);
 
-    /// The path to the first of `points`, and on along them.
+    /// The path to the first of `points`, continued along them.
     std::optional<Path> path_along(const std::vector<Point>& points) const;
 
     const Chart& chart_;
@@ -192,13 +196,13 @@ private:
     Search& search_;
     Questions& questions_;
     Analysis& result_;
-    Evidence last_ = {};  ///< what the last finding was shown by
+    Evidence last_ = {};  ///< the run that showed the last finding
     std::vector<Event> events_ = {};
     std::vector<Sign> signs_ = {};
-    std::vector<Question*> uncertain_ = {};  ///< events that were seen and not shown
+    std::vector<Question*> uncertain_ = {};  ///< events that occurred but could not be shown
     Bdd stable_ = {}, landings_seen_ = {};
     std::size_t looked_ = 0;
-    std::set<const Question*> unseen_ = {};  ///< when the search is done: no sign of them was seen
+    std::set<const Question*> unseen_ = {};  ///< when the search is complete: queries whose event did not occur
 };
 
 }  // namespace grafverif::analysis

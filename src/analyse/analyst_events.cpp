@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can happen.
+// Queries about events that can happen.
 #include <algorithm>
 #include <utility>
 
@@ -13,15 +13,14 @@ void Analyst::expect(std::string_view code, std::size_t index, const Bdd& goal, 
         events_.push_back({question, goal, false, std::move(tell)});
 }
 
-// -- total instability -------------------------------------------------------------------------------------------------
+// -- total instability ------------------------------------------------------------------------------------------------
 
 void Analyst::instability() {
     Question* const question = questions_.open("total-instability", 0);
     if (question == nullptr || is_uncertain(question)) return;
     const Bdd going_on = machine_.going_on(search_.fresh()), followed = machine_.followed(going_on);
     Bdd endless = search_.endless(followed);
-    const bool counting =
-        endless.is_false() && !(followed == going_on);  // a counter may end what seems to go on for ever
+    const bool counting = endless.is_false() && !(followed == going_on);  // a counter's range may end it
     if (counting) endless = search_.endless(going_on);
     if (endless.is_false()) return;
     Finding made = finding("total-instability", "", "", chart_.origin);
@@ -38,10 +37,12 @@ void Analyst::instability() {
     question->decided = keep(std::move(made));
 }
 
-// -- races, and values that do not exist or fit --------------------------------------------------------------------------
+// -- races, and values that are undefined or out of range
+// ----------------------------------------------------------------
 
 void Analyst::expect_breaks() {
-    // What finding nothing decides: every stored variable of the cone, and all conditions if all are in it.
+    // Decides queries without findings: every stored variable of the cone, and all conditions if the cone contains
+    // them.
     for (const Equations::Stored& stored : equations_.stored)
         if (machine_.covers(stored.variable))
             for (const char* code : {"action-race", "out-of-range", "no-value"})
@@ -97,7 +98,7 @@ bool Analyst::tell_break(std::string_view code, const Machine::Break& each, cons
     return keep(std::move(made));
 }
 
-// -- values that are overwritten in their instant -----------------------------------------------------------------------
+// -- values that are overwritten in their instant ---------------------------------------------------------------------
 
 void Analyst::lost_values() {
     if (!searching()) return;
@@ -110,7 +111,7 @@ void Analyst::lost_values() {
     }
 }
 
-/// What follows a point within its instant was found with it or before.
+/// The successors of a point within its instant were found at the same time or earlier.
 void Analyst::lost_value(const Equations::Stored& stored, bool value) {
     Question* const question = questions_.open("action-conflict", 2 * stored.variable.index + (value ? 1 : 0));
     if (question == nullptr || is_uncertain(question)) return;
@@ -120,7 +121,7 @@ void Analyst::lost_value(const Equations::Stored& stored, bool value) {
         (is_true(equations_.exprs, write.value) == value ? stores : overwrites) |= machine_.holds(write.trigger);
     }
     std::vector<Bdd> layers{
-        machine_.going_on(search_.fresh() & stores)};  // evolutions that store it, and those after them
+        machine_.going_on(search_.fresh() & stores)};  // evolutions that store it, and the following ones
     Bdd seen, hit;
     while (!layers.back().is_false() && hit.is_false()) {
         const Bdd next = machine_.going_on(machine_.evolved(layers.back()));
@@ -145,7 +146,7 @@ void Analyst::lost_value(const Equations::Stored& stored, bool value) {
     question->decided = keep(std::move(made));
 }
 
-// -- situations --------------------------------------------------------------------------------------------------------
+// -- situations -------------------------------------------------------------------------------------------------------
 
 void Analyst::expect_branches() {
     const auto pairs = branches(chart_);

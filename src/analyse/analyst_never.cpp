@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What never happens: a sign that it does is looked for while the search goes on; none in all points there are is a finding.
+// Queries about events that never happen: the search looks for an occurrence; none in all reachable points is a
+// finding.
 #include <algorithm>
 
 #include "analyse/analyst.hpp"
@@ -13,7 +14,7 @@ void Analyst::watch(std::string_view code, std::size_t index, Among among, const
 void Analyst::watch_signs() {
     for (const Step step : chart_.steps.ids()) {
         if (!machine_.covers_step(step.index)) continue;
-        // A step that is active at power-on is, even where no evolution follows.
+        // A step that is initially active counts as active, even if no evolution follows.
         const bool initial = equations_.variables[equations_.steps[step.index].variable].initial != 0;
         if (initial) questions_.decide("step-never-active", step.index);
         watch("step-never-active", step.index, Among::Points, machine_.active(step.index));
@@ -46,7 +47,8 @@ void Analyst::watch_outputs() {
     }
 }
 
-// -- while the search goes on --------------------------------------------------------------------------------------------
+// -- during the search
+// ---------------------------------------------------------------------------------------------------
 
 void Analyst::look_for_signs() {
     stable_ = searching() ? machine_.stable(machine_.unbroken(search_.fresh())) : Bdd();
@@ -70,7 +72,8 @@ bool Analyst::sign_seen(const Sign& sign) {
     return false;
 }
 
-/// Whether the chart has a run to one of `points`, and not this cone alone. Where no times make the run it was not tried.
+/// True if the chart, not only this cone, has a run to one of `points`. If no event times realize the run, it was not
+/// replayed.
 bool Analyst::confirmed(const Bdd& points) {
     const std::optional<Path> path = search_.path_to(points);
     if (!path) return false;
@@ -80,7 +83,7 @@ bool Analyst::confirmed(const Bdd& points) {
     return true;
 }
 
-/// A run of the chart shows more than what it was looked for.
+/// A run of the chart may show more events than the one it was searched for.
 void Analyst::confirm_others(const Path& path) {
     for (const Sign& sign : signs_) {
         if (sign.question->decided || sign.among != Among::Points) continue;
@@ -90,7 +93,8 @@ void Analyst::confirm_others(const Path& path) {
     }
 }
 
-// -- when it is done -----------------------------------------------------------------------------------------------------
+// -- after the search
+// ----------------------------------------------------------------------------------------------------
 
 void Analyst::gather_unseen() {
     for (const Sign& sign : signs_)
@@ -140,7 +144,7 @@ void Analyst::dead_transition(Transition id) {
     questions_.decide("transition-never-fired", id.index);
 }
 
-/// Of transitions that are cleared at all.
+/// Only for transitions that are cleared in some run.
 void Analyst::immediate_transitions() {
     for (const Transition id : chart_.transitions.ids()) {
         if (!unseen("transition-always-fired", id.index)) continue;

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What never comes again: traps. All points are known here, so what no way leads back to never comes again; the graph of the
-// points has every run of the chart (ends of timers may come in orders that no times have), so that this holds at any times. A
-// trap that durations alone make is not seen.
+// Queries about events that never happen again, by absorbing regions ("traps"). All points are known here, so an event
+// to which no path leads back never happens again. The graph of the points contains every run of the chart, and more:
+// timers may expire in orders that no times realize. So the result holds for all times. A region that is absorbing only
+// because of durations is not found.
 //
-// What is never looked at, what would come after an evolution that breaks off or an instant that does not end, may lead back:
-// from where that can come about nothing is said to be lost.
+// The successors of an evolution that aborts, or of an instant that does not end, are unknown and may lead back.
+// Nothing is reported for points from which these can be reached.
 //
-// A step, transition or value is lost in the regions that runs end in without it. A region, or those in which the same is lost, is
-// a trap, told by a way to where nothing of that comes again; what is lost there for reasons of its own (neither of two is
-// always lost with the other) has a way of its own. What comes about once in a run anyway is a start-up or an end:
-// a note.
+// A step, transition or value is dead in the absorbing regions that do not contain it. One region, or several in which
+// the same elements are dead, is one trap. It is reported by a path to a point from which none of these elements occurs
+// again. An element that is dead for a separate reason (of two elements, neither is always dead with the other) has a
+// separate path. An element that occurs only once in a run is part of a start-up or an end: a note.
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -27,7 +28,7 @@ namespace {
 constexpr std::size_t most_regions = 16;
 constexpr std::size_t most_named = 8;
 
-/// `` `X1`, `X2` and `X3` ``; what is beyond eight is counted.
+/// `` `X1`, `X2` and `X3` ``; names beyond the eighth are counted.
 std::string listed(const std::vector<std::string>& names) {
     const std::size_t told = std::min(names.size(), most_named);
     std::string text;
@@ -79,12 +80,13 @@ void Analyst::look_for_traps() {
     if (region != nullptr) tell_regions(all, ways, sound, ways.reached() & ~unknown, regions.size());
 }
 
-/// A part that is not lost in may have runs that the chart has not: the whole decides, or that there are none.
+/// A part in which the event recurs may have runs that the chart does not have: the complete chart decides, or the
+/// proof that there are no such runs.
 void Analyst::not_lost(Question& question) const {
     (machine_.whole() ? question.decided : question.seen_in_part) = true;
 }
 
-/// Whether there is a point from which it never comes about again, though it does somewhere.
+/// True if there is a point from which the event never occurs again, although it occurs somewhere.
 bool Analyst::find_gone(Passing& each, const Ways& ways, const Bdd& sound, const std::vector<Bdd>& regions) const {
     each.comes &= ways.reached();
     if (each.comes.is_false()) return false;
@@ -98,7 +100,7 @@ bool Analyst::find_gone(Passing& each, const Ways& ways, const Bdd& sound, const
     return !each.gone.is_false();
 }
 
-/// Regions in which the same is lost are one trap.
+/// Regions with the same dead elements form one trap.
 void Analyst::tell_lost(const std::vector<Passing>& lost, const Ways& ways, const std::vector<Bdd>& regions) {
     std::map<std::vector<const Passing*>, Bdd> traps;
     std::set<const Passing*> told;
@@ -119,7 +121,8 @@ void Analyst::tell_lost(const std::vector<Passing>& lost, const Ways& ways, cons
     if (!left.empty()) tell_once(left, ways);
 }
 
-/// What is lost `within` a trap: what is lost with the other or after it is told with it, and what is lost where that is shown.
+/// Reports the elements that are dead `within` a trap, in groups: elements that die with the first one or after it, and
+/// elements that are dead at the point shown.
 void Analyst::tell_trap(const std::vector<const Passing*>& lost, const Bdd& within, const Ways& ways,
                         std::set<const Passing*>& told) {
     std::vector<const Passing*> left = lost;
@@ -140,7 +143,7 @@ void Analyst::tell_trap(const std::vector<const Passing*>& lost, const Bdd& with
             for (const Passing* each : left) {
                 const Bdd both = first & each->gone;
                 const bool nested = both == first || both == (each->gone & within);
-                // What is lost with the first need not be lost with another that is.
+                // An element that dies with the first one need not die with another such element.
                 if ((!shown && !nested) || (goal & each->gone).is_false()) continue;
                 goal &= each->gone;
                 group.insert(each);
@@ -169,7 +172,7 @@ void Analyst::tell_group(const std::vector<const Passing*>& group, const Ways& w
     keep_trap(std::move(made), group, ways, goal);
 }
 
-/// `; X99 stays active`: of the steps that are active where `goal` is, those that nothing leaves from there on.
+/// `; X99 stays active`: the steps that are active in `goal` and that no transition deactivates from there on.
 std::string Analyst::stays_active(const std::vector<const Passing*>& lost, const Bdd& goal) {
     const auto is_governed = [](const Chart::PartialChart& partial) { return partial.owner.valid(); };
     if (!chart_.forcing.empty() || std::ranges::any_of(chart_.partial_charts, is_governed)) return {};
@@ -192,7 +195,7 @@ std::string Analyst::stays_active(const std::vector<const Passing*>& lost, const
 }
 
 void Analyst::tell_once(const std::vector<const Passing*>& once, const Ways& ways) {
-    std::vector<std::string> names, values;  // what the first evolution gives a value is no change that is looked at
+    std::vector<std::string> names, values;  // the initial value, which the first evolution assigns, is not a change
     for (const Passing* each : once)
         (each->kind == Passing::Kind::Value ? values : names).push_back(each->question->subject);
     std::string words;
@@ -220,7 +223,7 @@ void Analyst::keep_trap(Finding made, const std::vector<const Passing*>& of, con
     if (shown) keep(std::move(made));
 }
 
-/// Of regions in which nothing is lost: several, or one beside which the chart can go on for ever.
+/// Reports regions without dead elements: several, or one if the chart can also run forever outside it.
 void Analyst::tell_regions(const std::vector<Passing>& lost, const Ways& ways, const Bdd& sound, const Bdd& known,
                            std::size_t regions) {
     Question& question = *questions_.open("region-never-left", 0);

@@ -15,9 +15,9 @@ namespace {
 
 using Numbers = std::vector<std::uint32_t>;
 
-/// Cones that have more variables than so many times the whole save nothing.
+/// Cones with more variables in total than this multiple of the complete chart save nothing.
 constexpr std::size_t most_wholes = 8;
-/// Variables visited for all cones together: beyond that the whole is looked at alone.
+/// Variables visited for all cones together; beyond that only the complete chart is analysed.
 constexpr std::size_t most_visits = 4'000'000;
 constexpr std::size_t most_cones = 1000;
 
@@ -27,7 +27,7 @@ void add_leaves(const Equations& equations, Id<Expr> term, Numbers& to) {
         to.push_back(static_cast<std::uint32_t>(equations.exprs[leaf].value));
 }
 
-/// Tarjan's components, with an explicit stack: charts are deep.
+/// Tarjan's strongly connected components, with an explicit stack: charts are deep.
 class Components {
 public:
     explicit Components(const std::vector<Numbers>& edges)
@@ -78,7 +78,7 @@ private:
     std::uint32_t next_ = 0, components_ = 0;
 };
 
-/// What each question is about, as variables.
+/// The subject of each query, as variables.
 std::vector<Numbers> subjects(const Equations& equations) {
     std::vector<Numbers> all;
     for (const Equations::StepActivity& step : equations.steps) all.push_back({step.variable.index});
@@ -90,7 +90,7 @@ std::vector<Numbers> subjects(const Equations& equations) {
     return all;
 }
 
-/// Marks what `open` depends on; the number of variables marked.
+/// Marks the dependencies of `open`; returns the number of variables marked.
 std::size_t mark_cone(const Dependencies& reads, Numbers open, Cone& cone) {
     std::size_t marked = 0;
     while (!open.empty()) {
@@ -104,7 +104,7 @@ std::size_t mark_cone(const Dependencies& reads, Numbers open, Cone& cone) {
     return marked;
 }
 
-/// A cone, and what of it makes it large: the variables that evolutions keep.
+/// A cone, and its variables that evolutions keep, which determine its cost.
 struct Candidate {
     Cone cone = {};
     Numbers kept = {};
@@ -136,7 +136,7 @@ public:
     }
 
 private:
-    using Key = std::pair<std::size_t, Numbers>;  ///< by size, then by what is kept
+    using Key = std::pair<std::size_t, Numbers>;  ///< by size, then by kept variables
 
     Candidate candidate(Cone cone) const {
         Numbers kept;
@@ -145,10 +145,10 @@ private:
         return {std::move(cone), std::move(kept)};
     }
 
-    /// False: they are too many.
+    /// False if there are too many.
     bool find_all() {
         const Numbers component = reads_.components();
-        std::set<std::set<std::uint32_t>> known;  // what is asked of one component has one cone
+        std::set<std::set<std::uint32_t>> known;  // all queries about one component have the same cone
         std::size_t visits = 0;
         for (const Numbers& subject : subjects(equations_)) {
             std::set<std::uint32_t> key;
@@ -167,7 +167,7 @@ private:
         return true;
     }
 
-    /// Whether all of `small` can be asked of `large` at little more cost.
+    /// True if all queries of `small` can be decided on `large` at little additional cost.
     static bool stands_for(const Candidate& large, const Candidate& small) {
         return 4 * large.kept.size() <= 5 * small.kept.size() && std::ranges::includes(large.kept, small.kept) &&
                contains(large.cone, small.cone);

@@ -14,8 +14,8 @@ using Variable = Equations::Variable;
 
 constexpr std::int64_t endless = std::numeric_limits<std::int64_t>::max();
 
-/// Whether one variable is a counter. In one pass over all terms: those that are values of the variable, or the variable
-/// and a constant more, may stand where only their order to constants counts.
+/// Tests if one variable is a counter, in one pass over all terms. Terms that are values of the variable, or the
+/// variable plus a constant, may occur only where just their order relative to constants matters.
 class Reader {
 public:
     Reader(const Equations& equations, const Equations::Stored& stored)
@@ -90,7 +90,7 @@ private:
         else good_ = good_ && of_it_[term.index];
     }
 
-    /// Its values go nowhere else.
+    /// Its values are used nowhere else.
     void look_elsewhere() {
         const auto refuse = [&](Id<Expr> term) { good_ = good_ && !(term.valid() && of_it_[term.index]); };
         for (const Equations::Output& output : equations_.outputs) refuse(output.value);
@@ -105,8 +105,8 @@ private:
     const Equations& equations_;
     const Exprs& exprs_;
     const Equations::Stored& stored_;
-    std::vector<bool> of_it_;          ///< per term: a value of the variable, or that and a constant
-    std::vector<std::int64_t> added_;  ///< that constant, at most
+    std::vector<bool> of_it_;          ///< per term: a value of the variable, or that plus a constant
+    std::vector<std::int64_t> added_;  ///< upper bound of that constant
     std::int64_t least_ = 0, greatest_ = 0, most_ = 0;
     bool met_ = false, good_ = true;
 };
@@ -114,7 +114,7 @@ private:
 }  // namespace
 
 std::vector<std::optional<Counter>> counters(const Equations& equations) {
-    constexpr std::size_t most_terms = 20'000'000;  // looked at in all
+    constexpr std::size_t most_terms = 20'000'000;  // visited in total
     std::vector<std::optional<Counter>> result(equations.variables.size());
     if (equations.stored.size() * equations.exprs.size() > most_terms) return result;
     for (const Equations::Stored& stored : equations.stored)

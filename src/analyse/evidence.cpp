@@ -14,7 +14,7 @@ namespace {
 
 using Kind = Chart::VariableKind;
 
-/// Of a loop of more evolutions than this the first ones are told.
+/// Maximum number of evolutions printed of a loop.
 constexpr std::size_t told_of_loop = 60;
 
 std::string fault_words(RunFault::Kind kind) {
@@ -51,7 +51,7 @@ public:
 private:
     using Fired = std::vector<std::vector<Id<Chart::Transition>>>;
 
-    /// Time passes, and the inputs of `instant` are there.
+    /// Lets time pass and sets the inputs of `instant`.
     void begin(std::size_t instant) {
         if (instant > 0) state_ = pass_time(std::move(state_), moments_[instant] - moments_[instant - 1]);
         time_ = moments_[instant];
@@ -109,7 +109,7 @@ private:
         if (demand.settles && !settles_) fail(instant, "the instant does not end, or breaks off");
     }
 
-    /// The whole instant, or, where it never ends or breaks off later, as far as the path goes.
+    /// The complete instant or, if it never ends or aborts later, its evolutions up to the end of the path.
     void tell_rest(const State& at_start, const Evolution& shown, const Fired& fired) {
         Cycle done = cycle(chart_, at_start, inputs_, mode_);
         const bool ends = problem(done).empty();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Evidence: a path as a run in the words of the chart, made again on the rules of IEC 60848 by the interpreter.
+// Evidence: a path as a run of the chart, replayed by the interpreter according to IEC 60848.
 #pragma once
 
 #include <optional>
@@ -12,23 +12,23 @@
 
 namespace grafverif::analysis {
 
-/// What the evolution at the end of a path must show.
+/// Required properties of the evolution at the end of a path.
 struct Demand {
     std::vector<Id<Chart::Transition>> fired = {};
     Id<Chart::Variable> race = {};  ///< two actions store different values in it
-    bool fault = false;             ///< a value does not exist or does not fit
+    bool fault = false;             ///< a value is undefined or out of range
     bool endless = false;           ///< the instant never ends
-    bool settles = false;           ///< the instant ends, and nothing breaks it off
-    bool ends = true;               ///< tell the instant to its end; else to the end of the path
+    bool settles = false;           ///< the instant ends, and nothing aborts it
+    bool ends = true;               ///< print the instant to its end; otherwise to the end of the path
 };
 
 struct Evidence {
     ChartRun trace = {};
     Finding::Timing timing = Finding::Timing::Untimed;
     std::vector<Id<Chart::StoredAction>> racing = {};  ///< the two actions of a race
-    std::vector<std::vector<bool>> endless = {};       ///< the situations that follow each other for ever
-    Span fault = {};                                   ///< where a value does not exist or fit
-    std::string failure = {};                          ///< the rules do not confirm it: what they say
+    std::vector<std::vector<bool>> endless = {};       ///< the situations that repeat forever
+    Span fault = {};                                   ///< location of a value that is undefined or out of range
+    std::string failure = {};                          ///< the reason why the interpreter does not confirm it
 };
 
 Evidence evidence(const Chart& chart, const Equations& equations, const Machine& machine, ExecutionMode mode,

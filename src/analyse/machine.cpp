@@ -16,7 +16,7 @@ using Variable = Equations::Variable;
 
 Bdd falsehood() { return Bdd::constant(false); }
 
-/// Where `term` has no value that fits `type`; `undefined` where it has none at all.
+/// The points at which `term` has a value outside `type`; without those at which it is undefined.
 Bdd outside(const BddTerm& term, Type type) {
     return type.boolean ? falsehood() : ~within(term, type.low, type.high) & ~term.undefined;
 }
@@ -25,10 +25,10 @@ BddTerm constant_term(Type type, std::int64_t value) {
     return type.boolean ? bdd_boolean(Bdd::constant(value != 0)) : bdd_integer(value);
 }
 
-/// Where `term` has another value than `value`.
+/// The points at which `term` has a value other than `value`.
 Bdd unequal(const BddTerm& term, std::int64_t value) { return ~equals(term, value) & ~term.undefined; }
 
-/// `term`, and `most` where it is more.
+/// The minimum of `term` and `most`.
 BddTerm at_most(const BddTerm& term, std::int64_t most) {
     const Bdd more = ~within(term, std::numeric_limits<std::int64_t>::min(), most) & ~term.undefined;
     return conditional(bdd_boolean(more), bdd_integer(most), term);
@@ -60,9 +60,9 @@ Machine::Machine(const Equations& equations, const AnalyseOptions& options, cons
     start();
 }
 
-// -- the cone ----------------------------------------------------------------------------------------------------------
+// -- the cone ---------------------------------------------------------------------------------------------------------
 
-/// Firing conditions read no firing condition, so a second pass knows those of the first.
+/// Firing conditions read no firing condition, so two passes suffice.
 void Machine::look_inside() {
     std::vector<bool> known(cone_);
     for (const Equations::Firing& firing : equations_.firings) known[firing.variable.index] = false;
@@ -90,7 +90,7 @@ void Machine::choose_counters(const AnalyseOptions& options) {
     }
 }
 
-// -- variables ---------------------------------------------------------------------------------------------------------
+// -- variables --------------------------------------------------------------------------------------------------------
 
 void Machine::add_words(const AnalyseOptions& options) {
     matters_ = variables_that_matter(equations_);
@@ -115,7 +115,7 @@ void Machine::add_words(const AnalyseOptions& options) {
     inputs_ = variable_set(space_, input_bits_);
 }
 
-/// Their bits by turns, so that those which are compared or added are neighbours.
+/// Interleaves their bits, so that bits that are compared or added are neighbours.
 void Machine::add_word_bits(const std::vector<Id<Variable>>& together) {
     std::size_t most = 0;
     for (const Id<Variable> id : together) {
@@ -142,7 +142,7 @@ BddTerm Machine::before(const Expr& leaf) const {
     return word_term(id);
 }
 
-/// In the first evolution: no transition is cleared, no timer has ended.
+/// Value in the first evolution: no transition is cleared, no timer has expired.
 BddTerm Machine::initially(const Expr& leaf) const {
     const Id<Variable> id{static_cast<std::uint32_t>(leaf.value)};
     const Variable& variable = equations_.variables[id];
@@ -160,7 +160,7 @@ void Machine::restrict_inputs(const AnalyseOptions& options) {
         possible_ &= ~(word_term({exclusion.first.index}).bits[0] & word_term({exclusion.second.index}).bits[0]);
 }
 
-// -- one evolution -----------------------------------------------------------------------------------------------------
+// -- one evolution ----------------------------------------------------------------------------------------------------
 
 void Machine::add_break(Break found) {
     const Bdd later = found.race | found.out_of_range | found.no_value;
@@ -220,7 +220,7 @@ void Machine::add_stored() {
     }
 }
 
-/// Where two orders cannot be obeyed together (not `obeyed`) the evolution means nothing, so nothing else is said of it.
+/// If two orders conflict (not `obeyed`), the evolution is undefined, and nothing further is reported about it.
 Machine::Break Machine::break_of(const Equations::Stored& stored, const Bdd& obeyed) {
     const Type type = equations_.variables[stored.variable].type;
     const std::optional<Counter>& counter = counters_[stored.variable.index];
@@ -247,7 +247,7 @@ Machine::Break Machine::break_of(const Equations::Stored& stored, const Bdd& obe
     return found;
 }
 
-/// What nobody writes stays as it is.
+/// Variables that are not written keep their values.
 void Machine::add_unwritten() {
     for (const Id<Variable> id : equations_.variables.ids()) {
         const Variable& variable = equations_.variables[id];
@@ -258,7 +258,7 @@ void Machine::add_unwritten() {
     }
 }
 
-/// What is remembered of values after an evolution reads what steps and stored variables become in it.
+/// Values remembered after an evolution depend on the new values of steps and stored variables.
 void Machine::add_remembered() {
     std::vector<const Next*> next(equations_.variables.size());
     const auto after = [&](bool first) {
@@ -285,8 +285,8 @@ void Machine::add_remembered() {
     for (Next& each : found) keep(std::move(each));
 }
 
-/// No time passes within an evolution: an end goes on while what it watches lasts, or, where there is a fall time, even
-/// after it; it begins at once where there is no rise time.
+/// No time passes within an evolution. A timer output stays true while its watched level lasts or, with a fall time,
+/// even after it; without a rise time it becomes true immediately.
 void Machine::add_timers() {
     for (const Equations::Timer& clock : clocks_) {
         if (!matters_[clock.end.index]) continue;
@@ -300,7 +300,7 @@ void Machine::add_timers() {
     }
 }
 
-/// As derive has it: no transition is cleared, and what is remembered for edges is as before.
+/// As in derive: no transition is cleared, and the values remembered for edges are unchanged.
 void Machine::add_stability() {
     for (std::size_t k = 0; k < fires_.size(); ++k)
         if (!fires_[k].is_false()) calm_.push_back(~fires_[k]);
@@ -367,9 +367,9 @@ Bdd Machine::with_inputs_of(const Bdd& points, const Point& other) const {
     return points & cube(space_, inputs);
 }
 
-// -- time --------------------------------------------------------------------------------------------------------------
+// -- time -------------------------------------------------------------------------------------------------------------
 
-/// Of clocks without fall time on one watched variable, shorter ones end first.
+/// Among clocks without fall time on one watched variable, shorter ones expire first.
 Bdd Machine::allowed_ends(const Bdd& points) const {
     Bdd result = points;
     for (const Equations::Timer& longer : clocks_)
@@ -382,8 +382,8 @@ Bdd Machine::allowed_ends(const Bdd& points) const {
     return result;
 }
 
-/// While time passes what a clock watches does not change: its end begins where that is true, and ends where it is
-/// false. With both a rise and a fall time an old end may run out while a new one is not yet due.
+/// While time passes, the variable that a clock watches is constant: the output becomes true only if it is true, and
+/// false only if it is false. With both a rise and a fall time, an old output may end while a new one is not yet due.
 Bdd Machine::sampled(const Bdd& rest) const {
     Bdd result = rest;
     for (const Equations::Timer& clock : clocks_) {
@@ -432,7 +432,7 @@ Bdd Machine::origins_in_time(const Bdd& rest, const Point& next) const {
     return result & cube(space_, same);
 }
 
-// -- conditions --------------------------------------------------------------------------------------------------------
+// -- conditions -------------------------------------------------------------------------------------------------------
 
 Bdd Machine::holds(Id<Expr> term) {
     const BddTerm& found = (*terms_)(term);
@@ -453,7 +453,7 @@ Bdd Machine::changes(Id<Variable> variable) const {
     return result;
 }
 
-// -- single points -----------------------------------------------------------------------------------------------------
+// -- single points ----------------------------------------------------------------------------------------------------
 
 Point Machine::pick(const Bdd& points) const {
     Point point(space_.variables());

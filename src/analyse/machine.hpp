@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Machine: the evolutions of equations as Boolean functions. A point is an assignment to the variables that matter:
-// what an evolution keeps (steps, stored variables, what is remembered, the ends of timers) and the inputs, which it
-// reads. A set of points is a Bdd over the bits `before` an evolution; a rest is a set over the kept ones alone.
+// those that an evolution keeps (steps, stored variables, remembered values, timer outputs) and the inputs, which it
+// reads. A set of points is a Bdd over the bits `before` an evolution; a rest is a set over the kept variables alone.
 //
-// A machine is of one cone (see cones.hpp); what is asked about anything outside of it means nothing. A counter may be kept
-// up to its thresholds only (see counters.hpp).
+// A machine represents one cone (see cones.hpp); its functions are undefined for elements outside the cone. A counter
+// may be represented up to its thresholds only (see counters.hpp).
 #pragma once
 
 #include <cstdint>
@@ -25,56 +25,58 @@ using Point = std::vector<bool>;
 
 class Machine {
 public:
-    /// Everything outlives the machine.
+    /// All arguments must outlive the machine.
     Machine(const Equations& equations, const AnalyseOptions& options, const Cone& cone, BddSpace& space);
 
-    // -- what it knows of --
+    // -- extent of the machine --
 
     bool covers(Id<Equations::Variable> variable) const { return cone_[variable.index]; }
     bool covers(Id<Expr> term) const { return !term.valid() || inside_[term.index]; }
     bool covers_step(std::size_t step) const { return covers(equations_.steps[step].variable); }
     bool covers_firing(std::size_t firing) const { return covers(equations_.firings[firing].condition); }
-    /// Whether it is all of the chart.
+    /// True if the cone is the complete chart.
     bool whole() const { return whole_; }
-    /// Runs of at most so many evolutions count as the chart does.
+    /// In runs with at most this number of evolutions, counters are exact.
     std::int64_t exact_evolutions() const { return exact_evolutions_; }
 
     // -- sets of points --
 
-    /// Points after the first evolution, its inputs kept; without those where it breaks off.
+    /// Points after the first evolution, with its inputs; without those at which it aborts.
     const Bdd& started() const { return started_; }
-    /// The inputs with which the first evolution breaks off.
+    /// The inputs with which the first evolution aborts.
     const Bdd& breaks_at_first() const { return breaks_at_first_; }
-    /// The inputs that are possible.
+    /// The possible inputs.
     const Bdd& possible() const { return possible_; }
-    /// Those of `points` whose evolution changes nothing but levels that timers watch.
+    /// Those of `points` whose evolution changes at most levels that timers watch.
     Bdd stable(const Bdd& points) const;
-    /// Those whose evolution does not break off: no race, no value that does not exist or fit.
+    /// Those whose evolution does not abort: no race, no value that is undefined or out of range.
     Bdd unbroken(const Bdd& points) const;
-    /// The sound ones that are not stable.
+    /// Those that are sound and not stable.
     Bdd going_on(const Bdd& points) const;
-    /// Those at which no counter goes on above what is kept of it: nothing is lost there.
+    /// Those at which no counter exceeds its represented values, so that the abstraction is exact there.
     Bdd followed(const Bdd& points) const;
-    /// What `points`, stable and sound, keep when their instant ends: watched levels are those of its end.
+    /// The rests of `points`, which must be stable and sound, at the end of their instant: watched levels have their
+    /// final values.
     Bdd settled(const Bdd& points) const { return watches_ ? rest(evolved(points)) : rest(points); }
     bool watches() const { return watches_; }
 
-    /// Where the evolutions of `points` lead, inputs kept. None of them breaks off.
+    /// The successors of `points` by one evolution, with their inputs. Requires that none of them aborts.
     Bdd evolved(const Bdd& points) const;
-    /// What they keep there: rest(evolved(points)), at less cost.
+    /// The rests of these successors: rest(evolved(points)), at lower cost.
     Bdd evolved_rest(const Bdd& points) const;
-    /// The points of `points` whose evolution leads to what `next` keeps.
+    /// Those of `points` whose evolution leads to the rest of `next`.
     Bdd origins(const Bdd& points, const Point& next) const;
-    /// All points whose evolution leads to one of `points`, inputs kept; where `points` is a rest, to what it keeps.
+    /// All points whose evolution leads to one of `points`, with the same inputs; if `points` is a rest, to a point
+    /// with it.
     Bdd origins(const Bdd& points) const { return relation_->preimage(points); }
     Bdd with_inputs_of(const Bdd& points, const Point& other) const;
     /// `points` without their inputs.
     Bdd rest(const Bdd& points) const { return exists(points, inputs_); }
-    /// What a rest can be after some time, inputs sampled anew.
+    /// The points that a rest can become after some time, with newly sampled inputs.
     Bdd sampled(const Bdd& rest) const;
-    /// The rests that can be one of `points` after some time, inputs sampled anew.
+    /// The rests that can become one of `points` after some time, with newly sampled inputs.
     Bdd before_time(const Bdd& points) const;
-    /// The states of `rest` that can be `next` after some time.
+    /// The states of `rest` that can become `next` after some time.
     Bdd origins_in_time(const Bdd& rest, const Point& next) const;
 
     // -- conditions on points, over the variables before their evolution --
@@ -83,22 +85,22 @@ public:
     const Bdd& active(std::size_t step) const { return value_of_step_[step]; }
     const Bdd& fires(std::size_t firing) const { return fires_[firing]; }
     struct Break {
-        Id<Equations::Variable> variable = {};  ///< not valid: of conditions
+        Id<Equations::Variable> variable = {};  ///< not valid for conditions
         Bdd race = {}, out_of_range = {}, no_value = {};
-        Bdd first_race = {}, first_out_of_range = {}, first_no_value = {};  ///< in the first evolution, over inputs
-        Bdd beyond = {};        ///< where a counter goes on above what is kept apart
-        std::int64_t safe = 0;  ///< in so many evolutions it stays in its range all the same
+        Bdd first_race = {}, first_out_of_range = {}, first_no_value = {};  ///< for the first evolution, over inputs
+        Bdd beyond = {};        ///< the points at which a counter exceeds its represented values
+        std::int64_t safe = 0;  ///< number of evolutions in which it stays in its range nevertheless
     };
     const std::vector<Break>& all_breaks() const { return all_breaks_; }
-    /// Per Equations::conflicts: where it breaks the evolution off.
+    /// Per Equations::conflicts: the points at which it aborts the evolution.
     const std::vector<Bdd>& conflicts() const { return conflicts_; }
-    /// `points`, whatever the ends of timers are.
+    /// `points` with arbitrary timer outputs.
     Bdd without_ends(const Bdd& points) const;
-    /// Where the evolution gives the variable another value, one above what is kept of a counter included.
+    /// The points at which the evolution changes the variable, including a counter that exceeds its represented values.
     Bdd changes(Id<Equations::Variable> variable) const;
-    /// Whether the variable is part of points.
+    /// True if the variable is part of points.
     bool matters(Id<Equations::Variable> variable) const { return matters_[variable.index]; }
-    /// Where a term over the variables after an evolution has another value than `value`; in a set of points after it.
+    /// The points after an evolution at which a term over the variables has a value other than `value`.
     Bdd differs(Id<Expr> term, std::int64_t value);
     Bdd differs_at_first(Id<Expr> term, std::int64_t value);
 
@@ -114,7 +116,7 @@ private:
         std::uint32_t before = 0;
         Bdd next = {}, first = {};  ///< the bit after an evolution; after the first one, over inputs
     };
-    /// What a kept variable becomes.
+    /// The next value of a kept variable.
     struct Next {
         Id<Equations::Variable> variable = {};
         BddTerm value = {}, first = {};
@@ -146,7 +148,7 @@ private:
     BddSpace& space_;
     Cone cone_;
     bool whole_ = true, watches_ = false;
-    std::vector<bool> inside_ = {};  ///< per term: whether it reads the cone alone
+    std::vector<bool> inside_ = {};  ///< per term: true if it reads only variables of the cone
     std::vector<Equations::Timer> clocks_;
     std::vector<bool> matters_ = {};
     std::vector<std::optional<Counter>> counters_ = {};
@@ -157,16 +159,15 @@ private:
     std::vector<Next> nexts_ = {};
     std::vector<KeptBit> kept_ = {};
     std::optional<bdd::Relation> relation_ = {};
-    bdd::Relation::Quantified kept_gone_ = {},
-                              all_gone_ = {};  ///< what evolutions leave behind: what was kept, or that and the inputs
+    bdd::Relation::Quantified kept_gone_ = {}, all_gone_ = {};  ///< kept variables, or these and the inputs
     std::vector<Break> all_breaks_ = {};
     std::vector<Bdd> conflicts_ = {};
-    std::vector<Bdd> calm_ = {}, sound_ = {};  ///< conjuncts of what is stable, and of what does not break off
+    std::vector<Bdd> calm_ = {}, sound_ = {};  ///< conjuncts of stability, and of not aborting
     std::vector<std::uint32_t> input_bits_ = {}, kept_bits_ = {};
     Bdd inputs_ = {};  ///< a set of variables
     Bdd possible_ = {}, started_ = {}, breaks_at_first_ = {};
     std::optional<BddTerms> terms_ = {};
-    std::optional<BddTerms> first_terms_ = {};  ///< over initial values: of the first evolution
+    std::optional<BddTerms> first_terms_ = {};  ///< over initial values: for the first evolution
 };
 
 }  // namespace grafverif::analysis

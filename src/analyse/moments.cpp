@@ -8,13 +8,13 @@ namespace grafverif::analysis {
 
 namespace {
 
-/// moment[later] - moment[earlier] >= least, which may be negative.
+/// time[later] - time[earlier] >= least, which may be negative.
 struct DifferenceConstraint {
     std::size_t earlier = 0, later = 0;
     std::int64_t least = 0;
 };
 
-/// What one clock demands of the moments: the age of the level it watches where inputs are sampled.
+/// The constraints of one clock on the event times: the age of its watched level when inputs are sampled.
 std::vector<DifferenceConstraint> constraints_of(const Equations::Timer& clock, const Machine& machine,
                                                  const Path& path) {
     std::vector<DifferenceConstraint> result;
@@ -32,7 +32,7 @@ std::vector<DifferenceConstraint> constraints_of(const Equations::Timer& clock, 
         else result.push_back({now, since, 1 - duration});
     };
     for (std::size_t instant = 0; instant < path.instants.size(); ++instant) {
-        if (instant > 0) {  // the first point tells the level as the last instant left it
+        if (instant > 0) {  // the first point has the level of the end of the previous instant
             const Point& sampled = path.instants[instant].front();
             const bool ended = machine.value(sampled, clock.end) != 0;
             see(instant - 1, sampled);

@@ -42,7 +42,7 @@ private:
         reads_.each(root, [&](std::uint32_t variable) { place({variable}); });
     }
 
-    /// Places `id`, and what is written when it changes right after it.
+    /// Places `id`, followed by the variables that are written when it changes.
     void place(Id<Variable> id) {
         append(id);
         for (const Id<Variable> written : std::exchange(written_[id.index], {})) append(written);
@@ -60,7 +60,7 @@ private:
     std::vector<Id<Variable>> order_ = {};
 };
 
-/// Marks what terms read, through firing conditions and the values of what is marked.
+/// Marks the variables that terms read, through firing conditions and the values of marked variables.
 class Marks {
 public:
     explicit Marks(const Equations& equations)
@@ -96,13 +96,13 @@ private:
     const std::vector<Equations::Timer>& timers_;
     Reads reads_;
     std::vector<bool> marks_;
-    std::vector<Id<Expr>> values_;  ///< per variable: what it becomes, where that is a term
+    std::vector<Id<Expr>> values_;  ///< per variable: its next value, if that is a term
     std::vector<std::uint32_t> pending_ = {};
 };
 
-/// `order`, drawn together: what a variable becomes and all that this reads is an edge.
+/// Shortens `order` (FORCE): each variable with all variables that its next value reads is a hyperedge.
 std::vector<Id<Variable>> drawn_together(const Equations& equations, const std::vector<Id<Variable>>& order) {
-    constexpr std::size_t most_variables = 5000;  // more take longer to order than a search of them could ever last
+    constexpr std::size_t most_variables = 5000;  // above this, ordering takes longer than any search could last
     if (order.size() > most_variables) return order;
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     const Dependencies reads(equations);
@@ -137,7 +137,7 @@ std::vector<std::uint32_t> integer_groups(const Equations& equations) {
         while (first[variable] != variable) variable = first[variable] = first[first[variable]];
         return variable;
     };
-    // Per term: some integer that its value is made of.
+    // Per term: some integer variable on which its value depends.
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> made_of(equations.exprs.size(), none);
     for (std::uint32_t term = 0; term < equations.exprs.size(); ++term) {
@@ -177,7 +177,7 @@ std::vector<bool> variables_that_matter(const Equations& equations) {
     for (const Fault& fault : faults(equations))
         for (const Id<Expr> condition : {fault.condition, fault.first})
             if (condition.valid()) marks.mark(condition);
-    // What is stored may be out of range, or have no value; a Boolean constant is neither.
+    // A stored value may be out of range or undefined; a Boolean constant is neither.
     for (const Equations::Stored& stored : equations.stored)
         for (const Equations::Write& write : stored.writes)
             if (!is_constant(equations.exprs[write.value].op)) marks.mark(write.value);

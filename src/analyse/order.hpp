@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A static order of the variables of equations for decision diagrams: what is read together stands together.
+// Static variable order for decision diagrams: places variables that are read together next to each other.
 #pragma once
 
 #include <vector>
@@ -8,17 +8,18 @@
 
 namespace grafverif::analysis {
 
-/// The variables that `wanted` marks, each once, the topmost first: along the transitions, as the chart is written, each
-/// variable where it is first read or written; then drawn together by what each variable becomes (FORCE: Aloul, Markov,
-/// Sakallah 2003) where that shortens the ways between what belongs together. Integers that one term reads are
-/// neighbours, so that their bits can be interleaved.
+/// The variables that `wanted` marks, each once, the topmost first. The initial order follows the transitions as
+/// written in the chart, with each variable at its first read or write. It is then improved with the dependencies of
+/// the next values (FORCE: Aloul, Markov, Sakallah 2003), if that shortens the total distance of related variables.
+/// Integers that one term reads are neighbours, so that their bits can be interleaved.
 std::vector<Id<Equations::Variable>> variable_order(const Equations& equations, const std::vector<bool>& wanted);
 
-/// Integers that are compared or computed with each other, per variable the first of them: itself where there is no other.
+/// Groups of integers that are compared or computed with each other: per variable the first of its group, possibly
+/// itself.
 std::vector<std::uint32_t> integer_groups(const Equations& equations);
 
-/// Marks the variables on which evolutions depend: those that firing conditions, stability, races, faults and outputs
-/// read, and so on for the values of stored variables among them. Steps always are.
+/// Marks the variables on which evolutions depend: those read by firing conditions, stability, races, faults and
+/// outputs, and transitively by the values of stored variables among them. Steps are always marked.
 std::vector<bool> variables_that_matter(const Equations& equations);
 
 }  // namespace grafverif::analysis

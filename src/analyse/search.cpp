@@ -27,7 +27,8 @@ void Search::first_instant() {
     instants_.push_back({0, 0, rested_});
 }
 
-/// Under stability search the instant goes on through the points that are not stable, in every_cycle mode it is over.
+/// Under stability search the instant continues with the points that are not stable; in every_cycle mode it is
+/// complete.
 void Search::make_instant(Bdd points) {
     Instant made{rings_.each.size(), 0, {}};
     Bdd ended, fresh;
@@ -58,8 +59,8 @@ Bdd Search::first() const {
     return all;
 }
 
-/// Evolutions with constant inputs are a function, and a function on finitely many points leads each that has endless
-/// histories round a cycle. The points of a cycle are reached in one instant.
+/// Evolutions with constant inputs are a function. On finitely many points, an infinite path of a function reaches a
+/// cycle. All points of a cycle are reached in one instant.
 Bdd Search::endless(const Bdd& within) const {
     if (mode_ == ExecutionMode::EveryCycle) return {};
     Bdd now = within;
@@ -70,7 +71,7 @@ Bdd Search::endless(const Bdd& within) const {
     return now;
 }
 
-/// From ring `ring` of the instant, of which `last` is a point, back to its first.
+/// A path within an instant, traced back from `last` in ring `ring` to the first ring.
 std::vector<Point> Search::back_through(const Instant& instant, std::size_t ring, const Point& last) const {
     return bdd::path_back(ring - instant.first, last, [&](std::size_t before, const Point& next) {
         const Bdd going_on = machine_.going_on(rings_.each[instant.first + before]);

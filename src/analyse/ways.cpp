@@ -31,7 +31,7 @@ Bdd Ways::before(const Bdd& points) const {
     return (going_on_ & machine_.origins(points)) | (ends_ & (machine_.watches() ? machine_.origins(rest) : rest));
 }
 
-/// `fresh` and what `step` within an instant leads to from it, added to `all`: instant by instant the sets stay small.
+/// Adds to `all` the points that `step` within an instant reaches from `fresh`: instant by instant the sets stay small.
 template <class Step>
 Bdd Ways::instant_of(Bdd fresh, Bdd& all, const Step& step) const {
     if (mode_ == ExecutionMode::EveryCycle) return fresh;
@@ -69,8 +69,8 @@ std::vector<Bdd> Ways::rings_from(const Bdd& points) const {
     return rings;
 }
 
-/// Most charts come back to where they start. Where each rest of the first instant leads to each other one, and everything
-/// leads to one of them, everything after that instant is in one region; this costs no search forwards.
+/// Most charts return to their start. If each rest of the first instant leads to each other one, and all points lead to
+/// one of them, then all points after that instant form one region; this needs no forward search.
 std::optional<Bdd> Ways::home(const Bdd& among) const {
     Bdd starts = first_ & ends_;
     if (mode_ == ExecutionMode::EveryCycle || starts.is_false()) return {};
@@ -89,8 +89,8 @@ std::optional<Bdd> Ways::home(const Bdd& among) const {
     return all;
 }
 
-/// Runs end late, in what was found late. From a point there on: where not all that it leads to leads back to it, what does not is nearer to an end; the last found of it
-/// most likely is in one.
+/// Terminal regions contain points that were found late. Continues from such a point: if some of its successors do not
+/// lead back to it, these are nearer to a terminal region, the last found of them most likely in one.
 std::vector<Bdd> Ways::regions(Bdd among, std::size_t most) const {
     if (among == reached_)
         if (const auto only = home(among)) return {*only};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Ways: where runs lead from sets of points and where they come from, over all points that a search has found; and the
-// regions in which they end: sets of points none of which a run leaves, each reached from each other one.
+// Ways: forward and backward reachability between sets of points, over all points that a search has found, and terminal
+// regions: sets of points that no run leaves, in which each point is reachable from each other one.
 //
-// An evolution that breaks off leads nowhere, so its point would be a region by itself: regions are looked for among the
-// points from which no run breaks off.
+// An evolution that aborts has no successor, so its point would be a separate region: regions are searched among the
+// points from which no run aborts.
 #pragma once
 
 #include <cstddef>
@@ -16,31 +16,32 @@ namespace grafverif::analysis {
 
 class Ways {
 public:
-    /// Requires that the search is done. Both outlive the ways.
+    /// Requires that the search is complete. Both arguments must outlive the object.
     Ways(const Machine& machine, ExecutionMode mode, const Search& search);
 
     const Bdd& reached() const { return reached_; }
-    /// The points at which an instant ends: stable, or in every_cycle mode all; their evolution does not break off.
+    /// The points at which an instant ends: stable, or all in every_cycle mode; without those whose evolution aborts.
     const Bdd& ends() const { return ends_; }
-    /// Where one evolution, or time and new inputs after it, leads from `points`.
+    /// The successors of `points` by one evolution, or by time and new inputs after it.
     Bdd after(const Bdd& points) const;
-    /// From where it leads to `points`.
+    /// The predecessors of `points`.
     Bdd before(const Bdd& points) const;
-    /// The points that runs through `points` come through, these included.
+    /// The points reachable from `points`, including these.
     Bdd from(const Bdd& points) const { return rings_from(points).back(); }
-    /// The points from which runs lead to `points`, these included.
+    /// The points from which `points` is reachable, including these.
     Bdd to(const Bdd& points) const;
-    /// At most `most` regions in which runs from `among` end; no run leaves `among`. Fewer: these are all.
+    /// At most `most` terminal regions of runs from `among`, which no run leaves. If there are fewer, these are all.
     std::vector<Bdd> regions(Bdd among, std::size_t most) const;
-    /// Those of `within`, which no run enters again, from which a run stays in it and comes through `often` again and again.
+    /// Those of `within` from which a run stays in it and visits `often` infinitely often. No run may enter `within`
+    /// again.
     Bdd recurring(Bdd within, const Bdd& often) const;
 
 private:
-    /// The only region in which runs from `among` end, where all that comes after the first instant is in it.
+    /// The only terminal region of runs from `among`, if it contains all points after the first instant.
     std::optional<Bdd> home(const Bdd& among) const;
     template <class Step>
     Bdd instant_of(Bdd fresh, Bdd& all, const Step& step) const;
-    /// What is new from instant to instant, and all of it together.
+    /// The new points of each instant, and all of them together.
     std::vector<Bdd> rings_from(const Bdd& points) const;
 
     const Machine& machine_;
