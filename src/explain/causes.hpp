@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Causes: which values at which moments make a property fail on a run, in the sense of Beer, Ben-David, Chockler, Orni and
-// Trefler (Explaining counterexamples using causality, CAV 2009), after Halpern and Pearl. docs/trace.md tells it at length.
+// Causes: the values, with their times, that make a property fail on a run, as defined by Beer, Ben-David, Chockler,
+// Orni and Trefler (Explaining counterexamples using causality, CAV 2009), after Halpern and Pearl. docs/trace.md has
+// the details.
 //
-// A pair is a term of the property that is no conjunction, disjunction or negation, and a state of the run. It is
-// bottom-valued where some occurrence of the term, the property in negation normal form, is false there. It is a cause where
-// there are bottom-valued pairs, it not among them, such that with their values changed the property still fails on the run,
-// and with its value changed as well it does not. Which states are settled is taken as it is.
+// A pair consists of a term of the property that is not a conjunction, disjunction or negation, and a state of the run.
+// It is bottom-valued if some occurrence of the term, with the property in negation normal form, is false there. A pair
+// is a cause if there is a set of other bottom-valued pairs with this effect: if the values of the set are changed, the
+// property still fails on the run; if the value of the pair is changed too, it does not. The quiescent states are not
+// changed by this.
 //
-// Of `always`, `never`, `exactly one of` the first state that fails is explained, by its own values; of `leads to` the first
-// state that asks and is never answered, by its values and those of all later states: one in a loop is changed in every round.
+// For `always`, `never` and `exactly one of`, the first failing state is explained, by its own values. For `leads to`,
+// the first state that satisfies the premise without a response is explained, by its values and those of all later
+// states; a value in the loop is changed in every iteration.
 #pragma once
 
 #include <cstddef>
@@ -31,30 +34,31 @@ struct Causes {
         bool operator==(const Pair&) const = default;
     };
     std::vector<Pair> pairs = {};  ///< by state, then in the order of the property
-    bool exact = true;  ///< false: a state has too many terms, some of them twice, and the rule of the paper decides
+    bool exact = true;  ///< false: a state has too many terms, some of them repeated, so the rule of the paper was used
 
     bool operator==(const Causes&) const = default;
 };
 
-/// Of a state with more terms than this the rule of the paper is taken, which is exact where no term comes twice.
+/// For a state with more terms the rule of the paper is used, which is exact if no term is repeated.
 inline constexpr std::size_t most_terms = 10;
 
-/// `states`: those of a run (see replay) on which `property` is violated, `loop` the state to which the last one is equal.
-/// Nothing for other properties, where some term has no value, or where the run does not show it.
+/// `states`: those of a run (see replay) that violates `property`; `loop`: the state to which the last one is equal.
+/// Nothing for other properties, if some term is undefined, or if the run does not show the violation.
 std::optional<Causes> causes_of(const Network& network, const Property& property,
                                 const std::vector<NetworkState>& states, std::optional<std::size_t> loop,
                                 std::size_t most = most_terms);
 
-/// The same of a run of an untimed model. `loop` is that of the run: no state of it comes twice.
+/// Causes in a run of an untimed model. `loop` is that of the run: no state of it is repeated.
 std::optional<Causes> causes_of(const TransitionSystem& system, const Property& property, const SystemRun& run,
                                 std::size_t most = most_terms);
 
-/// Marks the values that the terms read in `run`, which is the projection of the same run (`states`, `shown`). What nobody knows by
-/// a name of the loop (whose turn it is, the time of a longer term) is not marked, and the causes are not exact.
+/// Marks the values that the terms read in `run`, which is the projection of the same run (`states`, `shown`). A value
+/// without a name in the loop (the choice of the scheduler, the time of a longer term) is not marked, and the causes
+/// are then not exact.
 void mark(const Network& network, const std::vector<NetworkState>& states, const Causes& causes, ChartRun& run);
 void mark(const TransitionSystem& system, const SystemRun& shown, const Causes& causes, ChartRun& run);
 
-/// Per state of the run of an untimed model that `run` is the projection of, the moment behind which it stands.
+/// Per state of the run of an untimed model that `run` is the projection of: the event after which it holds.
 std::vector<std::size_t> moments_of_states(const ChartRun& run);
 
 }  // namespace grafverif

@@ -10,7 +10,7 @@ namespace grafverif {
 
 namespace {
 
-/// More edges than this within one instant: the loop answers itself for ever.
+/// Maximum number of edges within one instant; more indicate an infinite reaction of the loop.
 constexpr std::size_t most_at_once = 1000;
 
 const Network::Edge& edge_of(const Network& network, const Fire& fire) {
@@ -26,14 +26,14 @@ bool is_free(const Network& network, const Move& move) {
     return plant && !edge.urgent && network.templates[process.automaton].locations[edge.from].invariant.empty();
 }
 
-/// A run made again, move by move.
+/// Re-executes a run, move by move.
 class Remake {
 public:
-    /// `timed`: says what is free.
+    /// `timed`: determines which moves are free.
     Remake(const Network& network, const Network& timed, std::size_t& effort)
         : network_(network), timed_(timed), effort_(effort), state_(initial_state(network)) {}
 
-    /// Whether it is made, or may be left out.
+    /// True if the move was executed, or may be omitted.
     bool make(const Move& move) {
         if (const Delay* const delay = std::get_if<Delay>(&move)) {
             if (perform_it(move) == Step::Result::Done) return true;
@@ -71,7 +71,7 @@ private:
         return false;
     }
 
-    /// NoValue where the effort is spent.
+    /// NoValue if the effort is used up.
     Step::Result perform_it(const Move& move) {
         if (effort_ == 0) return Step::Result::NoValue;
         --effort_;
@@ -104,7 +104,7 @@ bool holds_along(const Network& network, const Property& property, const Run& ru
                          *states, [&](const NetworkState& state) { return judged_good(network, property, state); });
 }
 
-/// The run without the free moves `left_out`; nothing where the rest is none.
+/// The run without the free moves `left_out`; nothing if the remaining moves are not a run.
 std::optional<Run> without(const Network& network, const Network& timed, const Run& run,
                            const std::vector<std::size_t>& left_out, std::size_t& effort) {
     Remake remake(network, timed, effort);

@@ -11,14 +11,14 @@ namespace grafverif {
 
 namespace {
 
-/// More values of one variable than this are too many.
+/// Maximum number of values of one variable.
 constexpr std::int64_t most_values = 64;
 
 Network::Template& automaton_of(Network& network, Id<Network::Process> process) {
     return network.templates[network.processes[process].automaton];
 }
 
-/// What an instance writes, and which flags it sets with it.
+/// The variables that an instance writes, with the flags that it sets with them.
 using Written = std::map<std::uint32_t, std::vector<Network::Assignment>>;
 
 Written written_by(const Network& network, const Network::Template& automaton) {
@@ -47,7 +47,7 @@ void silence_clocks(Network::Template& automaton) {
     }
 }
 
-/// The component of the instance, which no other instance has any more.
+/// The component of the instance, after making it separate from that of other instances.
 Component& own_component(Model& model, Id<ClosedLoop> loop, Id<ClosedLoop::Instance> instance) {
     ClosedLoop::Instance& of = model.loops[loop].instances[instance];
     Component own = model.components[of.component];

@@ -19,13 +19,13 @@ using Symbol = Id<System::Symbol>;
 using Event = InputChange::Event;
 using Values = std::vector<std::int64_t>;  // per variable of the flat system
 
-/// Behind its end a run is made so far; one that has not come back by then is not believed.
+/// Maximum number of steps after the end of the run; if no state is repeated by then, the run is rejected.
 constexpr std::size_t most_behind = 1000;
 
-/// Steps cost what their terms do: of larger systems fewer are made.
+/// The cost of a step depends on the number of terms: larger systems are allowed fewer steps.
 constexpr std::size_t few_terms = 1000;
 
-/// What is free in main.
+/// A free variable of main.
 struct Free {
     enum class What { Input, Time, Turn };
     Symbol symbol = {};
@@ -36,7 +36,7 @@ struct Free {
     std::vector<bool> event = {};  ///< per state of the run
 };
 
-/// A system without choices, state by state.
+/// A system without choices, executed state by state.
 class Steps {
 public:
     Steps(const System& system, const Property& property) : flat_(flattened(system)), property_(property) {
@@ -69,7 +69,8 @@ public:
             }
             return model_.property_.pattern == Pattern::Never ? holding == 0 : holding == 1;
         }
-        /// Gives `values` those after a step, but for what is free; false: one has none, or leaves its range.
+        /// Replaces `values` by those after a step, except for the free ones; false if one is undefined or out of
+        /// range.
         bool step(Values& values) const {
             for (const Id<FlatSystem::Variable> id : model_.flat_.variables.ids()) {
                 const FlatSystem::Variable& variable = model_.flat_.variables[id];
@@ -86,7 +87,7 @@ public:
         std::vector<std::optional<std::int64_t>> all_;
     };
 
-    /// Gives `values`, which has what is free, the rest of the first state.
+    /// Completes the first state in `values`, which has the free values.
     bool begin(Values& values) const {
         for (const Id<FlatSystem::Variable> id : flat_.variables.ids()) {
             const FlatSystem::Variable& variable = flat_.variables[id];
@@ -137,7 +138,7 @@ public:
 private:
     std::size_t length() const { return run_.states.size(); }
 
-    /// Whether all that is free is known in the run.
+    /// True if all free variables are known in the run.
     bool find_free() {
         std::map<std::uint32_t, Symbol> symbols;  // per variable
         for (std::uint32_t index = 0; index < model_.flat().symbols.size(); ++index) {
@@ -159,7 +160,7 @@ private:
         return true;
     }
 
-    /// What the controllers take it for; whether they know it.
+    /// Determines the variable's role in the controllers; true if they have one for it.
     bool know(Free& free) const {
         for (const System::Controller& controller : system_.controllers) {
             for (const System::Named& input : controller.words.inputs)
@@ -183,7 +184,7 @@ private:
         return found;
     }
 
-    /// Makes the run again as it was, and keeps it; whether it is the same, and bad.
+    /// Re-executes the original run and stores it; true if it is the same, and bad.
     bool again() {
         Values values(model_.flat().variables.size());
         for (std::size_t state = 0; state < length(); ++state) {
@@ -198,7 +199,7 @@ private:
         return bad_.has_value();
     }
 
-    /// What is free in a state of the run without some events; for each variable it has the state before.
+    /// Sets the free values of a state of the run without some events; each variable initially has its value before.
     void set_free(const std::vector<Event>& left_out, std::size_t state, const Values& before, Values& values) const {
         for (const Free& free : free_) {
             std::int64_t& now = values[free.variable];
@@ -212,7 +213,7 @@ private:
         }
     }
 
-    /// A time that is left out is not over until it is over the next time.
+    /// An omitted expiry of a timer is postponed to its next expiry.
     std::int64_t time_told(const std::vector<Event>& left_out, const Free& free, std::size_t state) const {
         for (std::size_t k = state + 1; k-- > 0;)
             if (free.event[k]) return is_in(left_out, free, k) ? 0 : free.told[state];
@@ -223,7 +224,7 @@ private:
         return std::ranges::find(left_out, Event{free.symbol, state}) != left_out.end();
     }
 
-    /// The run made again; nothing where it is none, or bad.
+    /// The re-executed run; nothing if it is not a valid run, or bad.
     std::optional<FlatRun> without(const std::vector<Event>& left_out) {
         const std::size_t from = left_out.front().state;
         if (*bad_ < from) {
@@ -240,7 +241,7 @@ private:
         return for_ever(made, std::move(values)) ? std::optional(std::move(made)) : std::nullopt;
     }
 
-    /// One more state, and a step from it; false: it is none, or bad.
+    /// Adds one state and a step from it; false if the run is not valid, or bad.
     bool go_on(FlatRun& made, Values& values) {
         if (effort_ == 0) return false;
         --effort_;
@@ -272,7 +273,7 @@ private:
     std::vector<Free> free_ = {};
     std::vector<Values> states_ = {};
     std::optional<std::size_t> bad_ = {};  ///< the first bad state of the run
-    bool untimely_ = false;                ///< no plant gives the run as it is
+    bool untimely_ = false;                ///< no plant can produce the run
 };
 
 }  // namespace
@@ -285,8 +286,8 @@ InputChange fewest_input_changes(const System& system, const Property& property,
 
 namespace {
 
-/// Where the run tells that the time is over: in the state of the event, or, where the step that it is of becomes active later,
-/// then.
+/// The event at which the run shows the expiry: in the state of the event or, if the step of the timer becomes active
+/// later, then.
 std::size_t moment_of(const ChartRun& told, Id<ChartRun::Timer> timer, std::size_t first, std::size_t last) {
     for (std::size_t moment = first; moment < told.moments.size(); ++moment)
         if (told.moments[moment].timer == timer) return moment;

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The shortest change of a run whose inputs are free (no plant): the fewest of the things that inputs and times do in it
-// without which a property about single states holds along it. What they do, state by state:
-//   an input changes   it has another value than in the state before; in the first state, than 0, or what of its range is
-//                      next to 0
-//   a time is over     its end holds, and did not in the state before; in the first state, it holds
+// The shortest change of a run with free inputs (no plant): the smallest set of events of inputs and timers without
+// which a property about single states holds along it. The events, state by state:
+//   an input changes   its value differs from that in the previous state; in the first state, from 0, or from the value
+//                      of its range that is closest to 0
+//   a timer expires    its output is true, and was false in the previous state; in the first state, it is true
 //
-// Without some of them the run is made again from the first state on. An input that does not change keeps its value until it
-// changes the next time; a time that is not over is not until it is the next time. Whose turn it is, where there are several
-// controllers, is as it was. Behind its end the run goes on until a state comes again, and so for ever: nothing changes any
-// more, no time is over any more, and each controller has its turn in every step. Constraints on the inputs must hold in each
-// of its states, and the property; and the run may not be untimely (run/replay.hpp) where the one that fails is not: no plant gives a
-// run in which `5s/X1` is over and `3s/X1` is not. What comes later than it did is not looked at.
+// To omit events, the run is re-executed from the first state. An omitted input keeps its value until its next change;
+// an omitted timer is not expired until its next expiry. The order of several controllers is unchanged. After the end
+// of the run the execution continues until a state is repeated, and so forever: no input changes, no timer expires, and
+// each controller has its turn in every step. The constraints on the inputs, and the property, must hold in each of its
+// states. The run may not be untimely (run/replay.hpp) unless the original is: no plant produces a run in which `5s/X1`
+// has expired and `3s/X1` has not. Events that occur later than originally are not considered.
 //
-// The model gives each step one outcome, so what a smallest set leaves out are causes in the sense of Halpern and Pearl, with
-// the model for their equations and the others of the set for their contingency: without those alone the run is bad still, or
-// it is none that counts: a constraint forbids it, no plant gives it, a value leaves its range, or no state came again among 1000
-// behind its end.
+// The model gives each step one outcome. So the events of a smallest set are causes as defined by Halpern and Pearl,
+// with the model as equations and the other events of the set as contingency. Omitting only those others leaves a run
+// that is still bad or not admissible: a constraint forbids it, no plant produces it, a value leaves its range, or none
+// of the 1000 states after its end is repeated.
 #pragma once
 
 #include <cstddef>
@@ -30,26 +30,26 @@
 namespace grafverif {
 
 struct InputChange {
-    /// What `symbol`, of main, does in a state of the run.
+    /// An event of `symbol`, of main, in a state of the run.
     struct Event {
         Id<TransitionSystem::Symbol> symbol = {};
         std::size_t state = 0;
         bool operator==(const Event&) const = default;
     };
-    std::vector<Event> events = {};                   ///< all there are, by state
-    std::optional<std::vector<Event>> left_out = {};  ///< of the smallest sets one that changes late
-    SystemRun run = {};                               ///< what is made without them; it has a loop
-    std::size_t tried = 0;                            ///< sets
-    bool exhausted = false;                           ///< the effort allowed is spent, and there were more to try
+    std::vector<Event> events = {};                   ///< all events, by state
+    std::optional<std::vector<Event>> left_out = {};  ///< of the smallest sets, one with late changes
+    SystemRun run = {};                               ///< the run without them; it has a loop
+    std::size_t tried = 0;                            ///< number of sets
+    bool exhausted = false;                           ///< the effort is used up before all sets were tried
 };
 
-/// Requires that `run` is one of `system` and shows that `property` is violated. Nothing is found for properties that are not
-/// about single states, and for systems where something else than inputs and times is free. `effort`: at most so many steps are
-/// made in all, of a system of few terms; of larger ones less.
+/// Requires that `run` is a run of `system` that violates `property`. Finds nothing for properties that are not about
+/// single states, and for systems in which anything besides inputs and timers is free. `effort`: maximum number of
+/// steps in total for a system of few terms; less for larger ones.
 InputChange fewest_input_changes(const TransitionSystem& system, const Property& property, const SystemRun& run,
                                  std::size_t effort = 20'000, const StopAsked& stopped = {});
 
-/// Tells in `told`, the projection of the same run, what was left out.
+/// Records the omitted events in `told`, the projection of the same run.
 void mark(const TransitionSystem& system, const std::vector<InputChange::Event>& left_out, ChartRun& told);
 
 }  // namespace grafverif

@@ -67,7 +67,7 @@ private:
         return found;
     }
 
-    /// Whether each instant of the run without some changes does.
+    /// True if each instant of the run without some changes ends.
     bool ends(const std::vector<ChartRun::LeftOut>& left_out) {
         State state = power_on(chart_);
         std::vector<std::int64_t> values(chart_.variables.size());
@@ -94,7 +94,7 @@ private:
     const ChartRun& run_;
     std::size_t effort_;
     std::vector<Input> inputs_ = {};
-    std::vector<std::size_t> instants_ = {};  ///< their first moments
+    std::vector<std::size_t> instants_ = {};  ///< the first event of each
 };
 
 }  // namespace

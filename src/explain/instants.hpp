@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The shortest change of a run of a chart that nobody drives and that does not become stable in its last instant (analyse,
-// `total-instability`): the fewest of the changes of its inputs without which each of its instants ends. What an input
-// changes, and what comes of the others, is as in explain/inputs.hpp, instant by instant; times pass as they did. It is made
-// by the interpreter of the rules.
+// The shortest change of an open-loop run of a chart that does not become stable in its last instant (analyse,
+// `total-instability`): the smallest set of its input changes without which each of its instants ends. Events, and the
+// effect of omitting them, are as in explain/inputs.hpp, instant by instant; times are unchanged. The interpreter
+// executes the run.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +17,13 @@
 namespace grafverif {
 
 struct InstantChange {
-    std::size_t events = 0;                                       ///< how many changes of inputs there are
-    std::optional<std::vector<ChartRun::LeftOut>> left_out = {};  ///< of the smallest sets one that changes late
-    std::size_t tried = 0;                                        ///< sets
-    bool exhausted = false;  ///< the effort allowed is spent, and there were more to try
+    std::size_t events = 0;                                       ///< number of input changes
+    std::optional<std::vector<ChartRun::LeftOut>> left_out = {};  ///< of the smallest sets, one with late changes
+    std::size_t tried = 0;                                        ///< number of sets
+    bool exhausted = false;                                       ///< the effort is used up before all sets were tried
 };
 
-/// `run`: of `chart`, as the evidence of `analyse` is. `effort`: about so many evolutions are made in all.
+/// `run`: of `chart`, as found by `analyse`. `effort`: approximate maximum number of evolutions in total.
 InstantChange fewest_changes(const Chart& chart, ExecutionMode mode, const ChartRun& run, std::size_t effort = 20'000,
                              const StopAsked& stopped = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Causes in the words of the charts.
+// Translates causes to elements of the charts.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -10,7 +10,7 @@ namespace grafverif {
 
 namespace {
 
-/// Adds a cause of one moment, or makes the same one longer that reaches to `before` it.
+/// Adds a cause at one event, or extends an equal cause that ends at `before`.
 void append(ChartRun& run, const ChartRun::Cause& cause, std::size_t before) {
     for (ChartRun::Cause& earlier : run.causes) {
         ChartRun::Cause same = earlier;
@@ -23,7 +23,7 @@ void append(ChartRun& run, const ChartRun::Cause& cause, std::size_t before) {
     run.causes.push_back(cause);
 }
 
-/// The signal that a timer watches as it is named; nothing: a longer term, or one that has another name in the loop.
+/// The named signal that a timer watches; nothing for a longer term, or if it has another name in the loop.
 std::optional<Id<ChartRun::Signal>> watched_signal(const ChartRun& run, const ChartRun::Timer& timer) {
     for (const Id<ChartRun::Signal> id : run.signals.ids()) {
         const ChartRun::Role role = run.signals[id].role;
@@ -34,7 +34,7 @@ std::optional<Id<ChartRun::Signal>> watched_signal(const ChartRun& run, const Ch
     return {};
 }
 
-/// Whether what the timer watches is true behind a moment; nothing: nobody knows.
+/// The value that the timer watches after an event; nothing if it is unknown.
 std::optional<bool> watched_value(const ChartRun& run, Id<ChartRun::Timer> id, std::size_t moment) {
     const ChartRun::Timer& timer = run.timers[id];
     const ChartRun::State& after = run.moments[moment].after;
@@ -48,8 +48,8 @@ std::optional<bool> watched_value(const ChartRun& run, Id<ChartRun::Timer> id, s
     return {};
 }
 
-/// Marks that the end of a timer is `over`, where that is what conditions call it: `3s/v` is `v` and the end, `v/3s` is `v` or the
-/// end. Where it is not, or has no name, the causes are not exact.
+/// Marks that the timer output is `over`, if conditions refer to it by the watched signal: `3s/v` is `v` and the
+/// output, `v/3s` is `v` or the output. If they do not, or it has no name, the causes are not exact.
 void append_time(ChartRun& run, Id<ChartRun::Timer> id, bool over, ChartRun::Cause cause, std::size_t before) {
     const ChartRun::Timer& timer = run.timers[id];
     const std::optional<bool> watched = watched_value(run, id, cause.first);
@@ -63,11 +63,11 @@ void append_time(ChartRun& run, Id<ChartRun::Timer> id, bool over, ChartRun::Cau
     append(run, cause, before);
 }
 
-/// Where the run has what a model calls otherwise, per variable of the model.
+/// Elements of the run by variable of the model.
 struct Places {
     std::map<std::uint32_t, Id<ChartRun::Step>> steps = {};
     std::map<std::uint32_t, Id<ChartRun::Signal>> signals = {};
-    std::map<std::uint32_t, Id<ChartRun::Timer>> times = {};  ///< their ends
+    std::map<std::uint32_t, Id<ChartRun::Timer>> times = {};  ///< their timer outputs
 
     template <class Variable>
     void add(const ControllerWords<Variable>& words, const ChartRun::Controller& told) {
@@ -77,8 +77,8 @@ struct Places {
         for (std::size_t k = 0; k < words.timers.size(); ++k) times[words.timers[k].end.index] = told.timers[k];
     }
 
-    /// Marks the value that `variable` has at the moment of `cause`; of the end of a time `over` says whether it is. False: it is
-    /// not here.
+    /// Marks the value of `variable` at the event of `cause`; for a timer output, `over` is its value. False if the run
+    /// has no such variable.
     bool append_value(ChartRun& run, std::uint32_t variable, bool over, ChartRun::Cause cause,
                       std::size_t before) const {
         const ChartRun::State& after = run.moments[cause.first].after;
@@ -99,7 +99,7 @@ struct Places {
     }
 };
 
-/// Where the run has what the leaves of terms read.
+/// Maps leaves of terms to elements of the run.
 class Marker {
 public:
     Marker(const Network& network, const std::vector<NetworkState>& states, ChartRun& run)
@@ -159,7 +159,7 @@ private:
     Places places_ = {};
 };
 
-/// The same of an untimed model, whose leaves are symbols of main.
+/// Maps leaves of terms of an untimed model, which are symbols of main, to elements of the run.
 class SystemMarker {
 public:
     SystemMarker(const TransitionSystem& system, const SystemRun& shown, ChartRun& run)
@@ -178,7 +178,7 @@ public:
     void mark(const Causes::Pair& pair) {
         const std::size_t moment = moments_[pair.state];
         mark(pair, moment, pair.state == 0 ? 0 : moments_[pair.state - 1]);
-        // The last moment is that before the loop again.
+        // The last state is the one before the loop is entered again.
         if (run_.loop && moment + 1 == *run_.loop)
             mark(pair, run_.moments.size() - 1, moments_[shown_.states.size() - 1]);
     }
@@ -213,7 +213,7 @@ private:
         append(run_, cause, before);
     }
 
-    /// Of a definition what it reads. What nobody knows is missing among the causes, and they say so.
+    /// For a definition, marks the symbols that it reads. If one has no element in the run, the causes are not exact.
     void look_through(std::uint32_t symbol, const Causes::Pair& pair, std::size_t moment, std::size_t before) {
         const auto& kind = system_.modules[system_.main].symbols[{symbol}].kind;
         const auto* define = std::get_if<TransitionSystem::DefineSymbol>(&kind);
@@ -222,7 +222,7 @@ private:
             for (const Id<Expr> leaf : leaves(system_.exprs, define->value)) add(leaf, pair, moment, before);
     }
 
-    /// The location that a term asks for: `location = going_out`.
+    /// The location that a term compares with: `location = going_out`.
     std::optional<std::int64_t> compared_with(Id<Expr> term, Id<Expr> leaf) const {
         if (system_.exprs[term].op != Op::Equal) return {};
         const auto sides = system_.exprs.operands(term);
@@ -245,7 +245,7 @@ void mark(const Network& network, const std::vector<NetworkState>& states, const
     Marker marker(network, states, run);
     run.causes_exact = causes.exact;
     for (const Causes::Pair& pair : causes.pairs) marker.mark(pair);
-    // The last moment is that before the loop again.
+    // The last event is the one before the loop is entered again.
     for (const Causes::Pair& pair : causes.pairs)
         if (run.loop && pair.state + 1 == *run.loop) marker.mark({pair.term, run.moments.size() - 1});
     std::ranges::stable_sort(run.causes, {}, &ChartRun::Cause::first);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A run of an untimed model in which plant automata take turns (schedule/network.hpp) as a run of the network that the model
-// was made of: each of its steps is an edge of one process, a unit of time, or nothing. So what is found out about runs of a
-// network is found out about runs of such a model.
+// Converts a run of an untimed model with interleaved plant automata (schedule/network.hpp) to a run of the network
+// that the model was derived from: each of its steps is an edge of one process, a unit of time, or no move. So analyses
+// of runs of a network apply to runs of such a model.
 #pragma once
 
 #include <cstddef>
@@ -16,19 +16,20 @@
 
 namespace grafverif {
 
-/// `network`, which is expanded, as a model without time sees it: clocks have no say.
+/// `network`, which is expanded, as an untimed model sees it: without clocks.
 Network without_clocks(Network network);
 
 struct Moves {
     Run run = {};
     std::vector<std::size_t> steps = {};  ///< per move, the step of the untimed run
 };
-/// Requires that schedule_network made `system` of this network; where its time is abstract, of that with clocks. Nothing
-/// where the run loops, or is none of the network: that breaks off where a value leaves its range or two actions race, and
-/// the system goes on.
+/// Requires that schedule_network derived `system` from this network or, if its time is abstract, from the one with
+/// clocks. Nothing if the run loops, or is not a run of the network: the network aborts if a value leaves its range or
+/// two actions race, and the system continues.
 std::optional<Moves> moves_of(const Network& network, const TransitionSystem& system, const SystemRun& run);
 
-/// Tells in `told`, the projection of the same run, which moves were left out; false, and nothing told: one of them does not show in one moment.
+/// Records the omitted moves in `told`, the projection of the same run; false, without a change, if one of them does
+/// not correspond to a single event.
 bool mark(const Moves& moves, const std::vector<std::size_t>& left_out, ChartRun& told);
 
 }  // namespace grafverif

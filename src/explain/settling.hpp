@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Settling: what is told where a loop has not settled, or never will.
+// Settling: explanations for loops that are not yet quiescent, or never become so.
 #pragma once
 
 #include <string>
@@ -10,15 +10,16 @@
 
 namespace grafverif {
 
-/// Whether `run`, which shows that `property` is violated, ends at power-on: no state of it is settled, and no time passes in
-/// it. Of a property about single states that is judged in all of them; false of any other.
+/// True if `run`, which violates `property`, ends at power-on: no state of it is quiescent, and no time passes in it.
+/// Only for a property about single states that is checked in all of them; false for any other.
 bool is_violated_at_power_on(const Network& network, const Property& property, const Run& run);
 
-/// What is told of such a property; `at_stable` is the verdict on the same, judged in settled states only.
+/// The explanation for such a property; `at_stable` is the verdict on the same property, checked in quiescent states
+/// only.
 std::string power_on_words(const Verdict& at_stable);
 
-/// Of a run that repeats for ever within one instant, while controllers alone move: whose situation never becomes stable,
-/// and how it goes round. Empty: it is not such a run.
+/// Explanation of a run that repeats forever within one instant while only controllers move: the unstable controllers
+/// and their cycles of situations. Empty for any other run.
 std::string unsettled_words(const ChartRun& run);
 
 }  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The smallest set that does something, found by trying all sets: those of one first, then those of two, each size in order.
+// Smallest set with a given effect, found by trying all sets by increasing size, each size in lexicographic order.
 #pragma once
 
 #include <cstddef>
@@ -11,23 +11,23 @@
 
 namespace grafverif {
 
-/// What came of trying a set.
+/// Result of trying a set.
 enum class Attempt {
     Does,
     DoesNot,
-    Spent,  ///< nobody knows: the effort allowed is used up
+    Spent,  ///< unknown: the effort is used up
 };
 
 struct SmallestSet {
     std::optional<std::vector<std::size_t>> found = {};  ///< increasing
-    std::size_t tried = 0;                               ///< sets
-    bool exhausted = false;  ///< the effort is used up or the search stopped, and there were more to try
+    std::size_t tried = 0;                               ///< number of sets
+    bool exhausted = false;  ///< the effort was used up or the search stopped before all sets were tried
 };
 
-/// Whether the search is to end, where somebody asks; looked at before every set.
+/// Optional cancellation callback; called before every set.
 using StopAsked = std::function<bool()>;
 
-/// The next choice of as many out of `count`, in order; false: there is none.
+/// The next combination of the same size out of `count`, in order; false if there is none.
 inline bool next_choice(std::vector<std::size_t>& chosen, std::size_t count) {
     for (std::size_t k = chosen.size(); k-- > 0;) {
         if (chosen[k] + chosen.size() - k >= count) continue;
@@ -38,7 +38,8 @@ inline bool next_choice(std::vector<std::size_t>& chosen, std::size_t count) {
     return false;
 }
 
-/// The chosen elements of `all`, in its order, where `chosen` counts from its end: so its last ones are tried first.
+/// The chosen elements of `all`, in its order, where `chosen` counts from its end, so that its last elements come
+/// first.
 template <class T>
 std::vector<T> chosen_from_the_end(const std::vector<T>& all, const std::vector<std::size_t>& chosen) {
     std::vector<T> elements;
@@ -46,7 +47,7 @@ std::vector<T> chosen_from_the_end(const std::vector<T>& all, const std::vector<
     return elements;
 }
 
-/// Of the sets of numbers below `count`, without the empty one. `attempt` tells what a set does.
+/// Searches the non-empty sets of numbers below `count`. `attempt` returns the result of a set.
 template <class Try>
 SmallestSet smallest_set(std::size_t count, const StopAsked& stopped, const Try& attempt) {
     SmallestSet result;

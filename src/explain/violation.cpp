@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The names of locations are those of compose/observer.cpp, whose automata are read here.
+// The names of locations are those of compose/observer.cpp, whose automata are interpreted here.
 #include "explain/violation.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace {
 using Kind = Sentence::Kind;
 using Scope = Sentence::Scope;
 
-/// The observer has come to `location`, having checked the state behind `moment`.
+/// The observer enters `location` after checking the state after event `moment`.
 struct Entry {
     std::string location = {};
     std::size_t moment = 0;
@@ -42,7 +42,7 @@ public:
         for (const std::string& term : terms) terms_.push_back('`' + term + '`');
     }
 
-    /// Empty: the observer does not fail.
+    /// Empty if the observer does not fail.
     std::optional<SentenceViolation> made() {
         const std::size_t failed = last("failed"), spoilt = last("spoilt"), due = last("due");
         fails_ = failed < entries_.size();
@@ -57,13 +57,13 @@ public:
     }
 
 private:
-    /// The place of the last entry of a location; the number of entries: there is none.
+    /// The last entry of a location; the number of entries if there is none.
     std::size_t last(std::string_view location) const {
         for (std::size_t k = entries_.size(); k-- > 0;)
             if (entries_[k].location == location) return k;
         return entries_.size();
     }
-    /// The moment of an entry; what was never entered is where the observer began.
+    /// The event of an entry; for a location that was never entered, the start of the observer.
     std::size_t moment(std::size_t entry) const { return entry < entries_.size() ? entries_[entry].moment : 0; }
     std::int64_t time(std::size_t entry) const { return run_.moments[moment(entry)].after.time_ms; }
     std::string text_of(std::int64_t time) const {
@@ -76,7 +76,7 @@ private:
         const bool binary = sentence_.kind == Kind::Response || sentence_.kind == Kind::Precedence;
         return terms_[(binary ? 2 : 1) + number];
     }
-    /// What ends the scope.
+    /// The operand that ends the scope.
     const std::string& closing() const { return bound(sentence_.scope == Scope::Before ? 0 : 1); }
 
     void add(std::size_t entry, std::string words) { made_.steps.push_back({moment(entry), std::move(words)}); }
@@ -87,7 +87,7 @@ private:
         closed_ = true;
     }
 
-    /// Where the scope opens that fails.
+    /// Adds the opening of the scope that fails.
     void add_opening() {
         if (sentence_.scope == Scope::Globally || sentence_.scope == Scope::Before) return;
         const std::size_t outside = last(sentence_.kind == Kind::Existence ? "idle" : "outside");
@@ -161,8 +161,8 @@ private:
     const ChartRun& run_;
     std::vector<Entry> entries_;
     std::vector<std::string> terms_ = {};  ///< quoted
-    bool fails_ = false;                   ///< false: something required never comes
-    bool closed_ = false;                  ///< the end of the scope is among the steps
+    bool fails_ = false;                   ///< false: a required event never occurs
+    bool closed_ = false;                  ///< the steps include the end of the scope
     std::size_t bad_ = 0, opening_ = 0;    ///< entries
     SentenceViolation made_ = {};
 };
