@@ -86,7 +86,7 @@ Json violation_json(const std::optional<SentenceViolation>& violation) {
 /// Omits the moves of observers, which change nothing in the loop.
 void omit_observers(ChartRun& run, std::optional<SentenceViolation>& violation) {
     std::vector<ChartRun::Moment> kept;
-    std::vector<std::size_t> places;  // per moment, the last one kept that is not behind it
+    std::vector<std::size_t> places;  // per event, the last one kept at or before it
     for (ChartRun::Moment& moment : run.moments) {
         if (moment.kind != ChartRun::Kind::Observer) kept.push_back(std::move(moment));
         places.push_back(kept.size() - 1);

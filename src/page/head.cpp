@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The head of a page: the verdict at a glance, and what it rests on.
+// The head of a page: the summary verdict and its assumptions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::size_t undecided(const PageContent& content) {
     return count.unknown + count.undeclared_unknown + left_out(content).size();
 }
 
-/// Errors that the analyses found and nobody has accepted.
+/// Errors that the analyses found and that no exclusion accepts.
 std::size_t errors_found(const PageContent& content) {
     std::size_t errors = 0;
     for (const ChartContent& each : content.charts)
@@ -36,7 +36,7 @@ std::size_t errors_found(const PageContent& content) {
     return errors;
 }
 
-/// What the analyses say against the charts themselves; empty: nothing.
+/// The errors of the charts themselves; empty: none.
 std::string errors_words(const PageContent& content) {
     if (const std::size_t errors = errors_found(content); errors != 0)
         return "by itself the chart has " + counted(errors, "error", "errors");
@@ -45,7 +45,7 @@ std::string errors_words(const PageContent& content) {
     return complete ? "" : "whether the chart by itself has errors is not decided";
 }
 
-/// All is well only where every property was decided, as expected, and the charts have no errors of their own.
+/// The summary is positive only if every property was decided as expected and the charts have no errors.
 Glance glance_of(const PageContent& content) {
     const Report& report = content.report;
     const Tally count = tally(report);
@@ -79,7 +79,7 @@ std::string tally_words(const PageContent& content) {
     return listed(words);
 }
 
-/// What all verdicts rest on, a sentence each.
+/// The assumptions of all verdicts, one sentence each.
 std::vector<std::string> assumptions(const PageContent& content) {
     const Basis& basis = content.report.basis;
     std::vector<std::string> said;

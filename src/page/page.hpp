@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// page_of: everything that was found out about a file as one HTML document, which needs nothing beside it: text, drawings
-// and tables to read and print, and the player of runs for who has a script engine. Same content, same bytes.
+// page_of: all results about a file as one self-contained HTML document: text, drawings and tables to read and print,
+// and a player of runs, which needs a script engine. Deterministic: same content, same bytes.
 //
-// The document allows its own style and script by their hashes and forbids everything else (Content-Security-Policy).
-// What the script knows stands in the element `data`, see page/data.hpp. Its sections have the ids `verdicts`, `runs`,
-// `findings`, `charts`, `plant`, `equations`, `coverage`; a property has `property-NAME`, the drawing of a chart stands
-// in the figure `chart-N` with ids by element_ids(), that of a component in `component-N`.
+// The document allows its style and script by their hashes and forbids everything else (Content-Security-Policy). The
+// data of the script is in the element `data`, see page/data.hpp. Its sections have the ids `verdicts`, `runs`,
+// `findings`, `charts`, `plant`, `equations`, `coverage`. A property has the id `property-NAME`; the drawing of a chart
+// is in the figure `chart-N`, with ids by element_ids(), that of a component in `component-N`.
 #pragma once
 
 #include <string>
@@ -20,11 +20,11 @@
 
 namespace grafverif {
 
-/// A chart on the page, and all that is said of it alone.
+/// A chart on the page, with its results.
 struct ChartContent {
     Id<Chart> chart = {};
     std::string prefix = {};   ///< of the ids in its drawing
-    std::string drawing = {};  ///< an `<svg>` of ours
+    std::string drawing = {};  ///< a generated `<svg>`
     Equations equations = {};
     Analysis analysis = {};
 };
@@ -32,22 +32,23 @@ struct ChartContent {
 /// A component of the plant on the page.
 struct ComponentContent {
     Id<Component> component = {};
-    std::string drawing = {};  ///< an `<svg>` of ours, its locations in order as `rect.node`; empty: there are too many
+    std::string drawing = {};  ///< a generated `<svg>`, its locations in order as `rect.node`; empty: too many
+                               ///< locations
 };
 
-/// What a page shows. The references outlive it.
+/// The content of a page. The references must outlive it.
 struct PageContent {
     const Model& model;
     const Sources& sources;
     std::string file = {}, version = {};
-    std::string date = {};                          ///< as given; empty: none
-    std::vector<std::string> asked = {};            ///< the properties asked for; empty: all
+    std::string date = {};                          ///< as given; empty: not shown
+    std::vector<std::string> asked = {};            ///< the selected properties; empty: all
     Id<ClosedLoop> loop = {};                       ///< not valid: a chart alone
     std::vector<ChartContent> charts = {};          ///< of the controllers, in order
-    std::vector<ComponentContent> components = {};  ///< that the plant is made of, each once
+    std::vector<ComponentContent> components = {};  ///< of the plant, each once
     Report report = {};
-    std::vector<ChartRun> tests = {};  ///< sequences of a test of the only chart
-    std::string warnings = {};         ///< diagnostics, rendered
+    std::vector<ChartRun> tests = {};  ///< runs of the test sequences of the only chart
+    std::string warnings = {};         ///< rendered diagnostics
 };
 
 std::string page_of(const PageContent& content);

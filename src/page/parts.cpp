@@ -20,7 +20,7 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t longest_table = 400;  // rows of a run as text
+constexpr std::size_t longest_table = 400;  // rows of a run shown as text
 
 void begin_section(Html& html, const char* id, std::string_view title) {
     html.open("section", {{"id", id}}).put("h2", title);
@@ -37,7 +37,7 @@ void add_play(Html& html, const ChartRun& trace, const std::string& run, std::st
     html.put("button", fmt::format("▶ Play the {}", what), {{"type", "button"}, {"class", "play"}, {"data-run", run}});
 }
 
-// -- properties ----------------------------------------------------------------------------------------------------------
+// -- properties -------------------------------------------------------------------------------------------------------
 
 std::string outcome_words(const Verdict& verdict) {
     std::string words(word(verdict.outcome));
@@ -47,7 +47,7 @@ std::string outcome_words(const Verdict& verdict) {
     return words;
 }
 
-/// Its class, and the mark that says the same.
+/// Its CSS class, and the equivalent symbol.
 std::pair<const char*, const char*> look_of(const Verdict& verdict) {
     if (verdict.outcome == Outcome::Unknown) return {"unknown", "?"};
     const char* const mark = verdict.outcome == Outcome::Holds ? "✓" : "✗";
@@ -90,7 +90,7 @@ void add_run_as_text(const Playable& playable, Html& html) {
     if (!playable.end.empty()) html.put("p", playable.end);
 }
 
-// -- findings, coverage --------------------------------------------------------------------------------------------------
+// -- findings, coverage -----------------------------------------------------------------------------------------------
 
 void add_finding(const PageContent& content, const Analysis& analysis, const Finding& finding, Html& html) {
     html.open("li", {{"class", "finding"}});
@@ -117,7 +117,7 @@ void add_open_questions(const Analysis& analysis, Html& html) {
     html.close("ul").close("details");
 }
 
-/// Names of what is in `used`, and of what is not.
+/// Names of used and unused elements.
 struct Used {
     std::vector<std::string> yes = {}, no = {};
     void add(const std::string& name, bool used) { (used ? yes : no).push_back(name); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sections of a page, each from what it is about alone.
+// The sections of a page.
 #pragma once
 
 #include "page/html.hpp"
@@ -7,17 +7,17 @@
 
 namespace grafverif {
 
-/// File, version, date, the verdict at a glance, what was assumed, warnings.
+/// File, version, date, the summary verdict, assumptions, warnings.
 void add_head(const PageContent& content, Html& html);
 /// Every property; those that hold as expected are folded.
 void add_verdicts(const PageContent& content, Html& html);
-/// The place of the player; without a script, the runs as text.
+/// The element of the player; without a script, the runs as text.
 void add_runs(const PageContent& content, Html& html);
 void add_findings(const PageContent& content, Html& html);
 void add_charts(const PageContent& content, Html& html);
 void add_plant(const PageContent& content, Html& html);
 void add_equations(const PageContent& content, Html& html);
-/// Which steps and transitions the runs of the page ever used.
+/// The steps and transitions that the runs of the page used.
 void add_coverage(const PageContent& content, Html& html);
 
 }  // namespace grafverif

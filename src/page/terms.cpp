@@ -54,7 +54,7 @@ const char* name_of(Op op) {
 
 bool is_number(Op op) { return op == Op::Integer || op == Op::Duration || is_arithmetic(op); }
 
-/// The place of a variable among those of its kind, as controllers list them.
+/// The index of a variable among those of its kind, as controllers list them.
 std::size_t place_of(const Chart& chart, Id<Chart::Variable> wanted) {
     std::size_t place = 0;
     for (const Id<Chart::Variable> id : chart.variables.ids()) {
@@ -77,7 +77,7 @@ Json variable_json(const Chart& chart, Id<Chart::Variable> id) {
     return {{"op", kind_of(chart, id)}, {"boolean", chart.variables[id].type.boolean}, {"place", place_of(chart, id)}};
 }
 
-// -- charts --------------------------------------------------------------------------------------------------------------
+// -- charts -----------------------------------------------------------------------------------------------------------
 
 class ChartTerms {
 public:
@@ -108,7 +108,7 @@ public:
     }
 
 private:
-    /// The steps that must be active: behind a macro-step its exit step too, of a source transition the owner of its
+    /// The steps that must be active: after a macro-step also its exit step, for a source transition the owner of its
     /// partial chart.
     std::vector<Id<Chart::Step>> enabling(const Chart::Transition& transition) const {
         std::vector<Id<Chart::Step>> steps = transition.from;
@@ -132,7 +132,7 @@ private:
         if (chart_.variables[{index}].kind == Chart::VariableKind::Output) add_output({index}, node);
         return node;
     }
-    /// A continuous output is read as what its actions say (CEP13 (13)).
+    /// A continuous output is replaced by its actions (CEP13 (13)).
     void add_output(Id<Chart::Variable> output, Json& node) {
         Json actions = Json::array();
         for (const Chart::ContinuousAction& action : chart_.continuous)
@@ -148,9 +148,9 @@ private:
     TermList terms_;
 };
 
-// -- loops ---------------------------------------------------------------------------------------------------------------
+// -- loops ------------------------------------------------------------------------------------------------------------
 
-/// What a name of a property stands for, and how the loop writes it.
+/// The element that a name of a property refers to, and its text in the loop.
 struct Named {
     Json node = {};
     std::string text = {};
@@ -240,7 +240,7 @@ const char* pattern_of(Pattern pattern) {
     unreachable();
 }
 
-/// What the sentence says of each of its operands.
+/// The role of each operand of the sentence.
 std::vector<std::string> headings_of(const Sentence& sentence) {
     const std::string bound = bound_text(sentence);
     const auto own = [&]() -> std::vector<std::string> {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Terms as the page evaluates them: a list of nodes, operands before what they stand in.
+// Terms for evaluation on the page: a list of nodes, operands first.
 //
-// A node is `{"op", "text", "boolean", "args"?, ...}`; `text` is the term as the file would write it, shortened. Leaves say
-// what they stand for: in a chart `input`, `output`, `internal`, `step`, `timed` with their `place` among those of the
-// controller; in a loop the same with `controller`, or `signal` (of the plant, by its name in `text`), or `location` with
-// `instance` and `location`. `unknown` is what a run does not tell.
+// A node is `{"op", "text", "boolean", "args"?, ...}`; `text` is the term as the file would write it, shortened. The
+// `op` of a leaf names its element. In a chart it is `input`, `output`, `internal`, `step` or `timed`, with its `place`
+// among those of the controller. In a loop it is one of these with `controller`, or `signal` (of the plant, by its name
+// in `text`), or `location` with `instance` and `location`. `unknown` is an element that runs do not contain.
 #pragma once
 
 #include <functional>
@@ -20,12 +20,12 @@ namespace grafverif {
 
 class TermList {
 public:
-    /// The node of a leaf, without its text. `exprs` outlives the list.
+    /// The node of a leaf, without its text. `exprs` must outlive the list.
     using Leaf = std::function<nlohmann::ordered_json(const Expr&)>;
     TermList(const Exprs& exprs, LeafPrinter print, Leaf leaf)
         : exprs_(&exprs), print_(std::move(print)), leaf_(std::move(leaf)) {}
 
-    /// The place of the term in the list. Recurses over the term, whose depth the reader bounds.
+    /// The index of the term in the list. Recurses over the term, whose depth the reader bounds.
     std::size_t add(Id<Expr> term);
     const nlohmann::ordered_json& nodes() const { return nodes_; }
 
@@ -37,18 +37,19 @@ private:
     nlohmann::ordered_json nodes_ = nlohmann::ordered_json::array();
 };
 
-/// `{"name", "steps", "transitions", "timed", "terms", "ownerOfAction", "ownerOfForcing"}`: what the page needs to know of
-/// a chart to say why a transition is cleared. `from` of a transition are the steps that enable it, exit steps included.
+/// `{"name", "steps", "transitions", "timed", "terms", "ownerOfAction", "ownerOfForcing"}`: the data with which the
+/// page explains why a transition is cleared. `from` of a transition lists the steps that enable it, including exit
+/// steps.
 nlohmann::ordered_json chart_json(const Chart& chart);
 
 /// `{"name", "pattern", "at_stable", "operands", "terms"}`; of a sentence with a duration, a count or a scope also
-/// `headings`: what it says of each operand.
+/// `headings`: the role of each operand.
 nlohmann::ordered_json property_json(const Model& model, const ClosedLoop& loop, const Property& property);
 
-/// Terms as the file would write them: a condition of the loop, what a property claims.
+/// Terms as the file would write them: a condition of the loop, the formula of a property.
 std::string term_text(const Model& model, const ClosedLoop& loop, Id<Expr> term);
 std::string claim_text(const Model& model, const ClosedLoop& loop, const Property& property);
-/// Of the property of that name, or of the one that it is a part of (`S.X7`); empty: there is none.
+/// The formula of the property of that name, or of the one that it is a part of (`S.X7`); empty if there is none.
 std::string claim_text(const Model& model, Id<ClosedLoop> loop, const std::string& name);
 
 }  // namespace grafverif

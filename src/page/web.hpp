@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The style and the script of pages, as they stand in `web/`, and the hashes by which a page allows them and nothing
-// else. The sources are made by cmake/embed_web.cmake.
+// The style and the script of pages, from `web/`, and the hashes that allow only these. cmake/embed_web.cmake generates
+// the sources.
 #pragma once
 
 #include <string_view>

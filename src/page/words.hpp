@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers and lists in sentences of a page.
+// Text of numbers and lists in sentences of a page.
 #pragma once
 
 #include <cstddef>
