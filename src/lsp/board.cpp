@@ -15,7 +15,7 @@ namespace grafverif::lsp {
 
 namespace {
 
-/// What `work` throws where the system refuses something, as a diagnostic.
+/// Returns an exception of the system that `work` throws as a diagnostic.
 template <class Work>
 std::optional<Diagnostic> failure_of(const std::string& path, const Work& work) {
     try {
@@ -65,7 +65,7 @@ std::shared_ptr<const Root> Board::read(const std::string& path, Workspace& work
     Diagnostics diagnostics;
     diagnostics.add(*failure);
     root->reading = {};
-    root->inputs = {{path, nullptr}};  // not what is open: it is read again
+    root->inputs = {{path, nullptr}};  // not the open text, so that it is read again
     root->places = std::make_shared<const Places>(root->reading.sources, path, shown);
     root->typed = told(diagnostics, *root->places);
     return root;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Board: what is known to be wrong with every text that is open, and with every file that includes one. Each of them is
-// read on its own, as `check` would read it, and again when a text that it was made of is another one.
+// Diagnostic store: the current diagnostics of every open document and of every file that includes one. Each file is
+// parsed separately, as by `check`, and parsed again when one of its sources changes.
 #pragma once
 
 #include <map>
@@ -13,29 +13,29 @@
 
 namespace grafverif::lsp {
 
-/// A file that was read with all it includes. Nobody changes it any more.
+/// A file that was parsed with its includes; immutable.
 struct Root {
     std::string path = {};
-    std::uint64_t number = 0;  ///< of the reading; no two have the same
+    std::uint64_t number = 0;  ///< of the parse; unique
     Inputs inputs = {};
     Reading reading = {};
     std::shared_ptr<const Places> places = {};
-    std::vector<Told> typed = {};  ///< what reading it has told
+    std::vector<Told> typed = {};  ///< the diagnostics of the parse
 };
 
 class Board {
 public:
-    /// Reads what has changed; the roots that are new. One that cannot be read has this as its only diagnostic, and is read
-    /// again the next time.
+    /// Parses changed roots again and returns the new ones. A root that cannot be read has this as its only diagnostic,
+    /// and is read again by the next call.
     std::vector<std::shared_ptr<const Root>> look(Workspace& workspace);
     std::shared_ptr<const Root> root(const std::string& path) const;
     std::vector<std::shared_ptr<const Root>> roots() const;
     bool is_current(const Root& root) const;
 
-    /// What was found out about a root by more than reading it; forgotten when it is read again.
+    /// Adds further diagnostics of a root; they are discarded when it is parsed again.
     void add(const Root& root, const std::string& source, std::vector<Told> told);
 
-    /// By path, in order of place, each once.
+    /// All diagnostics by path, sorted by location, without duplicates.
     std::map<std::string, std::vector<Told>> all() const;
 
 private:

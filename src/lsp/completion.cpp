@@ -83,7 +83,7 @@ private:
                 thing(*part, prefix);
     }
 
-    // -- where the cursor is
+    // -- cursor positions
 
     void propose() {
         if (half_.blocks.empty()) return in_file();
@@ -225,13 +225,13 @@ private:
             if (parameter != nullptr && parameter->kind == Kind::Constant) return constant();
             shared();
             if (parameter != nullptr && parameter->kind == Kind::InputParameter) parts(owner_, {Kind::Constant});
-        } else if (is_operator(last())) {  // within the term of an input
+        } else if (is_operator(last())) {  // inside the term of an input
             shared();
             parts(owner_, {Kind::Constant});
         }
     }
 
-    /// `constant N: int LOW..HIGH = VALUE, ...`: what is open is the last of them.
+    /// `constant N: int LOW..HIGH = VALUE, ...`: the last constant is incomplete.
     void constants() {
         const auto of = std::ranges::find(half_.words.rbegin(), half_.words.rend(), ",").base();
         const Words one(of, half_.words.end());
@@ -240,7 +240,7 @@ private:
         if (contains_word(one, "=")) constant();
     }
 
-    /// What a constant is made of.
+    /// The terms allowed in a constant.
     void constant() {
         parts(owner_, {Kind::Constant});
         keywords({"true", "false"});
@@ -300,7 +300,7 @@ private:
                   "at most", "since", "times", "at least every", "before", "after", "between", "until"});
     }
 
-    // -- names of terms
+    // -- names in terms
 
     void shared() {
         for (const std::string& chart : names_.controllers(owner_)) parts(chart, {Kind::Input, Kind::Output});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What can stand at the cursor: names with how they are declared and what their comments say, and the words of the
-// language that have a place there.
+// Completion: proposals at the cursor: names, with their declarations and comments, and the keywords that are valid
+// there.
 #pragma once
 
 #include <string>
@@ -28,7 +28,7 @@ struct Proposal {
     std::string label = {};
     ProposalKind kind = ProposalKind::Keyword;
     std::string detail = {}, documentation = {};
-    std::string snippet = {};  ///< with places to fill in; empty: the label
+    std::string snippet = {};  ///< with placeholders; empty: the label
 };
 
 std::vector<Proposal> proposals(const Names& names, const Parsed& file, std::size_t cursor);

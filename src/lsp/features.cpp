@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The answers of a session to what an editor asks about names and places.
+// Requests of the editor about names and locations.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -72,7 +72,7 @@ std::shared_ptr<const Parsed> Session::parsed(const Json& params) {
     return file;
 }
 
-/// The names of a file and of all that is related to it, which stay the same until one of the texts changes.
+/// The names of a file and all related files, valid until one of the texts changes.
 const Names& Session::names(const Parsed& file) {
     if (workspace_.refresh()) dirty_ = true;
     Files related = workspace_.related(file.path);
@@ -89,7 +89,7 @@ Session::Pointed Session::pointed(const Json& params) {
     const Names& all = names(*file);
     const std::size_t offset = file->text->offset(position_of(params.at("position")));
     if (const Use* const use = all.use_at(*file, offset)) return {file, &all, use->key, use->where, use->skipped};
-    for (const Word& word : words_of(file->text->bytes()))  // in what is half typed
+    for (const Word& word : words_of(file->text->bytes()))  // in incomplete text
         if (word.begin <= offset && offset <= word.end &&
             (word.kind == Word::Kind::Name || word.kind == Word::Kind::Number)) {
             const std::string name = file->text->bytes().substr(word.begin, word.end - word.begin);
@@ -117,7 +117,7 @@ Json Session::hover(const Json& params) {
 Json Session::definition(const Json& params) {
     const Pointed at = pointed(params);
     const Thing* const thing = at.names->thing(at.key);
-    if (thing == nullptr || thing->file->path.starts_with('<')) return nullptr;  // the library is in the program
+    if (thing == nullptr || thing->file->path.starts_with('<')) return nullptr;  // library files are not on disk
     return place_json(*thing->file, thing->where);
 }
 
@@ -158,7 +158,7 @@ Json Session::rename(const Json& params) {
     std::string key = at.key;
     const Names* all = at.names;
     if (thing != nullptr && !thing->file->path.starts_with('<'))
-        all = &names(*workspace_.parsed(thing->file->path));  // all who include it
+        all = &names(*workspace_.parsed(thing->file->path));  // all including files
     if (workspace_.cut_short())
         throw Refusal{request_failed, "the workspace is too large to know every file that names it"};
     Renaming renaming = renamed(*all, key, name);
@@ -219,7 +219,7 @@ Json Session::completion(const Json& params) {
     return {{"isIncomplete", false}, {"items", std::move(items)}};
 }
 
-/// As `fmt` writes it; of a text with syntax errors nothing.
+/// The text as formatted by `fmt`; nothing if it has syntax errors.
 Json Session::formatting(const Json& params) {
     const auto file = parsed(params);
     if (file->broken || file->tree.declarations.empty()) return nullptr;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t longest_header = 4096;
 
-/// The number of a `Content-Length` line, whose name is of any case; nothing: it is another line, or none of ours.
+/// The number in a `Content-Length` line (case-insensitive name); nothing for any other line.
 std::optional<std::uint64_t> content_length(std::string_view line) {
     constexpr std::string_view name = "content-length:";
     if (line.size() < name.size() || !std::ranges::equal(line.substr(0, name.size()), name, [](char a, char b) {
@@ -38,7 +38,7 @@ bool Framing::more() {
     return count != 0;
 }
 
-/// A line without its end; of one that is too long its end, so that a header behind other bytes is found.
+/// A line without its end. Of an overlong line only the end is kept, so that a header after other bytes is found.
 std::optional<std::string> Framing::line() {
     std::size_t looked_at = 0;
     for (;;) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The base protocol of LSP: `Content-Length: N`, an empty line, N bytes of JSON; again and again.
+// The base protocol of LSP: a sequence of messages `Content-Length: N`, empty line, N bytes of JSON.
 //
-// Whatever arrives is taken as far as it can be: bytes that are no header are skipped up to the next one, a message that
-// is too large is skipped as a whole.
+// Tolerates errors: bytes that are not a header are skipped up to the next one, and a message that is too large is
+// skipped completely.
 #pragma once
 
 #include <functional>
@@ -13,17 +13,17 @@
 
 namespace grafverif::lsp {
 
-/// Waits for bytes and puts some at the front of `room`: how many; 0: there will be none any more.
+/// Waits for bytes and stores some at the front of the buffer; returns their number, 0 at the end of the stream.
 using Receive = std::function<std::size_t(std::span<char> room)>;
-/// Writes all of it.
+/// Writes all bytes.
 using Send = std::function<void(std::string_view bytes)>;
 
 inline constexpr std::size_t largest_message = std::size_t{320} << 20U;  ///< bytes; a text of 256 MiB fits
 
-/// What was cut out of the stream: the body of a message, or what is wrong with it.
+/// A frame of the stream: the body of a message, or an error.
 struct Framed {
     std::string body = {};
-    std::string complaint = {};  ///< not empty: there is no body
+    std::string complaint = {};  ///< not empty: an error, without a body
 };
 
 class Framing {
@@ -31,7 +31,7 @@ public:
     explicit Framing(Receive receive, std::size_t largest = largest_message)
         : receive_(std::move(receive)), largest_(largest) {}
 
-    /// The next message; nothing: the stream is over. A message that it cuts short is none.
+    /// The next message; nothing at the end of the stream. An incomplete last message is ignored.
     std::optional<Framed> next();
 
 private:
@@ -41,7 +41,7 @@ private:
 
     Receive receive_;
     std::size_t largest_;
-    std::string held_ = {};  ///< received and not yet taken
+    std::string held_ = {};  ///< received and not yet consumed
 };
 
 /// `body` with its header.

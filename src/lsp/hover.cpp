@@ -10,14 +10,14 @@ namespace grafverif::lsp {
 
 namespace {
 
-/// Text of a file in Markdown: nothing of it is taken for a mark.
+/// Text of a file as a Markdown code block; no part of it is interpreted as markup.
 std::string fenced(std::string_view text, const char* language) {
     std::string fence = "```";
     while (text.find(fence) != std::string_view::npos) fence += '`';
     return fence + language + "\n" + std::string(text) + "\n" + fence + "\n";
 }
 
-/// What the chart's equations say of a step, a transition, an output or a stored variable; empty: nothing.
+/// The equations of a step, a transition, an output or a stored variable; empty: none.
 std::string equation_of(const Thing& thing, const Model& model) {
     const std::string name = thing.owner.substr(thing.owner.find(' ') + 1);
     const auto chart = find_chart(model, name);
@@ -56,7 +56,7 @@ std::string documentation_of(const Names& names, const Thing& thing) {
     return comment_of(*thing.file, thing.whole);
 }
 
-/// Types that are not written.
+/// Adds types that are implicit in the source.
 std::string shown_declaration(const Thing& thing) {
     const std::string text = declaration_text(thing);
     const bool variable = thing.kind == Kind::Input || thing.kind == Kind::Output || thing.kind == Kind::Internal ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is said of a thing that one points at.
+// Hover text of a declared element.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace grafverif::lsp {
 
-/// How it is declared, what its comment says and, where there is a model without errors, its equation; as Markdown.
-/// `model`: of a file that includes the thing's; or null.
+/// The declaration of the element, its comment and, if the model has no errors, its equation; as Markdown. `model`: of
+/// a file that includes the element's file; or null.
 std::string hover_text(const Names& names, const Thing& thing, const Model* model);
 
 }  // namespace grafverif::lsp

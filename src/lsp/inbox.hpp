@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inbox: what waits to be done, in order: messages of the client, and what other threads have found out.
+// Inbox: queue of messages of the client and results of other threads, in order.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@
 
 namespace grafverif::lsp {
 
-/// A message, or what is wrong with it, or something to be called.
+/// A message, an error in one, or a function to call.
 struct Item {
     std::shared_ptr<const nlohmann::json> message = {};
     std::string complaint = {};
@@ -25,12 +25,12 @@ struct Item {
 class Inbox {
 public:
     void put(Item item);
-    /// The request of that number, as JSON, is not to be done if it still waits.
+    /// Cancels the request with that id, given as JSON, if it is still queued.
     void cancel(const nlohmann::json& id);
-    /// There will be no more.
+    /// Closes the queue: no further items are added.
     void close();
 
-    /// The next item; nothing where there is none within `patience`, or ever.
+    /// The next item; nothing if none arrives within `patience`, or the queue is closed.
     std::optional<Item> take(std::chrono::milliseconds patience);
     bool closed() const;
 

@@ -92,7 +92,7 @@ std::string Names::component_of(const std::string& instance) const {
     return found == components_.end() ? std::string() : found->second;
 }
 
-/// The inputs and outputs that a loop shares with this one, in turn.
+/// Closure over loops: the inputs and outputs that are shared with this one.
 std::set<std::string> Names::tied(const std::string& key) const {
     std::set<std::string> found = {key};
     const Thing* const first = thing(key);
@@ -134,7 +134,8 @@ std::string Names::meaning(const Parsed& file, std::size_t offset, std::string_v
     return things_.contains(key) ? key : std::string();
 }
 
-// -- what is said of a thing ------------------------------------------------------------------------------------------------
+// -- text about an element
+// --------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -202,7 +203,7 @@ std::string declaration_text(const Thing& thing) {
         }
         return text;
     };
-    const auto head = [&] {  // up to what is inside
+    const auto head = [&] {  // up to the body
         std::string text = joined(thing.whole);
         text.resize(std::min(text.find('{'), text.size()));
         while (text.ends_with(' ') || text.ends_with(';')) text.pop_back();

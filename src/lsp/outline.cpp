@@ -22,7 +22,7 @@ std::vector<const Thing*> things_in(const Names& names, const Parsed& file) {
     return found;
 }
 
-/// Places in token_types.
+/// Indices into token_types.
 enum TokenType : std::uint32_t {
     Keyword,
     Comment,
@@ -106,7 +106,7 @@ std::vector<std::uint32_t> tokens(const Names& names, const Parsed& file) {
     const std::vector<Use>& uses = names.uses(file);
     auto use = uses.begin();
     const auto put = [&](std::size_t begin, std::size_t end, TokenType type, std::uint32_t modifiers) {
-        while (begin < end) {  // a token is of one line
+        while (begin < end) {  // a token does not span lines
             const std::size_t stop = std::min(std::string_view(text).substr(0, end).find('\n', begin), end);
             const Position from = file.text->position(begin), to = file.text->position(stop);
             if (from.line == to.line && from.character < to.character) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a text looks like from afar: its things one within the other, what can be folded, what is of which colour.
+// Structure of a text for the editor: outline, folding ranges, and semantic tokens.
 #pragma once
 
 #include <array>
@@ -11,26 +11,26 @@
 
 namespace grafverif::lsp {
 
-/// The things that a file declares, in order of place; `parent` is one before it, or none.
+/// The declared elements of a file, in order of location; `parent` is an earlier one, or none.
 struct Entry {
     const Thing* thing = nullptr;
     std::optional<std::size_t> parent = {};
 };
 std::vector<Entry> outline(const Names& names, const Parsed& file);
 
-/// Lines, both shown when folded or not: the first and the last.
+/// First and last line of a folding range, both visible when folded.
 struct Fold {
     std::uint32_t first = 0, last = 0;
     bool comment = false;
 };
 std::vector<Fold> folds(const Names& names, const Parsed& file);
 
-// Semantic tokens: what LSP calls its types and modifiers, and tokens by their place in these lists.
+// Semantic tokens: the LSP names of types and modifiers; tokens refer to them by index.
 inline constexpr std::array<std::string_view, 12> token_types = {"keyword",  "comment",   "string",     "number",
                                                                  "variable", "parameter", "class",      "namespace",
                                                                  "function", "event",     "enumMember", "property"};
 inline constexpr std::array<std::string_view, 3> token_modifiers = {"declaration", "readonly", "modification"};
-/// Five numbers for each token, each place relative to the one before.
+/// Five numbers for each token, with locations relative to the previous token.
 std::vector<std::uint32_t> tokens(const Names& names, const Parsed& file);
 
 }  // namespace grafverif::lsp

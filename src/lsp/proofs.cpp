@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a session lets be proved, and shows of it: on save, on demand, over the lines of loops and properties.
+// Checks of a session: started on save and on demand, shown as code lenses of loops and properties.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -12,9 +12,10 @@ void Session::ask_client(const std::string& id, const std::string& method, const
     send({{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", params}});
 }
 
-// -- proofs in the background ---------------------------------------------------------------------------------------------
+// -- checks in the background
+// ---------------------------------------------------------------------------------------------
 
-/// What was saved, and all that include it: what is open first.
+/// Checks the saved file and all that include it, open ones first.
 void Session::saved() {
     dirty_ = true;
     settle();
@@ -68,16 +69,17 @@ void Session::progress_is_wanted() {
            {{"token", token_}, {"value", {{"kind", "begin"}, {"title", "grafverif check"}, {"cancellable", true}}}}}});
 }
 
-// -- what is known --------------------------------------------------------------------------------------------------------
+// -- results
+// --------------------------------------------------------------------------------------------------------------
 
-/// The verdict on the property of that key in the texts as they are now; null: there is none.
+/// The verdict on the property of that key for the current texts; null if there is none.
 const Shown* Session::shown(const std::string& path, const std::string& key) const {
     const auto root = board_.root(path);
     const auto known = verdicts_.find(path);
     if (root == nullptr || known == verdicts_.end() || known->second.number != root->number) return nullptr;
     const auto found = known->second.by_key.find(key);
     if (found != known->second.by_key.end()) return &found->second;
-    const auto part = known->second.by_key.lower_bound(key + ".");  // of one that expands, the first
+    const auto part = known->second.by_key.lower_bound(key + ".");  // the first step of an expanded property
     return part != known->second.by_key.end() && part->first.starts_with(key + ".") ? &part->second : nullptr;
 }
 
@@ -86,7 +88,8 @@ std::string Session::verdict_words(const Thing& thing) const {
     return known == nullptr ? std::string() : "\n```text\n" + known->text + "```\n";
 }
 
-// -- over the lines -------------------------------------------------------------------------------------------------------
+// -- code lenses
+// ----------------------------------------------------------------------------------------------------------
 
 Json Session::lenses(const Json& params) {
     const auto file = parsed(params);
@@ -146,7 +149,7 @@ Json Session::show(const std::string& uri, bool elsewhere, const std::string& wo
 
 Json Session::show_verdict(const std::string& path, const std::string& loop, const std::string& property) {
     const Shown* known = shown(path, "loop " + loop + "/q " + property);
-    if (property.empty()) {  // of the whole file, from a palette
+    if (property.empty()) {  // the complete file, from a command palette
         const auto all = verdicts_.find(path);
         if (all != verdicts_.end() && !all->second.by_key.empty()) known = &all->second.by_key.begin()->second;
     }

@@ -22,7 +22,7 @@ namespace {
 
 constexpr auto tell_progress_every = std::chrono::milliseconds(250);
 
-/// The main file of a root is its first source; what stands in another file is told of that file.
+/// The main file of a root is its first source; locations in another file belong to the root of that file.
 bool is_of(const Root&, Span origin) { return origin.source.valid() && origin.source.index == 0; }
 
 std::string outcome_words(const Verdict& verdict) {
@@ -33,7 +33,7 @@ std::string outcome_words(const Verdict& verdict) {
     return words;
 }
 
-/// As `check` prints it, of this property alone.
+/// The output of `check` for this property alone.
 std::string told_by_check(const Report& report, const Answer& answer) {
     Report one = report;
     one.answers = {answer};
@@ -93,13 +93,13 @@ void Prover::work() {
             const std::lock_guard hold(door_);
             const auto proves = [](const Task& other) { return other.what == Task::What::Proofs; };
             if (std::ranges::none_of(tasks_, proves)) ears_.progress("");
-        } catch (const std::bad_alloc&) {  // not even the failure could be told
+        } catch (const std::bad_alloc&) {  // not even the failure could be reported
         } catch (const std::system_error&) {
         }
     }
 }
 
-/// Has `work` fill in what is found of `source`, and tells it; where the system refuses something, that.
+/// Calls `work` to fill in the results of `source` and reports them, or an exception of the system.
 template <class Work>
 void Prover::tell(const Task& task, const std::string& source, const Work& work) {
     Found outcome{task.root, source, {}, {}};
@@ -115,7 +115,7 @@ void Prover::tell(const Task& task, const std::string& source, const Work& work)
     if (!stop_) ears_.found(std::move(outcome));
 }
 
-/// What is refused only when a model is made of what was read.
+/// Errors that are found only when the models are derived.
 void Prover::make_models(const Task& task) {
     tell(task, "models", [&](Found& outcome) { outcome.told = told(refused_models(task), *task.root->places); });
 }
@@ -175,7 +175,7 @@ void Prover::prove_loop(const Root& root, Id<ClosedLoop> loop, Found& outcome) {
     options.limits = limits(model.loops[loop].name);
     Diagnostics refused;
     const auto report = check(model, loop, ModelOptions{}, options, refused);
-    if (!report) return;  // why is told of the models
+    if (!report) return;  // the reason is reported with the models
     const Story story(model, loop, *root.places);
     for (const Answer& answer : report->answers) {
         const Verdict& verdict = answer.verdict;

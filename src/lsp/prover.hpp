@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prover: what takes longer than reading a file, one thing after the other on a thread of its own: whether the models of
-// a root can be made, what its properties come to, what `analyse` finds in its charts. What is asked about a root that
-// is read again meanwhile is given up.
+// Prover: background checks, executed sequentially on a separate thread: derivation of the models of a root, its
+// properties, and `analyse` of its charts. If a root is parsed again, its pending checks are cancelled.
 #pragma once
 
 #include <atomic>
@@ -22,10 +21,10 @@
 
 namespace grafverif::lsp {
 
-/// A verdict to be shown.
+/// A verdict for display.
 struct Shown {
     std::string word = {};  ///< `holds`, `violated, as expected`
-    std::string text = {};  ///< as `check` tells it: what it rests on, and the run
+    std::string text = {};  ///< output of `check`: the assumptions and the run
 };
 
 struct Task {
@@ -35,10 +34,10 @@ struct Task {
     std::string only = {};  ///< the loop or chart of that name; empty: all
 };
 
-/// What became of a task, or of a part of it.
+/// Result of a task, or of a part of it.
 struct Found {
     std::shared_ptr<const Root> root = {};
-    std::string source = {};  ///< what the findings are of: those told of it before are no more
+    std::string source = {};  ///< the source of the findings; replaces its earlier ones
     std::vector<Told> told = {};
     std::map<std::string, Shown> verdicts = {};  ///< by key: `loop station/q P15`
 };
@@ -47,16 +46,16 @@ class Prover {
 public:
     struct Ears {
         std::function<void(Found)> found = {};
-        std::function<void(std::string words)> progress = {};  ///< empty words: nothing is being proved any more
+        std::function<void(std::string words)> progress = {};  ///< an empty text: no check is running any more
     };
-    /// Both are called from the thread of the prover.
+    /// Both callbacks are called from the prover's thread.
     Prover(Ears ears, std::optional<std::chrono::milliseconds> patience);
     ~Prover();
     Prover(const Prover&) = delete;
     Prover& operator=(const Prover&) = delete;
 
     void ask(Task task);
-    /// Gives up what is asked about roots for which `current` does not hold.
+    /// Cancels the tasks of roots for which `current` is false.
     void keep(const std::function<bool(const Root&)>& current);
     void give_up();
 

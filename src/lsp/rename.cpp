@@ -16,7 +16,7 @@ namespace {
 
 bool is_of_library(const Parsed& file) { return file.path.starts_with("<library>"); }
 
-/// Why a thing of some files cannot be renamed, whatever its new name; empty: it can.
+/// The reason why an element cannot be renamed to any name; empty if it can.
 std::string obstacle_of(const Names& names, const Thing& thing) {
     if (is_of_library(*thing.file)) return fmt::format("`{}` is of the component library", thing.name);
     for (const auto& file : names.files()) {
@@ -41,7 +41,7 @@ std::string obstacle_of(const Names& names, const Thing& thing) {
     return {};
 }
 
-/// The names of all files by number, each thing that of its first use: equal for texts that mean the same.
+/// All names of all files, numbered by the first use of their element: equal for texts of the same meaning.
 std::vector<std::size_t> shape_of(const Names& names) {
     std::vector<std::size_t> shape;
     std::map<std::string, std::size_t> numbers;
@@ -85,7 +85,7 @@ Renaming renamed(const Names& names, const std::string& key, const std::string& 
     }
     Files files;
     for (const auto& file : names.files()) {
-        if (is_of_library(*file)) continue;  // taken in again
+        if (is_of_library(*file)) continue;  // it is included again
         const auto changed = edits.find(file.get());
         files.push_back(changed == edits.end() ? file : with_edits(*file, changed->second));
     }

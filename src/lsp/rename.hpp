@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A thing called otherwise, wherever it is named. The texts are read again with their new names, and every name must
-// stand for what it stood for: nothing is renamed that would mean something else then.
+// Rename: renames an element at all its uses. The texts are parsed again with their new names, and every name must
+// denote the same element as before: a change of meaning is rejected.
 #pragma once
 
 #include <string>

@@ -25,14 +25,14 @@ constexpr std::array<std::string_view, 69> contextual = {
     "in",           "within",      "holds",     "most",     "least",      "every",    "since",    "before",
     "between",      "until",       "precedes",  "constant", "times"};
 
-/// Whether a name may begin with the character of which this byte is one: of those beyond ASCII the lexer says more.
+/// True if a name may begin with the character that contains this byte; for characters beyond ASCII the lexer decides.
 bool begins_name(char byte) {
     return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '_' ||
            static_cast<unsigned char>(byte) >= 0x80;
 }
 bool is_digit(char byte) { return byte >= '0' && byte <= '9'; }
 
-/// Where what begins at `at` ends, for which `goes_on` holds.
+/// The end of the sequence of bytes from `at` on for which `goes_on` holds.
 template <class GoesOn>
 std::size_t end_of_run(std::string_view text, std::size_t at, GoesOn goes_on) {
     while (at < text.size() && goes_on(text[at])) ++at;
@@ -105,7 +105,8 @@ bool is_name(std::string_view word, bool numbers) {
     return identifier_length(word) == word.size();
 }
 
-/// A missing `;` or `}` costs the declaration at hand: a word that begins one, and a line, begins anew.
+/// A missing `;` or `}` affects only the current declaration: a keyword that begins a declaration at the beginning of a
+/// line starts a new one.
 Half half_at(std::string_view text, std::size_t cursor) {
     Half half;
     int brackets = 0;

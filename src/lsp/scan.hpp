@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The words of a text, whatever is wrong with it: for colours, and to know where a cursor stands in half a declaration.
+// Error-tolerant scanner: the tokens of a text, for colours and for the position of the cursor in incomplete
+// declarations.
 #pragma once
 
 #include <cstdint>
@@ -16,18 +17,18 @@ struct Word {
 };
 std::vector<Word> words_of(std::string_view text);
 
-/// Whether `word` is one of the language, where it is no name.
+/// True if `word` is a keyword in some context.
 bool is_keyword(std::string_view word);
-/// Whether it is one everywhere.
+/// True if it is a keyword in every context.
 bool is_reserved(std::string_view word);
-/// Whether a thing can be called so; steps and locations by a number, too.
+/// True if `word` is a valid name; `numbers`: numbers are valid too, as for steps and locations.
 bool is_name(std::string_view word, bool numbers);
 
-/// A declaration that is being typed: the words before the cursor, those of the blocks around it first.
+/// An incomplete declaration: the tokens before the cursor, those of the enclosing blocks first.
 struct Half {
-    std::vector<std::vector<std::string>> blocks = {};  ///< the words before each `{` that is open
-    std::vector<std::string> words = {};  ///< behind the last `;` or brace; the one at the cursor left out
-    bool in_text = false;                 ///< in a comment or a string: nothing is to be said
+    std::vector<std::vector<std::string>> blocks = {};  ///< the tokens before each open `{`
+    std::vector<std::string> words = {};                ///< after the last `;` or brace, without the one at the cursor
+    bool in_text = false;                               ///< in a comment or a string: no proposals
 };
 Half half_at(std::string_view text, std::size_t cursor);
 

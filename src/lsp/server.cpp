@@ -50,7 +50,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// How often we look whether the client is alive, and whether files have changed.
+/// Interval for polling the client process and the files.
 constexpr auto look_around_every = 250ms;
 
 std::string method_of(const Json& message) {
@@ -67,7 +67,7 @@ Item item_of(Framed framed) {
     return {.message = std::make_shared<const Json>(std::move(message))};
 }
 
-/// Until the stream is over, or the client has said that it wants no more.
+/// Receives until the end of the stream, or until the client sends `exit`.
 void receive_all(const Receive& receive, Inbox& inbox, std::atomic<bool>& ending) {
     try {
         Framing framing(receive);
@@ -85,7 +85,7 @@ void receive_all(const Receive& receive, Inbox& inbox, std::atomic<bool>& ending
             else inbox.put(std::move(item));
             if (method == "exit") break;
         }
-    } catch (const std::bad_alloc&) {  // the stream cannot be held: the client is as good as gone
+    } catch (const std::bad_alloc&) {  // a failed stream counts as a missing client
     } catch (const std::system_error&) {
     }
     ending = true;
@@ -113,7 +113,7 @@ Ending converse(const Receive& receive, const Send& send, const Surroundings& su
             else if (item) session.refuse(item->complaint);
             else if (inbox.closed()) gone = true;
             else if (session.client() && surroundings.is_alive) gone = !surroundings.is_alive(*session.client());
-        } catch (const std::bad_alloc&) {  // one answer is lost: there is no memory to say so
+        } catch (const std::bad_alloc&) {  // the response is dropped: there is no memory for an error either
         } catch (const std::system_error&) {
         }
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The language server: LSP 3.17 over a stream of bytes, until the client says `exit`, or is gone.
+// The language server: LSP 3.17 over a byte stream, until the client sends `exit` or disappears.
 //
-// One thread receives, so that a request can be cancelled and a change can end a proof while something is being made; one
-// answers, in the order of arrival; one proves. Whatever arrives, the server lives on: what is no message is answered
-// with an error, as far as the protocol has an answer for it.
+// One thread receives, so that a request can be cancelled, and a change can stop a check, while a response is computed.
+// A second one responds in the order of arrival, and a third one checks. Invalid input does not end the server: it is
+// answered with an error, if the protocol has one for it.
 #pragma once
 
 #include <chrono>
@@ -17,24 +17,24 @@
 
 namespace grafverif::lsp {
 
-/// What the server is told and given by who starts it.
+/// Callbacks and settings of the program that runs the server.
 struct Surroundings {
     std::string version = {};
     std::vector<std::string> include_folders = {};
-    /// Whether the process of the client is there; asked now and then.
+    /// True if the client's process exists; called periodically.
     std::function<bool(std::int64_t process)> is_alive = {};
-    /// How long a check of a loop, or a look into a chart, may take; empty: as long as it takes.
+    /// Time limit of the check of a loop or the analysis of a chart; empty: unlimited.
     std::optional<std::chrono::milliseconds> patience = {};
-    /// The address of a page on which the file is simulated and drawn, made if there is none; may throw
-    /// std::system_error. Empty: there are no pages.
+    /// The address of a page that draws and simulates the file, created if necessary; may throw std::system_error.
+    /// Empty: pages are not available.
     std::function<std::string(const std::string& path)> simulator = {};
-    /// Keeps a text for a while, under this name, for another program: its path. Empty: nothing is kept.
+    /// Stores a text temporarily, under this name, for another program; returns its path. Empty: not available.
     std::function<std::string(const std::string& name, const std::string& text)> keep = {};
-    /// Ends the waiting of `Receive`, where the client is gone without closing its end.
+    /// Ends a waiting `Receive` if the client is gone without closing the stream.
     std::function<void()> hang_up = {};
 };
 
-/// `exit` came after `shutdown`; without it; or the client was gone.
+/// `exit` after `shutdown`; `exit` without it; the client disappeared.
 enum class Ending { Asked, Unasked, Gone };
 
 Ending converse(const Receive& receive, const Send& send, const Surroundings& surroundings);

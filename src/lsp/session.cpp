@@ -70,7 +70,8 @@ void Session::take(const Json& message, bool cancelled) {
     }
 }
 
-// -- the life of a session -----------------------------------------------------------------------------------------------
+// -- life cycle
+// ----------------------------------------------------------------------------------------------------------
 
 Json Session::initialize(const Json& params) {
     if (member(params, "processId").is_number_integer()) client_ = params["processId"].get<std::int64_t>();
@@ -162,7 +163,8 @@ Json Session::answer(const std::string& method, const Json& params) {
     throw Refusal{no_such_method, "there is no " + method + " here"};
 }
 
-// -- what is wrong with the texts ----------------------------------------------------------------------------------------
+// -- diagnostics
+// ---------------------------------------------------------------------------------------------------------
 
 UriOf Session::uris() const {
     return [this](const std::string& path) { return workspace_.uri_of(path); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Session: what a client has said so far, and the answers to it. Lives on one thread.
+// Session: state of one client, and the handlers of its messages. Used by one thread only.
 #pragma once
 
 #include <atomic>
@@ -21,16 +21,16 @@ namespace grafverif::lsp {
 
 class Session {
 public:
-    /// `later` has something called on the thread of the session, from any thread.
+    /// `later` schedules a call on the session's thread; thread-safe.
     using Later = std::function<void(std::function<void()>)>;
-    /// `ending`: the client has said that it ends, or is gone.
+    /// `ending`: the client has sent `exit`, or is gone.
     Session(const Send& send, const Surroundings& surroundings, Later later, const std::atomic<bool>& ending);
 
-    /// Answers a message, if it asks for an answer.
+    /// Handles a message, and responds if it is a request.
     void take(const Json& message, bool cancelled);
-    /// Answers what is no message.
+    /// Responds to invalid input.
     void refuse(const std::string& complaint);
-    /// Tells what is wrong with the texts, where they have changed.
+    /// Publishes the diagnostics of changed texts.
     void settle();
 
     bool over() const { return state_ == State::Over; }
@@ -60,7 +60,7 @@ private:
     struct Pointed {
         std::shared_ptr<const Parsed> file = {};
         const Names* names = nullptr;
-        std::string key = {};  ///< of what is pointed at; empty: nothing
+        std::string key = {};  ///< of the element pointed at; empty: none
         Span where = {};
         std::uint32_t skipped = 0;
     };
@@ -93,12 +93,12 @@ private:
     Json show_verdict(const std::string& path, const std::string& loop, const std::string& property);
     Json draw(const std::string& path, const std::string& chart);
     Json simulate(const std::string& path);
-    /// Shows what stands at an address, if the client can; else says so.
+    /// Shows the location, if the client can; otherwise responds with its text.
     Json show(const std::string& uri, bool elsewhere, const std::string& words);
     const Shown* shown(const std::string& path, const std::string& key) const;
     void ask_client(const std::string& id, const std::string& method, const Json& params);
 
-    /// The path of the document that `params` name; refuses one that is not open.
+    /// The path of the document in `params`; throws if it is not open.
     std::string document(const Json& params) const;
     UriOf uris() const;
 
@@ -116,23 +116,23 @@ private:
     Workspace workspace_;
     std::unique_ptr<const Names> names_ = {};
     Board board_ = {};
-    bool dirty_ = false;  ///< some text has changed since the last look, or the client does not know yet what is known
-    std::vector<std::shared_ptr<const Root>> unmade_ = {};  ///< roots whose models are not asked for yet
-    std::map<std::string, std::string> published_ = {};     ///< by address: what the client was told last
+    bool dirty_ = false;                                    ///< a text has changed, or the client lacks the diagnostics
+    std::vector<std::shared_ptr<const Root>> unmade_ = {};  ///< roots whose models have not been requested yet
+    std::map<std::string, std::string> published_ = {};     ///< by address: the diagnostics last published
 
     struct Client {
         bool takes_snippets = false, shows_documents = false, shows_progress = false, refreshes_lenses = false;
     };
     Client can_ = {};
     struct Verdicts {
-        std::uint64_t number = 0;  ///< of the reading they are of
+        std::uint64_t number = 0;  ///< of the parse that they belong to
         std::map<std::string, Shown> by_key = {};
     };
     std::map<std::string, Verdicts> verdicts_ = {};  ///< by path of the root
     enum class Telling { Nothing, Asked, Going };
-    Telling telling_ = Telling::Nothing;  ///< of progress, to the client
+    Telling telling_ = Telling::Nothing;  ///< kind of progress reports to the client
     std::uint64_t token_ = 0;
-    std::unique_ptr<Prover> prover_;  ///< last: it ends first
+    std::unique_ptr<Prover> prover_;  ///< last member: destroyed first
 };
 
 }  // namespace grafverif::lsp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values as LSP 3.17 has them in JSON. What is read throws nlohmann::json::exception where it is of another shape.
+// Conversions between values and LSP 3.17 JSON. Readers throw nlohmann::json::exception for JSON of another shape.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace grafverif::lsp {
 
 using Json = nlohmann::json;
 
-/// The address that the editor knows a file by.
+/// The address by which the editor refers to a file.
 using UriOf = std::function<std::string(const std::string& path)>;
 
 Json json_of(Position position);
@@ -23,17 +23,17 @@ Json json_of(const Place& place, const UriOf& uri_of);
 Json json_of(const Told& told, const UriOf& uri_of);
 /// A WorkspaceEdit.
 Json json_of(const std::vector<Edit>& edits, const UriOf& uri_of);
-/// A CodeAction that does what the hint of `told` asks for.
+/// A CodeAction that applies the hint of `told`.
 Json quick_fix(const Told& told, const UriOf& uri_of);
 
 Position position_of(const Json& json);
 Range range_of(const Json& json);
 std::vector<Change> changes_of(const Json& json);
 
-/// What a member of an object says, however deep; `fallback` where it, or what leads to it, is missing or something else.
+/// A member of nested objects; `fallback` if it or an object on the path is missing or has another type.
 bool flag(const Json& object, std::initializer_list<const char*> path);
 
-/// Whether brackets nest deeper than any message does; such a text is not parsed.
+/// True if brackets nest deeper than in any valid message; such a text is not parsed.
 bool nests_too_deep(std::string_view json);
 
 }  // namespace grafverif::lsp

@@ -39,7 +39,7 @@ const Chart* Story::chart_named(const std::string& name) const {
     return nullptr;
 }
 
-/// What the row is about: nowhere where no text says it.
+/// The source location of a row; invalid if it has none.
 Span Story::origin_of(const ChartRun& run, const ChartRun::Row& row) const {
     if (loop_.valid())
         for (const ClosedLoop::Instance& instance : model_.loops[loop_].instances)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Story: a run as places of the texts: the transition that is cleared, the instance that moves, in order, each with what
-// happens there and when.
+// Story: a run as source locations: cleared transitions and moving instances, in order, each with event and time.
 #pragma once
 
 #include <string>
@@ -17,7 +16,7 @@ public:
         : model_(model), loop_(loop), places_(places) {}
     Story(const Model& model, Id<Chart> chart, const Places& places) : model_(model), chart_(chart), places_(places) {}
 
-    /// As many as people read: of a run of more rows the first and the last.
+    /// Limited to a readable number: of a longer run the first and the last rows.
     std::vector<Related> of(const ChartRun& run) const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texts as editors count them: a line ends in `\n`, `\r\n` or `\r`, a character is a unit of UTF-16 (LSP 3.17, "Position").
-// We count bytes; nobody else converts between the two.
+// Text: conversion between byte offsets, which grafverif uses, and positions of editors, in one place. For editors a
+// line ends in `\n`, `\r\n` or `\r`, and a character is a UTF-16 unit (LSP 3.17, "Position").
 #pragma once
 
 #include <cstdint>
@@ -11,34 +11,34 @@
 
 namespace grafverif::lsp {
 
-/// Both from 0.
+/// Both are zero-based.
 struct Position {
     std::uint32_t line = 0;
-    std::uint32_t character = 0;  ///< in UTF-16 units; past the end of a line: its end
+    std::uint32_t character = 0;  ///< in UTF-16 units; beyond the end of a line: its end
     auto operator<=>(const Position&) const = default;
 };
-/// From the first position to the one past the last.
+/// From the first position to the one after the last.
 struct Range {
     Position start = {}, end = {};
     auto operator<=>(const Range&) const = default;
 };
 
-/// A text that does not change. A conversion takes logarithmic time, also in a long line.
+/// An immutable text. Conversions take logarithmic time, also in a long line.
 class Text {
 public:
     explicit Text(std::string bytes);
 
     const std::string& bytes() const { return bytes_; }
-    /// Of byte `offset`; one past the end is the end.
+    /// The position of byte `offset`; beyond the end: the end.
     Position position(std::size_t offset) const;
-    /// The byte at `position`; what lies behind the end of the line, or of the text, is that end.
+    /// The byte at `position`; beyond the end of the line, or of the text: that end.
     std::uint32_t offset(Position position) const;
     Range range(std::size_t begin, std::size_t end) const { return {position(begin), position(end)}; }
     std::size_t lines() const { return anchors_.back().position.line + std::size_t{1}; }
 
 private:
-    /// The beginning of a line; within a long line, of a character of every so many bytes, so that no conversion walks along
-    /// the line.
+    /// The beginning of a line or, within a long line, of a character at regular intervals, so that no conversion
+    /// traverses the complete line.
     struct Anchor {
         std::uint32_t offset = 0;
         Position position = {};
@@ -48,16 +48,16 @@ private:
     std::vector<Anchor> anchors_ = {{}};
 };
 
-/// What `change` leaves of a text: without a range all is new.
+/// An edit of a text; without a range it replaces the complete text.
 struct Change {
     std::optional<Range> range = {};
     std::string text = {};
 };
 std::string changed(const Text& before, const Change& change);
 
-/// `file:///a%20b` as a path; of other schemes the address itself.
+/// `file:///a%20b` as a path; for other schemes the address itself.
 std::string path_of_uri(std::string_view uri);
-/// The other way; what has no place on the disk, such as a component of the library, is of the scheme `grafverif`.
+/// The inverse; for files that are not on disk, such as components of the library, the scheme is `grafverif`.
 std::string uri_of_path(std::string_view path);
 
 }  // namespace grafverif::lsp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is told about places of texts: diagnostics as the editor shows them, with their places in its units.
+// Diagnostics for the editor, with their locations in its units.
 #pragma once
 
 #include <compare>
@@ -25,7 +25,7 @@ struct Related {
     auto operator<=>(const Related&) const = default;
 };
 
-/// Replaces what stands at the place.
+/// Replaces the text at the location.
 struct Edit {
     Place where = {};
     std::string replacement = {};
@@ -41,10 +41,10 @@ struct Told {
     auto operator<=>(const Told&) const = default;
 };
 
-/// Where spans of `sources` are; what has no place is at the beginning of `main`.
+/// Locations of spans of `sources`; a span without location is mapped to the beginning of `main`.
 class Places {
 public:
-    /// `shown`: what a file is called here, of what its source is.
+    /// `shown`: maps the name of a source to the path shown to the editor.
     Places(const Sources& sources, const std::string& main,
            const std::function<std::string(const std::string& path)>& shown);
 
@@ -53,10 +53,10 @@ public:
 private:
     std::string main_;
     std::vector<Text> texts_ = {};         ///< per source
-    std::vector<std::string> paths_ = {};  ///< likewise
+    std::vector<std::string> paths_ = {};  ///< by source
 };
 
-/// What the diagnostics say. A note without a place is put behind the message.
+/// Converts diagnostics. A note without location is appended to the message.
 std::vector<Told> told(const Diagnostics& diagnostics, const Places& places);
 
 }  // namespace grafverif::lsp

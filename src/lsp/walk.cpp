@@ -8,7 +8,8 @@
 
 namespace grafverif::lsp {
 
-// -- what is declared ---------------------------------------------------------------------------------------------------
+// -- declarations
+// -------------------------------------------------------------------------------------------------------
 
 class Declarer {
 public:
@@ -70,7 +71,7 @@ public:
 
     void declare(const tree::Include&) {}
 
-    /// Variables that an output of the plant is bound to, and no controller has.
+    /// Declares the variables that an output of the plant is bound to and that no controller declares.
     void declare_plant(const tree::ClosedLoop& loop) {
         const std::string key = "loop " + text(loop.name);
         const Thing* const owner = names_.thing(key);
@@ -94,7 +95,7 @@ private:
 
     std::string add(Thing thing) {
         std::string key = thing.key;
-        names_.things_.try_emplace(key, std::move(thing));  // of two of one name the first
+        names_.things_.try_emplace(key, std::move(thing));  // of two with one name, the first is kept
         return key;
     }
     std::string top(Kind kind, const char* word, const tree::Name& name, Span whole) {
@@ -154,7 +155,8 @@ void declare_plant(const Parsed& file, Names& names) {
         if (const auto* loop = std::get_if<tree::ClosedLoop>(&declaration)) declarer.declare_plant(*loop);
 }
 
-// -- what names stand for -----------------------------------------------------------------------------------------------
+// -- uses of names
+// ------------------------------------------------------------------------------------------------------
 
 class Finder {
 public:
@@ -167,7 +169,7 @@ public:
         return std::move(found_);
     }
 
-    /// The step of a chart that `name` means in a partial chart, or elsewhere where there is one only.
+    /// The step of a chart that `name` denotes in a partial chart, or outside it if the name is unique.
     static std::string step_key(const Names& names, const std::string& chart, std::string_view partial,
                                 std::string_view name) {
         const auto same = names.steps_.find(chart + "/" + std::string(name));
@@ -218,7 +220,7 @@ private:
         }
     }
 
-    /// `owner.name`: the name is the last word of the node.
+    /// `owner.name`: the name is the last token of the node.
     void member(const Thing& owner, const tree::Expr& expr) {
         const std::string name(file_.tree.text(expr.word));
         const Span where = {expr.where.source, expr.where.end - static_cast<std::uint32_t>(name.size()),
@@ -330,7 +332,7 @@ private:
         assignments(chart, partial, transition.assignments);
     }
 
-    /// `accept CODE X4 "...";`: the tree has no place of the subject, which is the last word before the reason.
+    /// `accept CODE X4 "...";`: the tree has no location of the subject, which is the last token before the reason.
     void subject(const Thing& chart, const tree::Accept& accept) {
         if (accept.subject.empty()) return;
         const std::string_view all = file_.bytes(accept.where);

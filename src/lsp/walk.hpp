@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The way through a tree: what it declares, and what its names stand for.
+// Traverses a syntax tree: collects its declarations and the uses of names.
 #pragma once
 
 #include <string>
@@ -10,13 +10,15 @@
 
 namespace grafverif::lsp {
 
-/// Puts into `names` what the file declares, first; then, when all is declared, the variables of its plants.
+/// Adds the declarations of the file to `names`. The variables of its plants are declared separately, after all other
+/// declarations.
 void declare_all(const Parsed& file, Names& names);
 void declare_plant(const Parsed& file, Names& names);
-/// In order of place.
+/// Sorted by location.
 std::vector<Use> uses_in(const Parsed& file, const Names& names);
 
-/// What a term's `name` stands for in `owner`, a chart, component or loop, and in its partial chart `partial`; empty: nothing.
+/// The element that a term's `name` denotes in `owner`, a chart, component or loop, and its partial chart; empty if
+/// none.
 std::string term_key(const Names& names, const Thing& owner, std::string_view partial, std::string_view name);
 
 }  // namespace grafverif::lsp

@@ -15,11 +15,11 @@ namespace grafverif::lsp {
 namespace {
 
 constexpr std::size_t most_entries = 20'000;        ///< of the folders of the workspace
-constexpr std::size_t largest_scanned = 4U << 20U;  ///< bytes of a file that is read only to know what it includes
+constexpr std::size_t largest_scanned = 4U << 20U;  ///< bytes of a file that is read only for its includes
 
 }  // namespace
 
-// -- what is open -----------------------------------------------------------------------------------------------------
+// -- open documents ---------------------------------------------------------------------------------------------------
 
 std::string Workspace::key(const std::string& path) const {
     std::string known_as = identity_of_existing(path);
@@ -83,7 +83,7 @@ std::vector<OpenText> Workspace::open_texts() const {
     return all;
 }
 
-// -- the disk ---------------------------------------------------------------------------------------------------------
+// -- files on disk ----------------------------------------------------------------------------------------------------
 
 bool Workspace::refresh() {
     for (auto& [uri, open] : open_) open.identity = identity_of_existing(open.path);
@@ -122,7 +122,7 @@ std::shared_ptr<const Parsed> Workspace::parsed(const std::string& path) {
     return known = parsed;
 }
 
-// -- who includes whom ------------------------------------------------------------------------------------------------
+// -- inverse includes -------------------------------------------------------------------------------------------------
 
 std::vector<std::string> Workspace::includes(const Parsed& file) {
     ReadContext context;
@@ -196,7 +196,7 @@ Files Workspace::related(const std::string& path) {
     return found;
 }
 
-// -- what is read -----------------------------------------------------------------------------------------------------
+// -- parsing ----------------------------------------------------------------------------------------------------------
 
 Reading Workspace::reading(const std::string& path, Inputs& inputs) {
     Reading reading;
@@ -210,7 +210,7 @@ Reading Workspace::reading(const std::string& path, Inputs& inputs) {
         const auto content = text(included);
         inputs.emplace_back(included, content);
         auto on_disk = reach.read(included, why);
-        if (!on_disk && !identity_of_existing(included).empty()) return {};  // it is there, and out of reach
+        if (!on_disk && !identity_of_existing(included).empty()) return {};  // it exists and may not be included
         if (content == nullptr) return on_disk;
         return content->bytes();
     };

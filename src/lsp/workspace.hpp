@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Workspace: texts as they are now. What is open in the editor stands for the file on the disk, for itself and for all
-// that include it; all other files are read from the disk, and again when they change there.
+// Workspace: the current texts. A document that is open in the editor replaces the file on disk, for itself and for all
+// files that include it. All other files are read from disk, and read again when they change.
 #pragma once
 
 #include <atomic>
@@ -21,13 +21,13 @@ namespace grafverif::lsp {
 
 struct OpenText {
     std::string uri = {}, path = {};
-    std::string identity = {};  ///< of the file on the disk, if there is one
+    std::string identity = {};  ///< of the file on disk, if there is one
     std::int64_t version = 0;
     std::shared_ptr<const Text> text = {};
-    bool out_of_step = false;  ///< a change was lost: the text is not that of the editor
+    bool out_of_step = false;  ///< an edit could not be applied: the text differs from the editor's
 };
 
-/// A text on its own: whatever is wrong with it, a tree of what is not. Of other formats than ours the tree is empty.
+/// A text, with a tree of its valid parts. For other formats than grafverif's the tree is empty.
 struct Parsed {
     std::string path = {};
     std::shared_ptr<const Text> text = {};
@@ -40,16 +40,16 @@ struct Parsed {
 };
 using Files = std::vector<std::shared_ptr<const Parsed>>;
 
-/// The texts a reading was made of; it holds while they are the same.
+/// The texts that a parse was made from; it is valid while they are unchanged.
 using Inputs = std::vector<std::pair<std::string, std::shared_ptr<const Text>>>;
 
 class Workspace {
 public:
-    /// `stop`, if any, ends looking through folders.
+    /// `stop`, if not null, cancels searches in folders.
     explicit Workspace(std::vector<std::string> include_folders, const std::atomic<bool>* stop = nullptr)
         : include_folders_(std::move(include_folders)), stop_(stop) {}
 
-    /// Files below it are looked through for those that include what is open.
+    /// Adds a folder to search for files that include open documents.
     void add_folder(const std::string& path) { folders_.push_back(path), scanned_ = false; }
 
     void open(const std::string& uri, std::int64_t version, std::string text);
@@ -57,27 +57,27 @@ public:
     void close(const std::string& uri);
     const OpenText* find(const std::string& uri) const;
     const OpenText* open_at(const std::string& path) const;
-    /// The address under which the editor has the file open, or else one made of the path.
+    /// The address under which the editor has the file open, otherwise one derived from the path.
     std::string uri_of(const std::string& path) const;
-    /// The path of the file as the editor has it, where it is open; else the same.
+    /// The path of the file in the editor, if it is open; otherwise the path itself.
     std::string shown(const std::string& path) const;
     std::vector<OpenText> open_texts() const;
 
-    /// Looks whether files have changed on the disk since they were read.
+    /// True if files on disk have changed since they were read; updates them.
     bool refresh();
-    /// Null: there is none.
+    /// Null if it does not exist.
     std::shared_ptr<const Text> text(const std::string& path);
     std::shared_ptr<const Parsed> parsed(const std::string& path);
     /// The file and all that it includes.
     Files closure(const std::string& path);
     /// The file and all that include it.
     std::vector<std::string> roots(const std::string& path);
-    /// All files that can name what `path` declares, or declare what it names: those of all its roots.
+    /// All files whose names may be connected with those of `path`: the files of all its roots.
     Files related(const std::string& path);
-    /// Whether the workspace was too large to look through: there may be other roots.
+    /// True if the workspace was too large to search completely: there may be further roots.
     bool cut_short() const { return cut_short_; }
 
-    /// What is read of the file and all that it includes.
+    /// Parses the file with its includes.
     Reading reading(const std::string& path, Inputs& inputs);
     bool holds(const Inputs& inputs);
 
