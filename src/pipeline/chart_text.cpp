@@ -19,7 +19,7 @@ struct WrittenStep {
     std::uint32_t name = 0;  ///< where its name begins, as Chart::Step::origin does
 };
 
-/// What is written, by where the element begins.
+/// The source text of expressions, by the beginning of their element.
 struct Written {
     std::map<std::uint32_t, std::string> conditions = {}, values = {}, events = {};
     std::vector<WrittenStep> steps = {};
@@ -65,7 +65,7 @@ private:
     Written& written_;
 };
 
-/// The words of `// words`, `/* words */`, `(* words *)`.
+/// The text of `// text`, `/* text */`, `(* text *)`.
 std::string words_of(std::string_view comment) {
     for (const std::string_view begin : {"//", "/*", "(*"})
         if (comment.starts_with(begin)) comment.remove_prefix(2);
@@ -76,7 +76,7 @@ std::string words_of(std::string_view comment) {
     return std::string(comment);
 }
 
-/// By where the name of a step begins, the comment at the end of its first or last line.
+/// The comments at the end of the first or last line of steps, by the beginning of the step's name.
 std::map<std::uint32_t, std::string> comments_of(const tree::File& file, std::string_view text,
                                                  std::vector<WrittenStep> steps) {
     const auto begin = [](const WrittenStep& step) { return step.where.begin; };

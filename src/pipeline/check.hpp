@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Engines at work: each decides the properties of one model and returns what it found. No run is told that does not replay
-// on the rules.
+// Checks: decide the properties of one model by an engine and return the results as a report. Only runs that the
+// interpreter can replay are reported.
 #pragma once
 
 #include <functional>
@@ -23,26 +23,26 @@ namespace grafverif {
 /// `the counterexample of P15 does not replay: controller press, evolution 3: ...`
 std::string replay_failure(std::string_view what, const Disagreement& disagreement);
 
-/// What a check can be asked for by name; those that the model cannot be asked are answered too, as unknown.
+/// Names of the properties that can be selected; those that the model cannot express are reported as unknown.
 std::vector<std::string> property_names(const Network& network);
 std::vector<std::string> property_names(const TransitionSystem& system);
 
-/// Whether each of `names` asks for one of `known`; else an error that names what it may have meant.
+/// True if `known` contains each of `names`; otherwise an error that suggests a similar name.
 bool all_known(const std::vector<std::string>& names, const std::vector<std::string>& known, Diagnostics& diagnostics);
 
 /// A closed loop to be checked, with the charts of its controllers, in order.
 struct LoopToCheck {
     const Network& network;
     std::vector<const Chart*> charts = {};
-    bool cures_left_out = false;  ///< its runs are not those of its charts, which is the point
-    std::function<std::optional<StateProfile::Finest>()> finest = {};  ///< asked where states are explained
+    bool cures_left_out = false;  ///< its runs intentionally differ from those of its charts
+    std::function<std::optional<StateProfile::Finest>()> finest = {};  ///< called if states are explained
 };
 /// `network` is that of `loop`.
 LoopToCheck loop_to_check(const Model& model, Id<ClosedLoop> loop, const Network& network);
 Report check(const LoopToCheck& loop, const CheckOptions& options);
 
-/// Turns verdicts on an untimed model and their runs into a report. A run of the embedded engine that does not replay is
-/// a failure of ours; a program whose run does not replay is not believed.
+/// Converts verdicts on an untimed model and their runs to a report. A run of the embedded engine that does not replay
+/// is an internal failure; a run of an external program that does not replay is rejected.
 class SystemReporter {
 public:
     enum class Of { EmbeddedEngine, Program };
@@ -50,10 +50,10 @@ public:
     SystemReporter(const SystemToCheck& check, Of of, std::string engine, const CheckOptions& options,
                    const std::vector<Verdict>& verdicts);
 
-    /// A verdict on a probe is left out.
+    /// Verdicts on probes are omitted.
     void add(Verdict verdict, std::optional<SystemRun> run);
     void add(const SystemFault& fault);
-    /// All that an embedded engine found, and what cannot be asked.
+    /// Adds all results of an embedded engine, and the properties that the model cannot express.
     template <class Found>
     void add_all(Found&& found) {
         if (found.fault) add(*found.fault);
@@ -62,7 +62,7 @@ public:
             add(std::move(found.verdicts[i]), std::move(found.runs[i]));
         add_omitted();
     }
-    /// What cannot be asked of the system, each in its place among the properties.
+    /// Adds the properties that the system cannot express, in the order of the properties.
     void add_omitted();
 
     Report report() && { return std::move(report_); }
@@ -77,39 +77,39 @@ private:
     Report report_ = {};
 };
 
-/// Those of the system's properties that are asked for.
+/// The selected properties of the system.
 std::vector<std::size_t> asked_properties(const TransitionSystem& system, const std::vector<std::string>& names);
 std::vector<std::string> names_asked(const TransitionSystem& system, const std::vector<std::string>& names);
 
 Report check(const SystemToCheck& check, const CheckOptions& options);
-/// The same of what is about states, by an embedded engine on circuits or by who searches in its place.
+/// Checks properties about states, by an embedded engine on circuits or a search procedure that replaces it.
 struct StateSearch {
     std::string name = "pdr";
     decltype(PdrOptions::reach) reach = {};
     PdrOptions::Method method = PdrOptions::Method::Pdr;
     std::optional<std::size_t> max_steps = {};  ///< of BMC
 };
-/// BMC; `max_steps`: of the runs looked at, 100 unless said.
+/// BMC; `max_steps`: length of the explored runs, 100 by default.
 StateSearch bounded_search(std::optional<std::uint64_t> max_steps);
 Report check_states(const SystemToCheck& check, const CheckOptions& options, const StateSearch& search = {});
 
-/// Of what is asked about single states, what cells decide (check/cells/cells.hpp): the verdicts of the system, without runs.
-/// Where its automata take turns the system has the runs of the network that it was made of, clocks having no say where time is
-/// abstract, up to where that breaks off; and cells tell nothing where something may break off. They have a third of the time
-/// that there is, and 20 seconds at most.
+/// Decides selected properties about single states by localization (check/cells/cells.hpp): the verdicts of the system,
+/// without runs. Requires interleaved automata: the system then has the runs of the network that it was derived from,
+/// up to a model error, without clocks if time is abstract. Localization gives no verdict if a model error is possible.
+/// It has a third of the remaining time, and 20 seconds at most.
 std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOptions& options,
                                       const CellLimits& limits = {.whole = 1U << 15U, .local = 1U << 18U});
 
-/// The same by the embedded engines beside each other, of what cells do not decide.
+/// Checks the properties that localization does not decide, by the embedded engines in parallel.
 Report check_together(const SystemToCheck& check, const CheckOptions& options);
 
-/// Has `decide` answer what a chart alone is asked; under stability search the search of `analyse` adds whether it stabilises,
-/// which no engine is asked. Nothing after an error.
+/// Checks the implicit properties of a chart alone by `decide`. Under stability search, the search of `analyse` adds
+/// whether the chart becomes stable, which no engine decides. Nothing after an error.
 std::optional<Report> check_chart(const Model& model, Id<Chart> chart, const ModelOptions& how,
                                   const CheckOptions& options, Diagnostics& diagnostics,
                                   const std::function<std::optional<Report>(const SystemToCheck& check)>& decide);
 
-/// Adds what a chart alone is asked: that each of its steps can be reached (`reachable.X2`).
+/// Adds the implicit properties of a chart alone: each step is reachable (`reachable.X2`).
 void ask_for_steps(TransitionSystem& system);
 
 Analysis analysis_of(const Chart& chart, const Equations& equations, AnalyseOptions options, const Limits& limits);

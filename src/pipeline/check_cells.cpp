@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cells of untimed models.
+// Localization for untimed models.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace grafverif {
 
 namespace {
 
-/// A third of the time that there is, and never long: there are others.
+/// A third of the remaining time with an upper bound, since other engines follow.
 std::chrono::steady_clock::time_point end_of_cells(std::optional<std::chrono::steady_clock::time_point> deadline) {
     constexpr std::chrono::seconds most(20);
     const auto now = std::chrono::steady_clock::now();
@@ -32,7 +32,7 @@ std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOpt
     const auto is_observer = [](const Network::Process& process) {
         return process.kind == Network::ProcessKind::Observer;
     };
-    if (std::ranges::any_of(network.processes, is_observer)) return {};  // they look at the whole
+    if (std::ranges::any_of(network.processes, is_observer)) return {};  // an observer reads the complete network
     TimedOptions timed;
     set_limits(timed, options.limits);
     timed.deadline = end_of_cells(options.limits.deadline);
@@ -55,7 +55,7 @@ std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOpt
         timed.properties.push_back(property.name);
     }
     if (asked.empty()) return {};
-    const auto first_look = [&](const Network& whole, TimedOptions look) {  // there are others for the whole
+    const auto first_look = [&](const Network& whole, TimedOptions look) {  // other engines search the complete network
         look.max_states = std::min(look.max_states, limits.whole);
         return check_timed_by_parts(whole, look);
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The embedded engines on circuits at work, and programs in their place.
+// Checks by the embedded engines on circuits, and by external programs in their place.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::string words_of(const PdrProgress& now) {
     return fmt::format("{}, {} MiB, {:.0f} s", far, now.bytes >> 20U, now.seconds);
 }
 
-/// `result`, which is empty where nothing was asked, as a report.
+/// `result` as a report; it is empty if no property was selected.
 Report reported(PdrResult result, const SystemToCheck& check, SystemReporter::Of of, const std::string& engine,
                 const CheckOptions& options) {
     SystemReporter reporter(check, of, engine, options, result.verdicts);
@@ -48,7 +48,7 @@ Report check_states(const SystemToCheck& check, const CheckOptions& options, con
         pdr.progress = [&options](const PdrProgress& now) {
             options.limits.progress({[&now] { return words_of(now); }});
         };
-    const bool asks = options.properties.empty() || !pdr.properties.empty();  // no names would ask for all
+    const bool asks = options.properties.empty() || !pdr.properties.empty();  // an empty list would select all
     const auto of = search.reach ? SystemReporter::Of::Program : SystemReporter::Of::EmbeddedEngine;
     return reported(asks ? check_pdr(check.system, pdr) : PdrResult(), check, of, search.name, options);
 }
@@ -67,7 +67,8 @@ Report check_together(const SystemToCheck& check, const CheckOptions& options) {
     for (std::string& name : names_asked(check.system, options.properties))
         if (std::ranges::find(decided, name, &Verdict::property) == decided.end())
             all.properties.push_back(std::move(name));
-    // No names would ask for all. Where cells decide nothing breaks off, and without properties that is all that is asked.
+    // An empty list would select all properties. If localization decides a property, no model error is possible, and
+    // without properties that is the only result.
     PdrResult result;
     if (!all.properties.empty() || (decided.empty() && options.properties.empty()))
         result = check_together(check.system, all);

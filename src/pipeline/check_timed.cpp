@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The embedded timed engine at work.
+// Checks by the embedded timed engine.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -58,8 +58,8 @@ TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options)
     return timed;
 }
 
-/// A bounded search of observe(loop), and input abstractions of what it leaves open. These have half of the time that is
-/// left: the search of the complete loop may have to follow.
+/// A bounded search of observe(loop), then input abstractions for the properties that it leaves open. These have half
+/// of the remaining time, since the search of the complete loop may have to follow.
 TimedResult search_first(const Network& loop, const Observe& observe, const TimedOptions& options,
                          const WholeSearch& search) {
     TimedResult result = search(observe(loop), options);
@@ -82,8 +82,8 @@ TimedResult search(const LoopToCheck& loop, const CheckOptions& options) {
     return check_timed_by_cells(loop.network, timed, limits, {}, whole);
 }
 
-/// `observe` adds the observer of the only property. An observer reads the complete loop, so there are no cells; whether
-/// time can stop is decided on the loop alone.
+/// `observe` adds the observer of the only property. An observer reads the complete loop, so localization does not
+/// apply. Timelocks are searched in the loop without the observer.
 TimedResult search_watched(const LoopToCheck& loop, const Observe& observe, const CheckOptions& options) {
     TimedOptions timed = timed_options(loop, options);
     timed.timelock = false;
@@ -104,7 +104,7 @@ TimedResult search_watched(const LoopToCheck& loop, const Observe& observe, cons
     return complete;
 }
 
-/// Turns what the engine found into a report; runs that do not replay are failures and are not told.
+/// Converts the results of the engine to a report; runs that do not replay are failures and are not reported.
 class Reporter {
 public:
     Reporter(const LoopToCheck& loop, const CheckOptions& options)
@@ -139,7 +139,7 @@ public:
     }
 
 private:
-    /// Decides some properties of a network like ours; nothing where that may take long.
+    /// Decides properties of a network of the same size; empty if that may take long.
     Search again(const TimedResult& result) const {
         if (result.states >= many_states) return {};
         return [this](const Network& network, std::vector<std::string> names) {
@@ -150,7 +150,7 @@ private:
         };
     }
 
-    /// With an observer in it: its question is none of the loop's.
+    /// The network contains an observer, whose property is not one of the loop.
     bool is_watched() const {
         return std::ranges::find(network_.processes, Network::ProcessKind::Observer, &Network::Process::kind) !=
                network_.processes.end();
@@ -188,7 +188,7 @@ LoopToCheck loop_to_check(const Model& model, Id<ClosedLoop> loop, const Network
 
 namespace {
 
-/// What a property judged by an observer is found to be: its observer beside the loop, and nobody else's.
+/// The verdict on a property with an observer: checks the loop with only this observer added.
 Report check_watched(const LoopToCheck& loop, Id<Property> id, const CheckOptions& options) {
     const std::string& name = loop.network.properties[id].name;
     const Observe observe = [&](const Network& of) {
@@ -213,7 +213,7 @@ Report check_watched(const LoopToCheck& loop, Id<Property> id, const CheckOption
     return report;
 }
 
-/// Adds what another search found; `earlier`: the states that those before it explored.
+/// Adds the results of another search; `earlier`: number of states explored by the searches before.
 void take(Report&& found, std::uint64_t earlier, Report& report) {
     for (Answer& answer : found.answers) tell_earlier(answer.verdict, "searches for other properties", earlier);
     std::ranges::move(found.answers, std::back_inserter(report.answers));
@@ -223,7 +223,7 @@ void take(Report&& found, std::uint64_t earlier, Report& report) {
             report.breakdowns.push_back(std::move(breakdown));
 }
 
-/// In the order of the properties of the loop, the rest behind them.
+/// Sorts by the properties of the loop, followed by the others.
 void put_in_order(const Network& network, std::vector<Answer>& answers) {
     for (Answer& answer : answers) {
         if (!answer.verdict.declared || !answer.verdict.about.valid()) continue;
@@ -252,7 +252,7 @@ Report check(const LoopToCheck& loop, const CheckOptions& options) {
                                    [&](Id<Property> id) { return loop.network.properties[id].name == name; });
     });
     const bool only_watched = rest.properties.empty() && !options.properties.empty();
-    if (only_watched) {  // whether time can stop is a note then, not worth a search of the complete loop
+    if (only_watched) {  // here the timelock is only a note and does not justify a search of the complete loop
         rest.properties = {"no_timelock"};
         rest.limits.states = std::min(rest.limits.states.value_or(CellLimits{}.whole), CellLimits{}.whole);
     }
@@ -260,8 +260,7 @@ Report check(const LoopToCheck& loop, const CheckOptions& options) {
     std::ranges::copy_if(by_observers, std::back_inserter(asked), is_asked);
     Report report{alone.name, basis_of(alone, "timed")};
     std::uint64_t states = 0;
-    for (std::size_t i = 0; i < asked.size();
-         ++i) {  // each has an equal share of the time that is left, as the rest has
+    for (std::size_t i = 0; i < asked.size(); ++i) {  // each has an equal share of the remaining time
         CheckOptions share = options;
         share.limits.deadline = share_of(options.limits.deadline, asked.size() - i + 1);
         Report made = check_watched(loop, asked[i], share);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The embedded symbolic engine at work, and reports on untimed models.
+// Checks by the embedded symbolic engine, and reports on untimed models.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ std::string replay_failure(std::string_view what, const Disagreement& disagreeme
 
 namespace {
 
-/// Whether a property called `property` is one of those asked for; `S.X7` is asked for by `S` as well.
+/// True if the property `property` is selected; `S` also selects `S.X7`.
 bool is_asked(std::string_view property, const std::vector<std::string>& asked) {
     return std::ranges::any_of(asked, [&](const std::string& name) {
         return property == name || (property.starts_with(name) && property.substr(name.size()).starts_with('.'));
@@ -55,7 +55,7 @@ std::vector<std::string> property_names(const Network& network) {
     std::vector<std::string> names;
     for (const Property& property : network.properties) names.push_back(property.name);
     if (std::ranges::find(network.properties, Pattern::NoTimelock, &Property::pattern) == network.properties.end())
-        names.emplace_back("no_timelock");  // decided in any case
+        names.emplace_back("no_timelock");  // always decided
     return names;
 }
 
@@ -149,7 +149,7 @@ Report check(const SystemToCheck& check, const CheckOptions& options) {
             }});
         };
     SymbolicResult result;
-    if (options.properties.empty() || !symbolic.properties.empty())  // no names would ask for all
+    if (options.properties.empty() || !symbolic.properties.empty())  // an empty list would select all
         result =
             options.whole ? check_symbolic(check.system, symbolic) : check_symbolic_by_parts(check.system, symbolic);
     SystemReporter reporter(check, SystemReporter::Of::EmbeddedEngine, "symbolic", options, result.verdicts);
@@ -168,8 +168,8 @@ void ask_for_steps(TransitionSystem& system) {
 
 namespace {
 
-/// The name of what a chart alone is asked under stability search, as `analyse` is: that its situation becomes stable
-/// whatever the inputs (code `total-instability`).
+/// Name of the implicit property of a chart under stability search, which `analyse` decides: its situation becomes
+/// stable for all inputs (code `total-instability`).
 constexpr const char* stabilises = "stabilises";
 
 void add_stabilises(const Chart& chart, const Equations& equations, const Limits& limits, Report& report) {

@@ -53,7 +53,7 @@ std::optional<LocationAutomaton> automaton_of(const Model& model, Id<Chart> char
 
 namespace {
 
-/// Of least size where `how` says so.
+/// Minimized if `how` requests it.
 std::optional<MealyMachine> mealy_of(const LocationAutomaton& automaton, Span chart, const ConformOptions& how,
                                      Diagnostics& diagnostics) {
     MealyOptions options;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a one-shot run (process.hpp) and a dialogue (dialogue.hpp) with another program share: descriptors that end with
-// their owner, and pipes. The program itself is a Child (child.hpp).
+// File descriptors with ownership, and pipes: shared by one-shot runs (process.hpp) and dialogues (dialogue.hpp) with
+// external programs. The program itself is a Child (child.hpp).
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace grafverif {
 
-/// A file descriptor and its end.
+/// An owned file descriptor.
 class Descriptor {
 public:
     explicit Descriptor(int number = -1) : number_(number) {}
@@ -33,10 +33,10 @@ struct Pipe {
     Descriptor read = Descriptor(), write = Descriptor();
 };
 
-/// A pipe that no other program inherits. Throws std::system_error.
+/// A pipe that child processes do not inherit. Throws std::system_error.
 Pipe make_pipe();
 
-/// `number` no longer blocks who reads or writes.
+/// Makes reads and writes of `number` non-blocking.
 void set_nonblocking(const Descriptor& descriptor);
 
 /// Throws std::system_error.

@@ -21,7 +21,7 @@ namespace grafverif {
 
 namespace {
 
-/// Whether those violated at power-on hold `at stable` is looked up in one more search.
+/// Searches once more for properties violated at power-on: whether they hold `at stable`.
 void explain_power_on(const Network& network, const std::vector<Violation>& violations, const Search& search,
                       Report& report) {
     Network settled = network;
@@ -49,7 +49,7 @@ std::string gave_up(std::size_t count, std::string_view what, std::size_t tried)
         what, tried);
 }
 
-/// Asked by a search whether it is to end; `limits` outlives it.
+/// Returns true if a search is to stop; `limits` must outlive it.
 StopAsked stopped_by(const Limits& limits) {
     return [&limits] {
         if (limits.stop != nullptr && limits.stop->load(std::memory_order_relaxed)) return true;
@@ -57,10 +57,10 @@ StopAsked stopped_by(const Limits& limits) {
     };
 }
 
-/// The effort of a search, where nobody says otherwise.
+/// The default effort of a search.
 constexpr std::size_t most_moves = 5000, most_steps = 20'000;
 
-/// Marks the values that make it fail, and finds what could have been left out.
+/// Marks the values that cause the failure, and finds moves without which the property holds.
 void explain_run(const Network& network, const Run& run, const Limits& limits, Answer& answer) {
     if (!answer.verdict.about.valid() || !answer.trace) return;
     const Property& property = network.properties[answer.verdict.about];
@@ -74,7 +74,7 @@ void explain_run(const Network& network, const Run& run, const Limits& limits, A
     if (change.exhausted) answer.verdict.notes.push_back(gave_up(change.free_moves, "free moves", change.tried));
 }
 
-/// The same of a run without a plant, whose inputs are free.
+/// For a run without a plant, whose inputs are free.
 void explain_inputs(const TransitionSystem& system, const Property& property, const SystemRun& run,
                     const Limits& limits, Answer& answer) {
     const InputChange change = fewest_input_changes(system, property, run, most_steps, stopped_by(limits));
@@ -84,7 +84,7 @@ void explain_inputs(const TransitionSystem& system, const Property& property, co
             gave_up(change.events.size(), "changes of inputs and ends of times", change.tried));
 }
 
-/// The same of a run in which plant automata take turns.
+/// For a run with interleaved plant automata.
 void explain_moves(const Network& timed, const TransitionSystem& system, const Property& property, const SystemRun& run,
                    const Limits& limits, Answer& answer) {
     const Network played = system.ticks.valid() ? timed : without_clocks(timed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a check adds to what it found: why.
+// Explanations that a check adds to its results.
 #pragma once
 
 #include <cstddef>
@@ -15,24 +15,24 @@
 
 namespace grafverif {
 
-/// An answer `violated`, and the run that shows it, which replays.
+/// A violated property, and the run that shows it, which replays.
 struct Violation {
     std::size_t answer = 0;  ///< in Report::answers
     Run run = {};
 };
 
-/// Decides the properties of these names of a network; the verdicts of others may be among those it gives.
+/// Decides the properties of these names of a network; the result may contain verdicts on others.
 using Search = std::function<std::vector<Verdict>(const Network& network, std::vector<std::string> names)>;
 
-/// Adds to the answers of `report`, which is about `network`. `search`: empty where another search would take long. Of `limits`
-/// the deadline and the stop count; likewise below.
+/// Adds explanations to `report`, which is about `network`. `search`: empty if another search would take long. Of
+/// `limits` only the deadline and the stop flag apply, also below.
 void explain(const Network& network, const std::vector<Violation>& violations, const Search& search,
              const Limits& limits, Report& report);
 
-/// Adds to an answer on an untimed model, which `run` shows violated.
+/// Adds explanations to a result on an untimed model that `run` violates.
 void explain(const SystemToCheck& check, const SystemRun& run, const Limits& limits, Answer& answer);
 
-/// Adds to the answer that `chart` does not become stable, as the trace of the answer, if it has one, shows.
+/// Adds explanations to the result that `chart` does not become stable, if it has a trace.
 void explain(const Chart& chart, ExecutionMode mode, const Limits& limits, Answer& answer);
 
 }  // namespace grafverif

@@ -29,7 +29,7 @@ std::string reason(int error) {
     return std::generic_category().message(error);
 }
 
-/// What a file is that is no regular one.
+/// Description of a file that is not regular.
 std::string_view kind_of(mode_t mode) {
     if (S_ISDIR(mode)) return "it is a directory";
     if (S_ISFIFO(mode)) return "it is a pipe, not a file";
@@ -49,7 +49,7 @@ std::optional<std::string> content_of_file(const fs::path& path, std::string& wh
     struct stat status = {};
     if (::stat(path.c_str(), &status) != 0) return why = reason(errno), std::nullopt;
     if (!S_ISREG(status.st_mode))
-        return why = kind_of(status.st_mode), std::nullopt;  // opening a device may do something
+        return why = kind_of(status.st_mode), std::nullopt;  // opening a device may have side effects
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
     if (!file.open() || ::fstat(file.number(), &status) != 0) return why = reason(errno), std::nullopt;
     if (!S_ISREG(status.st_mode)) return why = kind_of(status.st_mode), std::nullopt;
@@ -130,7 +130,7 @@ std::string identity_of_existing(const std::string& path) {
 
 namespace {
 
-/// A folder that the kernel makes up, such as those of processes: new with every look, and of no end.
+/// True for a virtual folder of the kernel, such as those of processes: its content changes and may be unbounded.
 bool is_made_up(const fs::path& folder) {
     constexpr std::array made_up = {PROC_SUPER_MAGIC, SYSFS_MAGIC,        DEBUGFS_MAGIC,
                                     TRACEFS_MAGIC,    CGROUP_SUPER_MAGIC, CGROUP2_SUPER_MAGIC};
@@ -171,7 +171,7 @@ Reach::Reach(const fs::path& main, const std::vector<std::string>& folders) {
         std::error_code failure;
         const fs::path full = fs::absolute(folder.empty() ? "." : folder, failure);
         fs::path resolved = failure ? fs::path() : fs::weakly_canonical(full, failure);
-        if (!failure) roots_.push_back(std::move(resolved));  // what cannot be resolved opens nothing
+        if (!failure) roots_.push_back(std::move(resolved));  // a folder that cannot be resolved permits nothing
         return !failure;
     };
     if (add(main.parent_path()))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Model -> Equations, Network, TransitionSystem: the only place where the verbs that make models meet, in order.
+// Model -> Equations, Network, TransitionSystem: the only place that combines the passes which derive models, in order.
 #include "pipeline/models.hpp"
 
 #include "check/vacuity.hpp"
@@ -31,14 +31,14 @@ bool take_turns(const ClosedLoop& loop, const ModelOptions& how) {
            how.untimed.schedule.value_or(loop.schedule.value_or(Schedule::Interleaved)) == Schedule::Interleaved;
 }
 
-/// What the processes that take turns are.
+/// The network of the interleaved processes.
 std::optional<Network> with_observers(const Network& plant_network, const ClosedLoop& loop,
                                       std::span<const Equations> equations, const ModelOptions& how, Vacuity vacuity,
                                       Diagnostics& diagnostics) {
     const auto network = compose(plant_network, loop, equations, {how.grain, how.mode, {}}, diagnostics);
     if (!network) return {};
     std::vector<Id<Property>> asked = watched(*network);
-    if (how.untimed.time == TimeModel::Abstract)  // no clock counts
+    if (how.untimed.time == TimeModel::Abstract)  // no clock advances
         std::erase_if(asked, [&](Id<Property> id) { return network->properties[id].watch.duration_ms > 0; });
     return observed(*network, asked, vacuity);
 }
@@ -145,7 +145,7 @@ SystemToCheck system_to_check(const TransitionSystem& system, const Model& model
         check.network = [&model, &loop, how, asked = false,
                          made = std::optional<Network>{}]() mutable -> const std::optional<Network>& {
             if (std::exchange(asked, true)) return made;
-            Diagnostics known;  // the system has been made, so there is nothing to complain about
+            Diagnostics known;  // the system exists, so there can be no errors
             const auto equations = equations_of_controllers(model, loop, known);
             const auto plant_network = plant(model, loop, known);
             if (!equations || !plant_network) return made;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the program asks of the pipeline beyond the front door.
+// Functions of the pipeline that the program uses in addition to the public API.
 #pragma once
 
 #include <string>
@@ -16,10 +16,11 @@
 
 namespace grafverif {
 
-/// How files are read within `reach`, which outlives the context, as `folders` do. Components come from the library.
+/// How files permitted by `reach` are read. `reach` and `folders` must outlive the context. Components are of the
+/// library.
 ReadContext context_of(const Reach& reach, const std::vector<std::string>& folders, bool lossy);
 
-/// The same as network_of for users, with cures of the method left out where `options` say so.
+/// The public network_of, without the corrections of the method that `options` disable.
 std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, const ComposeOptions& options,
                                   Diagnostics& diagnostics);
 
@@ -27,7 +28,7 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, const
 TransitionSystem transition_system_of(const Model& model, Id<Chart> chart, const Equations& equations,
                                       std::optional<ExecutionMode> mode);
 
-/// transition_system_of with the probes that tell which properties are vacuous: a system to check, not to write.
+/// transition_system_of with the probes that detect vacuous properties: a system to check, not to write.
 std::optional<TransitionSystem> system_with_probes(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
                                                    Diagnostics& diagnostics);
 /// `network` with the observers of all its properties and with all probes, for external programs.
@@ -36,11 +37,11 @@ Network network_with_probes(const Network& network);
 /// The charts of the loop's controllers, in order.
 std::vector<const Chart*> charts_of(const Model& model, const ClosedLoop& loop);
 
-/// `system` is what transition_system_of made of the loop. All outlive the result.
+/// `system` is the result of transition_system_of for the loop. All arguments must outlive the result.
 SystemToCheck system_to_check(const TransitionSystem& system, const Model& model, Id<ClosedLoop> loop,
                               const ModelOptions& how);
 
-/// Network -> UPPAAL project and what to ask of it, a formula per verdict.
+/// Network -> UPPAAL project and its queries, one formula per verdict.
 struct UppaalQuestions {
     std::string project = {};
     std::vector<ExternalQuestion> questions = {};
@@ -50,19 +51,20 @@ UppaalQuestions uppaal_questions(const Network& network, Diagnostics& diagnostic
 /// The network as a C file for LTSmin.
 std::string pins_model(const Network& network);
 
-/// TransitionSystem -> AIGER, and what its names are to the charts, as JSON. Warns of properties that it cannot be asked.
+/// TransitionSystem -> AIGER, and a map of its names to the charts, as JSON. Warns of properties that it cannot
+/// express.
 struct AigerModel {
     std::string text = {}, map = {};
 };
 AigerModel aiger_model(const TransitionSystem& system, aiger::Form form, Diagnostics& diagnostics);
 
-/// TransitionSystem -> BTOR2, likewise.
+/// TransitionSystem -> BTOR2, with the same warnings.
 std::string btor2_model(const TransitionSystem& system, Diagnostics& diagnostics);
 
 /// TestSequence -> Structured Text.
 std::string structured_text_test(const TestSequence& test, structured_text::Form form);
 
-/// What all engines take.
+/// Sets the limits common to all engines.
 template <class EngineOptions>
 void set_limits(EngineOptions& options, const Limits& limits) {
     options.max_memory = limits.memory.value_or(options.max_memory);

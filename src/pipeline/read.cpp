@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// text -> Model, files and components of the library included.
+// text -> Model, with included files and components of the library.
 #include <sstream>
 #include <utility>
 

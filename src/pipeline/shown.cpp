@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was found out, as text, JSON and drawings.
+// Results as text, JSON and drawings.
 #include <sstream>
 
 #include "emit/layout/diagram.hpp"

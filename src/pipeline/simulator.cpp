@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Simulator: a Simulation together with what it moves.
+// Simulator: a Simulation with the model that it owns.
 #include <utility>
 
 #include "pipeline/check.hpp"
@@ -58,7 +58,7 @@ std::optional<Simulator> simulator_of(const Model& model, Id<ClosedLoop> loop, c
 
 std::optional<Simulator> simulator_of(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> mode,
                                       Diagnostics& diagnostics) {
-    if (!equations_of(model, chart, diagnostics)) return {};  // what has none has no rules
+    if (!equations_of(model, chart, diagnostics)) return {};  // without equations there is no interpreter
     auto inside = std::make_unique<Simulator::Inside>();
     keep(*inside, {&model.charts[chart]});
     inside->problem = inside->moved.emplace(inside->kept[0], execution_mode(model, chart, mode), Detail::Chart).begin();

@@ -13,7 +13,7 @@ namespace {
 
 bool is_liveness(Pattern pattern) { return pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo; }
 
-/// Whether the value of `term` depends on what a free variable is at that very moment.
+/// True if the value of `term` depends on the current value of a free variable.
 bool reads_free_variable(const TransitionSystem& system, Id<Expr> term) {
     FlatSystem flat = flattened(system);
     const Id<Expr> root = flattened(system, flat, term);
@@ -22,7 +22,7 @@ bool reads_free_variable(const TransitionSystem& system, Id<Expr> term) {
     });
 }
 
-/// An observer follows the steps of its model, and another model has others.
+/// An observer follows the steps of its model, which differ in another model.
 bool reads_observer(const TransitionSystem& system, const Property& property) {
     const Table<TransitionSystem::Symbol>& symbols = system.modules[system.main].symbols;
     return std::ranges::any_of(property.operands, [&](Id<Expr> operand) {
@@ -34,7 +34,7 @@ bool reads_observer(const TransitionSystem& system, const Property& property) {
     });
 }
 
-/// With no plant, `leads to` says less: its left side may name an input that a plant never gives at that moment.
+/// Without a plant, `leads to` states less: its premise may name an input that a plant never gives in that state.
 bool speaks_of_every_plant(const SystemToCheck& check, const Property& property, Outcome outcome) {
     const bool holds = outcome == Outcome::Holds;
     if (is_about_all_states(property.pattern)) return holds;
@@ -91,7 +91,7 @@ std::string carried(const SystemToCheck& check, const Property& property, const 
     case Abstraction::Carries::ExactInIntegerTime:
         if (!about_states || observed) return "integer time only";
         return holds == (property.pattern == Pattern::Reachable)
-                   ? "so in the timed loop"  // a run shows it, and one of integer time is one of dense time
+                   ? "so in the timed loop"  // a run shows it, and a run of integer time is one of dense time
                    : "the states of the timed engine: integer time only, if a clock constraint is strict";
     case Abstraction::Carries::Nowhere: return "it says nothing beyond this model";
     }
@@ -104,7 +104,7 @@ std::vector<std::string> unproven_faults(const TransitionSystem& system, const s
     std::vector<std::string> unproven;
     for (const Id<Property> id : system.properties.ids()) {
         const Property& property = system.properties[id];
-        const bool ours = !property.origin.source.valid();  // a user may call anything by these names
+        const bool ours = !property.origin.source.valid();  // a user may declare properties of these names
         if (!ours || !(property.name.starts_with("no_race") || property.name.starts_with("no_out_of_range"))) continue;
         const auto verdict = std::ranges::find(verdicts, id, &Verdict::about);
         if (verdict == verdicts.end() || verdict->outcome != Outcome::Holds) unproven.push_back(property.name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an untimed model leaves out, and so what its verdicts are worth (design: "targets").
+// Abstraction of an untimed model, and what its verdicts imply for the timed loop (design: "targets").
 #pragma once
 
 #include <functional>
@@ -13,18 +13,18 @@ namespace grafverif {
 
 struct Abstraction {
     enum class Carries {
-        ToEveryPlant,        ///< no plant: what holds of all runs does so with every plant, in grain atomic
-        ToTimedLoop,         ///< plant automata that move at any time in any order: likewise of the timed loop
+        ToEveryPlant,        ///< no plant: a property of all runs also holds with every plant, in grain atomic
+        ToTimedLoop,         ///< plant automata that move at any time in any order: also for the timed loop
         ExactInIntegerTime,  ///< the states of the timed engine
         Nowhere,             ///< a restricted order of events
     };
     std::string words = {};  ///< `no plant`, `plant automata, interleaved`
-    std::string grain = {};  ///< empty: none of its own
+    std::string grain = {};  ///< empty: no separate one
     Carries carries = Carries::Nowhere;
     bool constrained = false;  ///< the constraints on the inputs are assumed
-    bool fair = false;         ///< runs are fair: what is said of them, rather than of states, is about this model
+    bool fair = false;         ///< runs are fair: a property of runs, other than of states, holds for this model only
 };
-/// Of the model that transition_system_of makes of `loop`, or of a lone chart.
+/// The abstraction in the result of transition_system_of for `loop`, or for a lone chart.
 Abstraction abstraction_of(const ModelOptions& options, const ClosedLoop* loop);
 
 /// A transition system to be checked, with the charts of its controllers, in order.
@@ -32,16 +32,16 @@ struct SystemToCheck {
     const TransitionSystem& system;
     std::vector<const Chart*> charts = {};
     Abstraction abstraction = {};
-    /// Of plant automata that take turns, the network that the system was made of, expanded; else empty. Called where a run is
-    /// explained, and made once.
+    /// For interleaved plant automata, the network that the system was derived from, expanded; otherwise empty. Called
+    /// if a run is explained, and computed once.
     std::function<const std::optional<Network>&()> network = {};
 };
 
-/// The properties among `no_race` and `no_out_of_range` that `verdicts` do not prove. Where one of them fails, what
-/// comes after is not defined, and another model may go on otherwise.
+/// The properties among `no_race` and `no_out_of_range` that `verdicts` do not prove. If one of them fails, the
+/// continuation is undefined and may differ in another model.
 std::vector<std::string> unproven_faults(const TransitionSystem& system, const std::vector<Verdict>& verdicts);
 
-/// What a verdict says beyond its model, as long as the `unproven` hold; empty where it is unknown.
+/// The implications of a verdict beyond its model, provided that the `unproven` hold; empty if it is unknown.
 std::string carries_words(const SystemToCheck& check, const Property& property, const Verdict& verdict,
                           const std::vector<std::string>& unproven);
 

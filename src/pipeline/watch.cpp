@@ -30,8 +30,8 @@ Watch::Stamp Watch::stamp(const std::string& path) {
 
 void Watch::note(const std::string& path) { note(std::vector{path}); }
 
-/// A file that has just been written may be written again without its time changing: it is given a moment first, which is
-/// one for all paths.
+/// A second write directly after the first may not change the time stamp. So a file is first allowed to age briefly,
+/// once for all paths.
 void Watch::note(const std::vector<std::string>& paths) {
     constexpr std::int64_t tick = 20'000'000;
     std::vector<Stamp> seen(paths.size());
@@ -49,7 +49,7 @@ void Watch::note(const std::vector<std::string>& paths) {
     }
     for (std::size_t k = 0; k < paths.size(); ++k) {
         const auto [place, is_new] = seen_.try_emplace(paths[k], seen[k]);
-        if (!is_new && place->second != seen[k]) place->second.times = {-1, -1};  // noted before, and changed since
+        if (!is_new && place->second != seen[k]) place->second.times = {-1, -1};  // changed since it was noted
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Watch: whether files have changed since they were read. It looks at size, times and identity, so it notices a file that
-// is written in place, replaced by another of its name, gone, or there again. The time of writing can be set to what it
-// was; that of the last change cannot.
+// Watch: detects changes of files after they were read. It compares size, times and identity, so it detects that a file
+// is written in place, replaced by another one of its name, deleted, or restored. The modification time can be set
+// back; the time of the last status change cannot.
 #pragma once
 
 #include <array>
@@ -15,16 +15,16 @@ namespace grafverif {
 
 class Watch {
 public:
-    /// The file at `path` is about to be read.
+    /// Records a file that is about to be read.
     void note(const std::string& path);
     void note(const std::vector<std::string>& paths);
     /// Forgets all files.
     void clear() { seen_.clear(); }
-    /// Whether a noted file is not what it was.
+    /// True if a recorded file has changed.
     bool changed() const;
-    /// Whether one that was there is gone.
+    /// True if a recorded file has been deleted.
     bool missing() const;
-    /// Those that are not what they were.
+    /// The files that have changed.
     std::vector<std::string> changes() const;
     std::size_t size() const { return seen_.size(); }
 
@@ -32,7 +32,7 @@ private:
     struct Stamp {
         bool there = false;
         std::uint64_t device = 0, file = 0, size = 0;
-        std::array<std::int64_t, 2> times = {};  ///< written, changed; nanoseconds since 1970
+        std::array<std::int64_t, 2> times = {};  ///< times of modification and status change; nanoseconds since 1970
         bool operator==(const Stamp&) const = default;
     };
     static Stamp stamp(const std::string& path);

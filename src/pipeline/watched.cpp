@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// What charts call the variables of theirs that have another name in the network.
+/// Names in the charts of variables that have another name in the network.
 std::map<Id<Network::Variable>, std::string> told_variables(const Network& network) {
     std::map<Id<Network::Variable>, std::string> told;
     for (const Network::Controller& controller : network.controllers) {

@@ -32,12 +32,12 @@ using Ground = Why::Ground;
 using Thing = Why::Thing;
 using Names = std::vector<std::string>;
 
-/// Whether `verdict` is on the property called `name`, or on a step of it.
+/// True if `verdict` is on the property called `name`, or on a step of it.
 bool is_of(const Verdict& verdict, const std::string& name) {
     return verdict.property == name || verdict.property.starts_with(name + '.');
 }
 
-/// Violated where one of its verdicts is, or where the model breaks off before it is decided; holds where all do.
+/// Violated if one of its verdicts is, or if a model error occurs before it is decided; holds if all do.
 Outcome outcome_of(const std::vector<Verdict>& verdicts, const std::string& name) {
     bool any = false, all = true;
     for (const Verdict& verdict : verdicts) {
@@ -49,7 +49,7 @@ Outcome outcome_of(const std::vector<Verdict>& verdicts, const std::string& name
     return any && all ? Outcome::Holds : Outcome::Unknown;
 }
 
-/// What `always !p or q` asks of: p. Not valid: it is no such property.
+/// The premise p of `always !p or q`; not valid for any other property.
 Id<Expr> left_side(const Property& property, Exprs& exprs) {
     if (property.pattern != Pattern::Always || exprs[property.operands[0]].op != Op::Or) return {};
     std::vector<Id<Expr>> asked;
@@ -62,7 +62,7 @@ Id<Expr> left_side(const Property& property, Exprs& exprs) {
     return asked.empty() || !answered ? Id<Expr>{} : exprs.conjunction(asked);
 }
 
-/// What the term is a condition of: `t3`, `OUT in step 5`.
+/// The element that the term is a condition of: `t3`, `OUT in step 5`.
 std::string owner_of(const Chart& chart, const TermPlace& place) {
     const auto action = [&](const auto& of, Id<Chart::Variable> variable) {
         return chart.variables[variable].name + " in step " + name_of(chart, of.step).text();
@@ -81,7 +81,7 @@ std::string owner_of(const Chart& chart, const TermPlace& place) {
     unreachable();
 }
 
-/// `shut -> opening`, and what must hold for it where there is another between these.
+/// `shut -> opening`, with its guard if there are several edges between these locations.
 std::string edge_name(const Component& component, Id<Component::Edge> id) {
     const Component::Edge& edge = component.edges[id];
     const std::string ways = component.locations[edge.from].name + " -> " + component.locations[edge.to].name;
@@ -108,7 +108,8 @@ public:
         std::uint64_t states = 0;
         for (const Answer& answer : report.answers) {
             states = std::max<std::uint64_t>(states, std::stoull("0" + answer.verdict.states));
-            // What cells have decided they decide again, most often: the whole need not be looked at for long before.
+            // Localization most often decides these properties again, so the complete network is searched only briefly
+            // before.
             if (answer.verdict.scope.cells) cells_.whole = std::uint64_t{1} << 12U;
         }
         most_states_ = std::max<std::uint64_t>(8 * states, 100'000);
@@ -188,7 +189,7 @@ private:
             ground.never_asked = outcome_of(found, ground.property + " is asked") == Outcome::Violated;
     }
 
-    // -- one thing by itself -----------------------------------------------------------------------------------------
+    // -- one element alone -------------------------------------------------------------------------------------------
 
     Names names_of(const std::function<bool(const Ground&)>& asked) const {
         Names names;
@@ -200,13 +201,13 @@ private:
         return names_of([](const Ground&) { return true; });
     }
 
-    /// Asks the properties called `names` of the model with the change in it. `original`: of a change to the plant, the network
-    /// of the model as it is.
+    /// Checks the properties called `names` of the model with the change in it. `original`: for a change to the plant,
+    /// the network of the unchanged model.
     void leave_out(Thing thing, const Names& names, const std::function<void(Model&)>& change,
                    const Network* original = nullptr) {
         std::optional<Network> network;
         std::vector<Verdict> found;
-        Names timeless;  // they read a timer that is left out as well
+        Names timeless;  // they read a timer that is removed too
         if (!names.empty() && !stopped()) {
             Model without = model_;
             change(without);
@@ -222,7 +223,8 @@ private:
             if (network) found = search(*network, names);
         }
         for (const std::string& name : names) {
-            // Nobody asks any more for what the models declare by themselves: that no stored actions race, where none can.
+            // The change may remove an implicit property of the model: that no stored actions race, if no two can any
+            // more.
             const auto asks = [&](const Property& property) { return property.name == name; };
             const bool gone = network && std::ranges::none_of(network->properties, asks) &&
                               std::ranges::find(timeless, name) == timeless.end();
@@ -233,7 +235,7 @@ private:
         why_.things.push_back(std::move(thing));
     }
 
-    /// Each chart once, and what stands before the names in it.
+    /// Visits each chart once, with the prefix of names in it.
     void for_each_chart(const std::function<void(Id<Chart>, const std::string&)>& visit) const {
         std::set<std::uint32_t> seen;
         const ClosedLoop& loop = model_.loops[loop_];
@@ -284,8 +286,8 @@ private:
         }
     }
 
-    /// What holds whatever an instance does holds whatever a guard of it says, and no search is needed; but where the edge
-    /// assigns something, the model may break off without the guard.
+    /// A property that holds for any behaviour of an instance also holds for any value of its guards, without a search.
+    /// But if the edge has assignments, a model error may be possible without the guard.
     void leave_out_guards(const Network& original) {
         for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, Thing thing) {
             const Component& component = model_.components[model_.loops[loop_].instances[id].component];
@@ -302,7 +304,7 @@ private:
         });
     }
 
-    /// Where nothing forces an edge to be taken, a loop without it does nothing new: what holds in all states does still.
+    /// If an edge is not forced, the loop without it has no new behaviour, so a property of all states still holds.
     void leave_out_edges(const Network& original) {
         for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, Thing thing) {
             const bool forced = is_forced(model_.components[model_.loops[loop_].instances[id].component], edge);
@@ -336,7 +338,8 @@ private:
                 why_.unneeded_parts.push_back(told_[id.index]);
     }
 
-    /// Those that give controllers their inputs first: without them what stands behind them may have nothing to say any more.
+    /// Processes that write inputs of controllers come first: without them, their predecessors may have no further
+    /// effect.
     static std::vector<Id<Network::Process>> in_order(const Network& network) {
         std::vector<Id<Network::Process>> order, behind;
         for (const Id<Network::Process> id : network.processes.ids()) {
@@ -356,7 +359,7 @@ private:
         return order;
     }
 
-    /// Those that could not be decided are tried once more where the others are left out, all together and one by one.
+    /// Elements that could not be decided are tried again with the others removed, all together and one by one.
     void leave_out_parts(const Network& network, std::vector<Id<Network::Process>> order, Ground& ground) {
         Network open = network;
         for (const bool again : {false, true}) {
@@ -384,7 +387,7 @@ private:
         return true;
     }
 
-    /// Leaves as much as can be of a process out of `open`. Holds: that is all; Unknown: nothing is said of it.
+    /// Removes as much as possible of a process from `open`. Holds: everything; Unknown: no result.
     Outcome leave_out(Id<Network::Process> id, Network& open, Ground& ground) {
         const std::string& name = told_[id.index];
         const Property& property = element_of(open.properties, ground.property, &Property::name);
@@ -409,7 +412,7 @@ private:
         return whole;
     }
 
-    /// Whether the property asks where instances are.
+    /// True if the property reads locations of instances.
     static bool roams(const Network& network, const Property& property) {
         const auto is_place = [&](Id<Expr> leaf) { return network.exprs[leaf].op == Op::At; };
         return property.at_stable || std::ranges::any_of(property.operands, [&](Id<Expr> operand) {

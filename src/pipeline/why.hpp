@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the properties of a loop that hold rest on: the loop is checked again without one thing after the other.
+// Proof cores: the elements on which properties that hold depend. The loop is checked again without each element.
 #pragma once
 
 #include "grafverif/grafverif.hpp"
@@ -7,8 +7,9 @@
 
 namespace grafverif {
 
-/// Of the answers of `report` that hold in all states, and are declared; see Why. Each search looks at eight times
-/// the states of the first one at most, 100 000 at least, or at so many as `options` allow; at the deadline and where it is stopped, what is not known stays open.
+/// Analyses the properties in `report` that hold in all states and are declared; see Why. Each search explores at most
+/// eight times the states of the first one, but at least 100 000, or the number that `options` allow. Elements that are
+/// undecided at the deadline or when it is stopped stay open.
 Why why_it_holds(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how, const CheckOptions& options,
                  const Report& report);
 

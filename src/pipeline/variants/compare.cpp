@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chart, Chart -> Equations of both -> TransitionSystem of both side by side -> Comparison.
+// Chart, Chart -> Equations of both -> TransitionSystem of their product -> Comparison.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,8 @@ namespace grafverif {
 
 namespace {
 
-// -- what can be compared ------------------------------------------------------------------------------------------------
+// -- preconditions
+// -------------------------------------------------------------------------------------------------------
 
 std::string range_text(Type type) {
     return type.boolean ? "a Boolean" : fmt::format("an integer of {} to {}", type.low, type.high);
@@ -53,7 +54,7 @@ bool same_plugs(const Chart& a, const Chart& b, Diagnostics& diagnostics) {
     return diagnostics.errors() == before;
 }
 
-/// `chart` with `steps` for its initial ones; nothing after an error. Orders to {INIT} would change their meaning.
+/// `chart` with `steps` as its initial steps; nothing after an error. Orders to {INIT} would change their meaning.
 std::optional<Chart> beginning_with(Chart chart, const std::vector<Id<Chart::Step>>& steps, Diagnostics& diagnostics) {
     for (const Chart::ForcingOrder& order : chart.forcing)
         if (order.to == Chart::ForcedTo::Initial) {
@@ -77,7 +78,7 @@ std::optional<Chart> beginning_with(Chart chart, const std::vector<Id<Chart::Ste
     return chart;
 }
 
-// -- time ----------------------------------------------------------------------------------------------------------------
+// -- time -------------------------------------------------------------------------------------------------------------
 
 /// All durations of both, increasing.
 std::vector<std::int64_t> durations(const Equations& a, const Equations& b) {
@@ -96,8 +97,8 @@ std::int64_t common_divisor(const std::vector<std::int64_t>& times) {
                            [](std::int64_t one, std::int64_t other) { return std::gcd(one, other); });
 }
 
-/// The unit of time, 0 where nothing is timed: a part of all durations; so many parts that scans between the beginnings of
-/// all timers have places of their own, as far as there are such in whole milliseconds and a timer counts to 30000 at most.
+/// The time unit, 0 if nothing is timed: a divisor of all durations. If possible in whole milliseconds, it is so fine
+/// that scans fit between the starts of all timers; no timer counts beyond 30000.
 std::int64_t unit_of(const Equations& a, const Equations& b) {
     const std::vector<std::int64_t> times = durations(a, b);
     if (times.empty()) return 0;
@@ -109,7 +110,7 @@ std::int64_t unit_of(const Equations& a, const Equations& b) {
     return whole / best;
 }
 
-/// Whether both charts become stable whatever the inputs are: nothing then has to be asked about it.
+/// True if both charts become stable for all inputs: the comparison need not check it then.
 bool surely_stable(const Chart& chart, const Equations& equations, const Limits& limits) {
     AnalyseOptions options;
     options.instability_only = true;
@@ -118,7 +119,8 @@ bool surely_stable(const Chart& chart, const Equations& equations, const Limits&
     return found.findings.empty() && found.obstacle.empty() && found.failures.empty();
 }
 
-// -- the question --------------------------------------------------------------------------------------------------------
+// -- comparison
+// ----------------------------------------------------------------------------------------------------------
 
 class Question {
 public:
@@ -126,7 +128,7 @@ public:
              const CompareOptions& options, Comparison& result)
         : charts_{&a, &b}, equations_{&of_a, &of_b}, options_(options), result_(result) {}
 
-    /// Of two charts with the same equations: equal, provided that the constraints leave any inputs at all.
+    /// For two charts with the same equations: equal, provided that the constraints permit any inputs.
     void answer_identical() {
         const Both both = schedule_both(*equations_[0], *equations_[1], {result_.mode, unit(), {}});
         PdrOptions engine;
@@ -160,7 +162,7 @@ private:
 
     std::int64_t unit() const { return std::max<std::int64_t>(result_.resolution_ms, 1); }
 
-    /// Under stability search; looked at once.
+    /// For stability search; computed once.
     bool both_stable() {
         if (!stable_)
             stable_ = surely_stable(*charts_[0], *equations_[0], options_.limits) &&
@@ -190,7 +192,7 @@ private:
         return {Comparison::Outcome::Unknown, "the constraints of both charts leave no inputs", {}};
     }
 
-    /// `possible` stands for the constraints: without inputs that they leave nothing would be said.
+    /// `possible` stands for the constraints: if they permit no inputs, the result would be vacuous.
     Answered answered(const Both& both, const PdrResult& found) const {
         if (found.fault && found.fault->kind == SystemFault::Kind::NoInitialState) return contradiction();
         if (found.fault)
@@ -211,7 +213,7 @@ private:
         return answer;
     }
 
-    /// A scan begins at power-on and wherever both have waited.
+    /// A scan begins at power-on and whenever both have waited.
     std::vector<Comparison::Scan> scans_of(const Both& both, const SystemRun& run) const {
         std::vector<Comparison::Scan> scans;
         for (std::size_t k = 0; k < run.states.size(); ++k) {
@@ -224,7 +226,7 @@ private:
         return scans;
     }
 
-    /// What the rules say of these scans; all behind the first difference is dropped.
+    /// The results of the interpreter for these scans, up to the first difference.
     void take(std::vector<Comparison::Scan> scans) {
         const SideBySide rules(*charts_[0], *charts_[1], result_.mode);
         const std::optional<std::size_t> last = rules.difference(scans);
@@ -241,7 +243,7 @@ private:
         result_.answers = rules.answers(result_.scans);
     }
 
-    /// Where a chart may never become stable, a difference by that might come earlier.
+    /// Finds an earlier difference in stability, if a chart may not become stable.
     void shorten() {
         if (result_.mode == ExecutionMode::StabilitySearch && !both_stable()) return;
         while (result_.scans.size() > 1) {

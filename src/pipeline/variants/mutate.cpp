@@ -23,7 +23,7 @@ std::string first_code(const Diagnostics& diagnostics) {
     return "error";
 }
 
-/// Whether `text` is what its reading is written as.
+/// True if `text` is equal to the canonical form of its parse.
 bool reads_back(const std::string& text) {
     Sources sources;
     Diagnostics diagnostics;

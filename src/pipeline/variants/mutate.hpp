@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What becomes of plausible mistakes in a chart: which are none, which its properties notice, which its test sequence catches.
+// Mutation testing of a chart: which mutants are equivalent, violate a property, or fail its test sequence.
 #pragma once
 
 #include <optional>
@@ -11,20 +11,20 @@
 
 namespace grafverif {
 
-/// A chart, what is asked of it, and its mutants; may be used by several threads at once.
+/// A chart, its properties, and its mutants; thread-safe.
 class MutantBench {
 public:
-    /// `path`: of the file, whose includes are looked for as those of the original. All outlives the bench.
+    /// `path`: of the file; its includes are resolved as those of the original. All arguments must outlive the bench.
     MutantBench(const Model& model, Id<Chart> chart, std::string path, const ReadOptions& read,
                 std::optional<ExecutionMode> mode);
 
-    /// Decides the properties of the original, and makes its test sequence. False: stopped at a limit.
+    /// Decides the properties of the original, and generates its test sequence. False: stopped at a limit.
     bool prepare(const Limits& limits);
-    /// The properties that are as expected of the original, with their loops: `loop.P1`, or `P1` of one loop alone.
+    /// The properties of the original with expected verdicts, with their loops: `loop.P1`, or `P1` for a single loop.
     const std::vector<std::string>& properties() const { return properties_; }
     /// Those of them that hold vacuously.
     const std::vector<std::string>& vacuous() const { return vacuous_; }
-    /// Steps of the test sequence; empty: there is none, for the reason told.
+    /// Steps of the test sequence; empty if there is none, for the reason in no_test().
     std::optional<std::size_t> test_steps() const;
     const std::string& no_test() const { return no_test_; }
 
@@ -33,9 +33,9 @@ public:
 private:
     struct Asked {
         Id<ClosedLoop> loop = {};
-        std::vector<std::string> properties = {};  ///< as expected of the original
+        std::vector<std::string> properties = {};  ///< with expected verdicts for the original
         std::vector<std::string> vacuous = {};     ///< those of them that hold vacuously
-        bool whole = true;                         ///< the original nowhere breaks off
+        bool whole = true;                         ///< the original has no model error
     };
     std::string shown(const Asked& asked, const std::string& property) const;
     void ask(const Model& mutated, const Asked& asked, const Limits& limits, MutantFate& fate) const;

@@ -23,10 +23,10 @@ namespace {
 
 using System = TransitionSystem;
 
-/// Of the second proof: where the timed engine finds more, another one is asked.
+/// Limit of the second proof by the timed engine; above it, another engine is used.
 constexpr std::uint64_t most_timed_states = 2'000'000;
 
-/// The game on one loop, and what came of it.
+/// The game on one loop, and its result.
 class Supervising {
 public:
     Supervising(const Model& model, Id<ClosedLoop> loop, Id<Source> main, Sources& sources, const SuperviseAsk& ask,
@@ -83,7 +83,7 @@ private:
         return held_[which.controller][which.permission].subject;
     }
 
-    /// The model with the marked situation as a property, if one was asked for.
+    /// The model with the marked situation as a property, if one was given.
     std::optional<Model> with_marked_situation() {
         if (ask_.marked.empty()) return model_;
         const Id<Source> file = model_.loops[loop_].origin.source;
@@ -93,7 +93,7 @@ private:
                           diagnostics_);
     }
 
-    /// False: nobody can hold these charts back.
+    /// False if the charts cannot be restricted.
     bool held_back(Model& model) {
         ClosedLoop& loop = model.loops[loop_];
         UniqueNames names;
@@ -156,7 +156,7 @@ private:
         return asked;
     }
 
-    /// The run without forbidding is one of the loop as it is.
+    /// Reports a run that violates without forbidden moves, so that it is a run of the original loop.
     void tell_run(const Model& plain, const Supervisor& found) {
         const auto system = transition_system_of(plain, loop_, untimed(ask_), diagnostics_);
         if (!system) return;
@@ -209,7 +209,7 @@ private:
         prove(std::move(texts));
     }
 
-    /// Adds the marked situation to the loop in `texts`, if one was asked for.
+    /// Adds the marked situation to the loop in `texts`, if one was given.
     void add_marked(std::map<std::string, std::string>& texts, Diagnostics& diagnostics) const {
         if (ask_.marked.empty()) return;
         const std::string& file = sources_[model_.loops[loop_].origin.source].name;
@@ -221,7 +221,7 @@ private:
             texts[file] = std::move(*text);
     }
 
-    /// Reads the texts and proves them by two engines.
+    /// Parses the texts and proves the properties by two engines.
     void prove(std::map<std::string, std::string> texts) {
         Sources sources;
         Diagnostics diagnostics;
@@ -253,7 +253,7 @@ private:
         return made;
     }
 
-    /// By the timed engine, which knows other models; what it does not take or gets done with, by PDR.
+    /// Proves by the timed engine, which uses another kind of model; by PDR for models it does not support or finish.
     void prove_again(const Model& model, Id<ClosedLoop> loop, const SystemToCheck& check) {
         Diagnostics diagnostics;
         std::vector<std::string> names = made_.kept;
@@ -284,7 +284,8 @@ private:
         return names;
     }
 
-    /// What of `names` the report does not prove: the outcome is unknown then; what is violated is a failure of ours.
+    /// Those of `names` that the report does not prove, so that the outcome is unknown; a violated one is an internal
+    /// failure.
     std::vector<std::string> left_unproved(const Report& report, const std::vector<std::string>& names) {
         made_.failures.insert(made_.failures.end(), report.failures.begin(), report.failures.end());
         for (const Breakdown& breakdown : report.breakdowns) made_.failures.push_back(breakdown.message);
@@ -313,9 +314,9 @@ private:
     Sources& sources_;
     const SuperviseAsk& ask_;
     Diagnostics& diagnostics_;
-    std::string marked_ = {};                   ///< the name of the property that asks for marked situations
+    std::string marked_ = {};                   ///< name of the property about marked situations
     std::vector<std::vector<Held>> held_ = {};  ///< per controller
-    std::vector<Sight> sights_ = {};            ///< likewise
+    std::vector<Sight> sights_ = {};            ///< per controller
     Supervised made_ = {};
 };
 

@@ -28,7 +28,7 @@ ModelOptions untimed(const SuperviseAsk& ask) {
 
 namespace {
 
-/// The outputs that the chart reads itself: what they are now is what they were told by its last conditions.
+/// The outputs that the chart reads itself: their current values were set by its previous conditions.
 std::vector<bool> read_outputs(const Chart& chart) {
     std::vector<bool> read(chart.variables.size());
     for (std::uint32_t index = 0; index < chart.exprs.size(); ++index) {
@@ -60,7 +60,7 @@ std::vector<Held> add_permissions(Model& model, ClosedLoop& loop, Id<ClosedLoop:
         held.back().places = {written.transitions[id].origin};
     }
     std::map<std::uint32_t, Id<Expr>> of_output;
-    std::vector<std::tuple<Chart::ContinuousAction, std::size_t, std::size_t>> unrestricted;  // of which site of `held`
+    std::vector<std::tuple<Chart::ContinuousAction, std::size_t, std::size_t>> unrestricted;  // last: index in `held`
     for (const Chart::ContinuousAction& action : chart.continuous)
         if (ask.outputs && !read[action.output.index]) of_output.try_emplace(action.output.index);
     for (auto& [output, may] : of_output) {
@@ -110,7 +110,7 @@ Sight sight_of(System& system, const System::Controller& controller, const Close
 Id<Expr> initial_situation(TransitionSystem& system, const Model& model, const ClosedLoop& loop) {
     std::vector<Id<Expr>> terms;
     for (std::size_t index = 0; index < system.controllers.size(); ++index) {
-        Diagnostics none;  // the system was made of these equations
+        Diagnostics none;  // the system was derived from these equations
         const auto equations =
             equations_of(model, loop.controllers[{static_cast<std::uint32_t>(index)}].chart, none).value();
         for (std::size_t step = 0; step < equations.steps.size(); ++step) {

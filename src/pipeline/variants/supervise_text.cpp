@@ -32,7 +32,7 @@ public:
         return joined(term.all ? tree::Op::And : tree::Op::Or, groups);
     }
 
-    /// `old`, which may be missing, and `added`.
+    /// The conjunction of `old`, which may be missing, and `added`.
     Id<tree::Expr> both(Id<tree::Expr> old, Id<tree::Expr> added) {
         if (!old.valid() || file_.exprs[old].op == tree::Op::True) return added;
         std::vector<Id<tree::Expr>> operands = operands_of(old);
@@ -59,7 +59,7 @@ private:
         append(file_.exprs, made, operand);
         return made;
     }
-    /// Operands are taken from where they are.
+    /// Operands are referenced, not copied.
     Id<tree::Expr> joined(tree::Op op, const std::vector<Id<tree::Expr>>& operands) {
         if (operands.empty()) return add(op == tree::Op::And ? tree::Op::True : tree::Op::False);
         if (operands.size() == 1) return operands.front();
