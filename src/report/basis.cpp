@@ -25,7 +25,7 @@ std::string some_of(const std::vector<std::string>& names) {
     return names.size() <= shown ? words : fmt::format("{} and {} more", words, names.size() - shown);
 }
 
-/// What a verdict on sub-loops leaves out, and why it may.
+/// The subsystems omitted by a verdict, and the reason why this is sound.
 std::string scope_words(const Scope& scope) {
     if (scope.searched.empty() && scope.left_out.empty()) return {};
     const bool one = scope.searched.size() == 1;
@@ -56,7 +56,7 @@ std::string abstraction_words(const Answer& answer) {
     return words;
 }
 
-/// What every verdict of a report rests on.
+/// The assumptions of every verdict of a report.
 std::string common_words(const Basis& basis) {
     const std::string constants = basis.constants.empty() ? "" : "; " + constants_text(basis.constants);
     if (basis.untimed.empty())
@@ -66,7 +66,7 @@ std::string common_words(const Basis& basis) {
     return fmt::format("{}, untimed: {}; {}{}{}", basis.engine, basis.untimed, basis.mode, grain, constants);
 }
 
-/// What a verdict rests on beside that: states, sub-loops, what it says of the timed loop; empty: nothing.
+/// The additional parts of a verdict: states, subsystems, implication for the timed loop; empty: none.
 using Parts = std::array<std::string, 4>;
 Parts parts_of(const Answer& answer) {
     const Verdict& verdict = answer.verdict;
@@ -74,7 +74,7 @@ Parts parts_of(const Answer& answer) {
             abstraction_words(answer)};
 }
 
-/// Per part what all have there; empty optional: they differ. What was not searched for an undecided one says nothing.
+/// Per part the common text; an empty optional if texts differ. Ignores undecided properties that were not searched.
 std::array<std::optional<std::string>, 4> agreed(const std::vector<const Answer*>& answers) {
     std::array<std::set<std::string>, 4> values;
     for (const Answer* answer : answers) {
@@ -98,7 +98,7 @@ std::string basis_words(const Report& report, const Answer& answer) {
 
 SharedBasis shared_basis(const Report& report, const std::vector<const Answer*>& answers) {
     SharedBasis basis{common_words(report.basis), {}};
-    std::map<std::string, std::size_t> known;  // index of the group with these words
+    std::map<std::string, std::size_t> known;  // index of the group with this text
     const auto same = agreed(answers);
     for (const auto& part : same) append(basis.shared, part.value_or(""), "; ");
     for (const Answer* answer : answers) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Findings for people.
+// Findings as text.
 #include "report/findings.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ void print_accepted(const Analysis& analysis, std::ostream& out) {
                                printable(*finding.accepted));
 }
 
-/// `X4`, `X5`; what is beyond eight is counted.
+/// `X4`, `X5`; names beyond the eighth are counted.
 std::string subjects_text(const std::vector<std::string>& subjects) {
     constexpr std::size_t most = 8;
     std::string text;
@@ -58,13 +58,13 @@ std::string subjects_text(const std::vector<std::string>& subjects) {
     return subjects.size() > most ? fmt::format("{} and {} more", text, subjects.size() - most) : text;
 }
 
-/// What is not known, a line for each code and for how far it was looked into.
+/// The open queries, one line for each code and each number of searched instants.
 void print_open(const Analysis& analysis, std::ostream& out) {
     if (analysis.open.empty()) return;
     out << fmt::format("not decided: {} of {} questions; {}\n", analysis.open.size(), analysis.questions,
                        analysis.obstacle);
     std::map<std::pair<std::string, std::string>, std::vector<std::string>> lines;
-    std::set<std::pair<const void*, std::string_view>> told;  // several questions may be about one subject
+    std::set<std::pair<const void*, std::string_view>> told;  // several queries may have one subject
     for (const OpenQuestion& question : analysis.open) {
         std::vector<std::string>& subjects = lines[{question.code, open_text(question)}];
         if (!question.subject.empty() && told.emplace(&subjects, question.subject).second)

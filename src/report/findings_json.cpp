@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Findings for programs: JSON of our own; SARIF stands in report/sarif.cpp.
+// Findings as JSON; for SARIF see report/sarif.cpp.
 #include <nlohmann/json.hpp>
 #include <ostream>
 

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A number where it fits 64 bits, else its digits: JSON has no bound, its readers do.
+/// A number if it fits 64 bits, otherwise its digits: JSON has no bound, but its readers do.
 Json number(const std::string& decimal) {
     if (decimal.empty()) return nullptr;
     std::uint64_t value = 0;
@@ -28,7 +28,7 @@ Json number(const std::string& decimal) {
     return read.ec == std::errc() && read.ptr == end ? Json(value) : Json(decimal);
 }
 
-/// The constants of the loop with the values in force, where it has any.
+/// The constants of the loop with their current values, if it has any.
 void add_constants(Json& object, const Basis& basis) {
     if (basis.constants.empty()) return;
     Json list = Json::array();

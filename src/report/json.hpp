@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// A report as JSON: `{"model","properties":[{"name","text","file","line","column","verdict","expected","declared","engine","mode","grain",
-// "states","transitions","seconds","reason","vacuous","notes","trace"}]}`, and `"errors":[{"code","message","trace"}]` where the
-// model breaks off, `"profile"` (report/profile.hpp) and `"why"` (report/why.hpp) where there is one. A trace is `{"loop_from","steps":[{"time","kind","component","inputs","fired","situation",
-// "outputs","moment"}],"run"}`; time is in milliseconds, inputs and outputs are objects by name, all of them in every
-// step; `run` is all that there is to know of the run (docs/trace.md). What there is not is null.
+// A report as JSON: `{"model", "properties":[{"name", "text", "file", "line", "column", "verdict", "expected",
+// "declared", "engine", "mode", "grain", "states", "transitions", "seconds", "reason", "vacuous", "notes", "trace"}]}`,
+// with `"errors":[{"code", "message", "trace"}]` for model errors, and `"profile"` (report/profile.hpp) and `"why"`
+// (report/why.hpp) if available. A trace is `{"loop_from", "steps":[{"time", "kind", "component", "inputs", "fired",
+// "situation", "outputs", "moment"}], "run"}`. Time is in milliseconds; inputs and outputs are objects by name, all of
+// them in every step; `run` has the complete run (docs/trace.md). Missing values are null.
 //
-// As JSON lines: an object per verdict and line, `{"file","line","column","model","property","text","verdict","expected",
-// "declared","as_expected","engine","mode","grain","states","seconds","reason","vacuous","notes","story"}`: of a verdict against
-// expectation `story` is the table of its trace, line by line. Where the model breaks off and of an error in the input
-// `verdict` is `error`, with `code` and `message`.
+// As JSON lines: one object per verdict and line, `{"file", "line", "column", "model", "property", "text", "verdict",
+// "expected", "declared", "as_expected", "engine", "mode", "grain", "states", "seconds", "reason", "vacuous", "notes",
+// "story"}`. For an unexpected verdict `story` is the table of its trace, line by line. For a model error and an error
+// in the input, `verdict` is `error`, with `code` and `message`.
 #pragma once
 
 #include <iosfwd>
@@ -22,10 +23,10 @@
 
 namespace grafverif {
 
-/// `sources`: of the model; without them the report says of no place.
+/// `sources`: of the model; without them the report has no locations.
 void print_json(const Report& report, const Sources& sources, std::ostream& out, const Why* why = nullptr);
 void print_json_lines(const Report& report, const Written& written, std::ostream& out);
-/// Of the errors among `diagnostics`; `file`: the one that was to be checked.
+/// Prints the errors among `diagnostics`; `file`: the checked file.
 void print_json_lines(const std::string& file, const std::vector<Diagnostic>& diagnostics, const Sources& sources,
                       std::ostream& out);
 

@@ -27,7 +27,7 @@ std::string told(const ChartRun& run, std::string_view end) {
     return std::move(text).str();
 }
 
-/// The first lines of `text`: what a build server shows before it is asked for more.
+/// The first lines of `text`, which build servers show initially.
 std::string first_lines(std::string_view text) {
     constexpr std::size_t shown = 6;
     std::size_t end = 0;
@@ -62,7 +62,7 @@ std::string result(const Answer& answer, const std::optional<FilePlace>& where) 
     return failure(word(verdict.outcome), message, where, answer.trace ? told(*answer.trace, end_of(verdict)) : "");
 }
 
-/// What is printed of a case whatever its result: the text of the property, and that it holds vacuously.
+/// Output of every case: the text of the property, and a note if it holds vacuously.
 std::string output(const Answer& answer) {
     if (!answer.verdict.vacuous) return answer.text;
     return fmt::format("{}{}{}, vacuously: {}", answer.text, answer.text.empty() ? "" : "\n",

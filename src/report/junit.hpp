@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A Report as JUnit XML, for build servers: a suite per model and a case per property, with its file and line.
 //
-// A verdict against expectation is a failure: its message begins with the verdict and its place, the first lines of the
-// trace follow; its text is the whole trace. One that is not decided is an error, or skipped where the model does not ask.
-// What keeps a file from being read or checked is an error of a case of its own, `input`.
+// An unexpected verdict is a failure: its message consists of the verdict, its location and the first lines of the
+// trace; its text is the complete trace. An undecided property is an error, or skipped if the model does not declare
+// it. An error that prevents a file from being read or checked is an error of a separate case `input`.
 #pragma once
 
 #include <cstdint>
@@ -20,18 +20,18 @@ namespace grafverif {
 
 /// `<testsuite>...</testsuite>`, its lines indented.
 std::string junit_suite(const Report& report, const Written& written);
-/// Of a file with errors.
+/// For a file with errors.
 std::string junit_suite(std::string_view file, const std::vector<Diagnostic>& diagnostics, const Sources& sources);
-/// Of a file about which nothing is known; `message` says why.
+/// For a file without results; `message` is the reason.
 std::string junit_suite(std::string_view file, std::string_view type, std::string_view message);
 
-/// Something that was expected on a line of a file.
+/// An expectation on a line of a file.
 struct JunitCase {
     std::string name = {};
     std::uint32_t line = 0;
     std::string failure = {};  ///< empty: it was met
 };
-/// Of a script; `ended`: why it stopped before its end, or empty.
+/// For a script; `ended`: the reason why it stopped before its end, or empty.
 std::string junit_suite(std::string_view file, const std::vector<JunitCase>& cases, std::string_view ended);
 
 /// A document of suites.

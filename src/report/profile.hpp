@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the states of a search come from, in words and in JSON.
+// State profile as text and as JSON: the components that contribute most states to a search.
 #pragma once
 
 #include <iosfwd>
@@ -10,14 +10,15 @@
 
 namespace grafverif {
 
-/// Looks up the places.
+/// Determines the source locations.
 void name_places(StateProfile& profile, const Sources& sources);
 
-/// A line per thing that multiplies, the largest first, and what else is to be known of the states.
+/// One line per component and clock by decreasing factor, followed by remarks on the states.
 void print_profile(const StateProfile& profile, std::ostream& out);
 
-/// `{"states","sampled","inside_cycles","parts":[{"name","kind","combinations","factor","place"}],"clocks":[{"instance",
-/// "clock","greatest","values","factor","place"}],"finest":{"duration","unit","coarser","place"}}`; durations and units in ms.
+/// `{"states", "sampled", "inside_cycles", "parts":[{"name", "kind", "combinations", "factor", "place"}],
+/// "clocks":[{"instance", "clock", "greatest", "values", "factor", "place"}], "finest":{"duration", "unit", "coarser",
+/// "place"}}`; durations and units in ms.
 nlohmann::ordered_json profile_json(const StateProfile& profile);
 
 }  // namespace grafverif

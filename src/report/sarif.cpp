@@ -17,7 +17,7 @@ namespace {
 
 using Json = SarifLog::Json;
 
-/// A path as a URI: what a URI does not take is escaped byte by byte (RFC 3986).
+/// A path as a URI: other characters are escaped byte by byte (RFC 3986).
 std::string uri(std::string_view path) {
     constexpr std::string_view plain = "-._~/:";
     constexpr std::string_view digits = "0123456789ABCDEF";
@@ -53,7 +53,7 @@ Json location(Span where, const Sources& sources) {
 
 Json text_json(std::string_view text) { return Json{{"text", text}}; }
 
-/// The place of the rule among those of the log, put there if it is not.
+/// The index of the rule in the log, after adding it if it is missing.
 std::size_t rule_index(SarifLog& log, std::string_view id, std::string_view meaning, std::string_view level) {
     for (std::size_t index = 0; index < log.rules.size(); ++index)
         if (log.rules[index]["id"] == id) return index;
@@ -62,7 +62,7 @@ std::size_t rule_index(SarifLog& log, std::string_view id, std::string_view mean
     return log.rules.size() - 1;
 }
 
-// -- findings ----------------------------------------------------------------------------------------------------------
+// -- findings ---------------------------------------------------------------------------------------------------------
 
 Json result(const Finding& finding, std::size_t rule, const Sources& sources) {
     std::string message = finding.message;
@@ -80,7 +80,7 @@ Json result(const Finding& finding, std::size_t rule, const Sources& sources) {
     return object;
 }
 
-// -- verdicts ----------------------------------------------------------------------------------------------------------
+// -- verdicts ---------------------------------------------------------------------------------------------------------
 
 constexpr std::string_view violated = "property-violated", holds = "property-holds", unknown = "property-unknown",
                            vacuous = "property-vacuous";
@@ -118,7 +118,7 @@ Json code_flow(const ChartRun& run, std::string_view end, const Written& written
     return {{"threadFlows", {{{"locations", std::move(locations)}}}}};
 }
 
-/// `kind`: `fail`, or `open` of what is not decided and `review` of what holds vacuously, which have no level.
+/// `kind`: `fail`; `open` for an undecided and `review` for a vacuous property, which have no level.
 Json result(std::string_view rule, std::size_t index, std::string_view kind, std::string_view message, Span where,
             const Written& written) {
     Json object = {{"ruleId", rule},

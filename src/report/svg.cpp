@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Layout: the title, then strips of columns one below the other, then the foot. A strip has its header with slanted labels,
-// then the numbers of events and the times, then the rows in groups. All lengths are in pixels; a character is taken as
-// `character` wide.
+// Layout: the title, then strips of columns one below the other, then the foot. A strip has its header with slanted
+// labels, then the numbers of events and the times, then the rows in groups. All lengths are in pixels; a character is
+// assumed to be `character` wide.
 #include "report/svg.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ constexpr std::size_t character = 7, column_width = 36, row_height = 26, margin 
 constexpr std::size_t longest_label = 56, longest_name = 32;
 constexpr std::size_t longest_strip = 40;            // columns
 constexpr std::size_t wave_high = 5, wave_low = 20;  // within a row
-/// What a character adds to a label's extent, upwards and to the right, in hundredths: at 60 degrees from the level.
+/// The extent that a character adds to a label, upwards and to the right, in hundredths: at an angle of 60 degrees.
 constexpr std::size_t rise_per_hundred = 87 * character, run_per_hundred = 50 * character;
 
 /// One row: a name and its value in each column.
@@ -42,7 +42,7 @@ std::string shortened(std::string text, std::size_t length) {
     return text;
 }
 
-/// The run as it is drawn: what is shown of it, the state behind one row a column.
+/// The drawn part of the run: one column for the state after each row.
 using Columns = std::vector<const ChartRun::State*>;
 
 Group group(std::string title, const Columns& columns, const ChartRun& run, ChartRun::Role role) {
@@ -161,7 +161,7 @@ private:
         foot_ = std::move(lines);
     }
 
-    /// Of a column of the strip at hand.
+    /// The position of a column of the current strip.
     std::size_t x(std::size_t column) const { return left_ + (column - first_) * column_width; }
 
     void text(std::size_t x, std::size_t y, std::string_view kind, std::string_view words) {
@@ -170,7 +170,7 @@ private:
         body_ += "</text>\n";
     }
 
-    /// The columns from `first` to `end`, from `y` on; where they end.
+    /// Draws the columns [first, end) from `y` on; returns the lower end.
     std::size_t draw_strip(std::size_t first, std::size_t end, std::size_t y) {
         first_ = first;
         end_ = end;
@@ -256,8 +256,8 @@ private:
     std::vector<std::string> labels_ = {}, foot_ = {};
     std::vector<std::size_t> events_ = {};          ///< per column: the row of the run
     std::size_t left_ = 0, width_ = 0, label_ = 4;  ///< label_: characters of the longest
-    std::size_t first_ = 0, end_ = 0;               ///< the strip at hand
-    std::string ground_ = {};                       ///< what stands behind everything
+    std::size_t first_ = 0, end_ = 0;               ///< the current strip
+    std::string ground_ = {};                       ///< the background
     std::string body_ = {};
 };
 

@@ -111,7 +111,7 @@ void Teller::tell(std::size_t moment) {
             moment);
 }
 
-/// The sampling of a cycle matters where a sampled input changes before the evolution that reads it.
+/// The sampling of a cycle matters if a sampled input changes before the evolution that reads it.
 void Teller::tell_sampling(std::size_t moment) {
     const std::vector<std::int64_t>& before = run_.moments[moment - 1].after.values;
     const std::vector<std::int64_t>& after = run_.moments[moment].after.values;
@@ -163,7 +163,7 @@ void Teller::tell_act(std::size_t moment, const Act& act) {
     if (act.writes == Act::Writes::Yes || !run_.searches) close(index, moment);
 }
 
-/// Of a run that counts steps, the evolutions are the phases.
+/// In a run that counts steps, the evolutions are the phases.
 void Teller::tell_phase(std::size_t moment, const Act& act) {
     const Open open = std::exchange(open_[act.controller.index], {});
     const bool internal = open.fired.empty() && !open.changed;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// tell: the rows of a ChartRun; a verb.
+// Trace rows: groups the events of a ChartRun into the rows of a printed trace.
 //
-// What becomes what:
-//   moment of an instance    a row of its own: the location reached, what changed in the plant
-//   end of a timer           a row of its own; what else timers do is internal
-//   acts of a controller     one row per search for stability in which a transition is cleared or an output changes;
-//                            what does neither is internal. Of a run that counts steps, one row per evolution
-//   delays in a row          one row
-// Where the plant moves in the midst of a PLC cycle, the cycle is told in two rows, each at its place; where the plant
-// then changes an input that has been sampled and matters, the sampling is a row.
+//   event of an instance     own row: the location reached, changed plant variables
+//   timer expiry             own row; other timer events are internal
+//   actions of a controller  one row per stability search that clears a transition or changes an output; other actions
+//                            are internal. In a run that counts steps: one row per evolution
+//   consecutive delays       one row
+// If the plant moves during a PLC cycle, the cycle is split into two rows. If the plant then changes a sampled input
+// that matters, the sampling is a separate row.
 #pragma once
 
 #include <optional>
@@ -21,28 +20,28 @@
 
 namespace grafverif {
 
-/// Whether the moves of the translation are told too, each as a row marked internal.
+/// Everything also prints the internal events of the translation, each as a row marked internal.
 enum class Detail { Chart, Everything };
 
-/// Tells a run while it happens.
+/// Builds the rows of a run while it is executed.
 class Teller {
 public:
-    /// `run` outlives the teller; it has no rows yet.
+    /// `run` must outlive the object, and has no rows yet.
     Teller(ChartRun& run, Detail detail)
         : run_(run), detail_(detail), open_(run.controllers.size()), sampled_(run.controllers.size()) {}
 
-    /// Tells the moments that are new.
+    /// Adds rows for new events.
     void catch_up();
-    /// The same, and ends the rows that are still open.
+    /// Adds rows for new events, and ends open rows.
     void flush();
-    /// The run is over: a loop in which nothing was told is told here.
+    /// Ends the run: a loop without rows gets one.
     void finish();
 
 private:
-    /// What a controller has done since its last row.
+    /// The actions of a controller since its last row.
     struct Open {
         std::vector<std::vector<Id<ChartRun::Transition>>> fired = {};
-        bool first = false;    ///< the first evolution is among it
+        bool first = false;    ///< includes the first evolution
         bool changed = false;  ///< an output or a stored variable has changed
         bool written = false;  ///< outputs have been written since the last evolution
     };
@@ -62,16 +61,16 @@ private:
     ChartRun& run_;
     Detail detail_;
     std::vector<Open> open_;     ///< per controller
-    std::vector<bool> sampled_;  ///< per controller: it has sampled inputs on which transitions are to be cleared
-    std::size_t next_ = 0;       ///< the moment to tell
-    std::optional<std::size_t> delay_ = {};  ///< the last moment of a delay that is not yet told
+    std::vector<bool> sampled_;  ///< per controller: it has sampled inputs that transitions to be cleared depend on
+    std::size_t next_ = 0;       ///< the next event
+    std::optional<std::size_t> delay_ = {};  ///< the last event of a delay without a row yet
     std::int64_t delay_ms_ = 0;
 };
 
-/// What `fire` would do in `state`, in the words of a row, inputs of the controllers included: `Start: START`.
+/// The effect of `fire` in `state` as the text of a row, including inputs of the controllers: `Start: START`.
 std::string choice_words(const Network& network, const NetworkState& state, const Fire& fire);
 
-/// The run with its rows. Requires one without.
+/// The run with its rows. Requires a run without rows.
 ChartRun tell(ChartRun run, Detail detail = Detail::Chart);
 
 }  // namespace grafverif

@@ -44,7 +44,7 @@ void print_cells(const Cells& cells, const std::string& bar, const TableWidths& 
     }
 }
 
-/// As wide as the contents, the widest columns narrowed until all fit.
+/// As wide as the contents; the widest columns are reduced until all fit.
 TableWidths fitting(const ChartRun& run) {
     TableWidths widths{};
     for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = column_titles[i].size();
@@ -56,7 +56,7 @@ TableWidths fitting(const ChartRun& run) {
     for (std::size_t sum = std::accumulate(widths.begin(), widths.end(), std::size_t{0}); sum > room;) {
         const auto widest = std::ranges::max_element(widths);
         const auto rest = sum - *widest;
-        // Down to the next widest column, or as far as needed.
+        // To the width of the next widest column, or as far as needed.
         std::size_t next = least_width;
         for (auto width = widths.begin(); width != widths.end(); ++width)
             if (width != widest) next = std::max(next, *width);
@@ -69,7 +69,7 @@ TableWidths fitting(const ChartRun& run) {
 
 bool in_loop(const ChartRun& run, std::size_t index) { return run.loop_from && index >= *run.loop_from; }
 
-/// The rows shown with which a cause begins.
+/// The visible rows in which a cause begins.
 std::set<std::size_t> marked_rows(const ChartRun& run) {
     const std::vector<std::size_t> shown = shown_rows(run);
     std::set<std::size_t> marked;

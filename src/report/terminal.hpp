@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A report and its traces as text, at most 100 columns wide.
 //
-// A trace is a table: time; what happened; the inputs that changed (`V_IN`, `!V_IN`, `LEVEL = 3`; all that are not 0 at
-// power-on); the transitions cleared, `;` between evolutions; the situation and the outputs where they changed, and
-// in the first and the last row. Time is written where it goes on. Rows that repeat for ever have a bar before them, those
-// with which a cause begins a star; the causes, and what could have been left out, stand below.
+// A trace is a table: time; event; the inputs that changed (`V_IN`, `!V_IN`, `LEVEL = 3`; all nonzero inputs at
+// power-on); the transitions cleared, with `;` between evolutions; the situation and the outputs if they changed, and
+// in the first and the last row. Time is printed when it advances. Rows that repeat forever are marked with a bar, rows
+// in which a cause begins with a star. The causes, and the shortest change, are printed below.
 #pragma once
 
 #include <array>
@@ -21,22 +21,22 @@ namespace grafverif {
 
 struct TextOptions {
     bool verbose = false;        ///< witnesses of `reachable` too, and how long it took
-    bool failures_only = false;  ///< what is violated against expectation or undecided; nothing where there is no such
+    bool failures_only = false;  ///< unexpected violations and undecided properties; nothing if there are none
     Colour colour = Colour::Plain;
-    std::size_t columns = 0;  ///< of the terminal, into which the closing table fits; 0: as wide as it gets
+    std::size_t columns = 0;  ///< of the terminal, which limits the closing table; 0: unlimited
 };
 
-/// What is wrong where a finite counterexample ends; empty: the state there says it.
+/// The error at the end of a finite counterexample; empty if its last state shows it.
 std::string_view end_of(const Verdict& verdict);
 
-/// What the verdicts rest on, once; in full what is violated or unknown; a table of all verdicts, and their number. The
-/// steps of `reachable all steps` that are reached are one line of it.
+/// The assumptions of the verdicts, once; violated and unknown properties with details; a table of all verdicts, and
+/// their number. The reached steps of `reachable all steps` share one row.
 void print_report(const Report& report, const TextOptions& options, std::ostream& out);
 
-/// Of a line of text, in columns.
+/// The maximum width of a line of text, in columns.
 inline constexpr std::size_t widest_line = 100;
 
-/// The whole table, its columns as wide as their content asks for.
+/// The complete table, with columns as wide as their content.
 void print_trace(const ChartRun& run, std::ostream& out);
 
 /// Widths of time, what happened, inputs, cleared, situation, outputs.

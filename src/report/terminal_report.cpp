@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Verdicts as text: what they rest on, once; in full what does not hold, with notes and the trace; all of them as a table.
+// Verdicts as text: their assumptions, once; failures with notes and trace; a table of all verdicts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,14 +26,14 @@ bool fails(const Answer& answer) {
     return verdict.outcome == Outcome::Unknown ? verdict.declared : !as_expected(verdict);
 }
 
-/// What is said of a property that nobody asks for: the model, or the command.
+/// The remark on a property that neither the model nor the command requests.
 const char* undeclared(const Verdict& verdict) {
     return verdict.about.valid() ? " (not asked for)" : " (not declared)";
 }
 
 using Answers = std::vector<const Answer*>;
 
-/// Texts that several answers share, in the order of the first: a reason, a note.
+/// Texts shared by several verdicts, in the order of their first use: a reason, a note.
 struct Shared {
     std::string text = {};
     Answers answers = {};
@@ -46,7 +46,7 @@ public:
         all_[place->second].answers.push_back(&answer);
     }
     const std::vector<Shared>& all() const { return all_; }
-    /// Of a text that was added.
+    /// The entry of a text that was added.
     const Shared& operator[](const std::string& text) const { return all_[index_.at(text)]; }
 
 private:
@@ -54,7 +54,7 @@ private:
     std::map<std::string, std::size_t> index_ = {};
 };
 
-/// `text` in lines of 100 columns at most, the second and further ones behind so many blanks.
+/// `text` in lines of at most 100 columns; all but the first are indented.
 std::string folded(const std::string& text, std::size_t indentation) {
     std::string lines;
     for (const std::string& line : wrapped(text, widest_line, widest_line - indentation))
@@ -62,7 +62,7 @@ std::string folded(const std::string& text, std::size_t indentation) {
     return lines;
 }
 
-/// A row of the closing table, as wide as it is.
+/// A row of the closing table.
 struct Row {
     std::string property = {}, verdict = {}, place = {}, text = {};
     int colour = 0;  ///< of the verdict
@@ -90,7 +90,7 @@ public:
     }
 
 private:
-    /// `text` in the colour of what it says.
+    /// `text` in the colour that belongs to its meaning.
     std::string painted(std::string_view text, int colour) const {
         if (options_.colour == Colour::Plain) return std::string(text);
         return fmt::format("\033[1;{}m{}\033[0m", colour, text);
@@ -111,18 +111,18 @@ private:
         return text;
     }
 
-    /// Whether the table tells all there is of it.
+    /// True if the table contains all information about the property.
     static bool in_table_only(const Answer& answer) {
         return answer.verdict.outcome == Outcome::Holds && as_expected(answer.verdict);
     }
 
-    /// Whether nothing is known of it but why it is undecided.
+    /// True if only the reason for being undecided is known.
     static bool is_reason_only(const Answer& answer) {
         const Verdict& verdict = answer.verdict;
         return verdict.outcome == Outcome::Unknown && !verdict.reason.empty() && !answer.trace && verdict.notes.empty();
     }
 
-    /// Notes of what holds, and those that several share, stand here; the others under their verdict.
+    /// Notes of properties that hold, and shared notes, are printed here; others after their verdict.
     bool is_told_above(const Shared& note) const {
         return note.answers.size() > 1 || in_table_only(*note.answers.front());
     }
@@ -140,7 +140,7 @@ private:
         }
     }
 
-    /// What does not hold, in the order of the model; those that are undecided for one reason together.
+    /// The properties that do not hold, in the order of the model; undecided ones with the same reason together.
     void print_in_full() {
         bool alone = false;
         for (const Answer* answer : shown_) {
@@ -179,7 +179,7 @@ private:
         return std::move(out).str();
     }
 
-    /// `end`: said of a trace that does not repeat.
+    /// `end`: text at the end of a trace that does not repeat.
     static void print_told(std::string_view what, const ChartRun& run, std::string_view end, std::ostream& out) {
         out << what << ":\n";
         print_trace(run, out);
@@ -193,7 +193,7 @@ private:
         out_ << '\n';
     }
 
-    /// The steps of one property that are reached are one row.
+    /// The reached steps of one property are one row.
     std::vector<Row> rows() const {
         std::vector<Row> rows;
         std::set<std::string> families;
@@ -214,7 +214,7 @@ private:
         return rows;
     }
 
-    /// `S (9 of 11 steps)`, or the one step there is.
+    /// `S (9 of 11 steps)`, or the only step.
     std::string steps_that_hold(const Answer& first, const FamilySizes& families_that_hold) const {
         const std::string family = family_of(first);
         const std::size_t holding = families_that_hold.at(family), all = families_.at(family);
@@ -227,7 +227,7 @@ private:
         if (all.empty()) return;
         all.insert(all.begin(), {"property", "verdict", "stands at", "says"});
         constexpr std::array columns = {&Row::property, &Row::verdict, &Row::place, &Row::text};
-        std::array<std::size_t, columns.size()> widths = {};  // 0: there is nothing to show
+        std::array<std::size_t, columns.size()> widths = {};  // 0: the column is empty
         for (std::size_t k = 0; k < columns.size(); ++k)
             for (Row& row : all) {
                 std::string& cell = row.*columns[k] = printable(row.*columns[k]);

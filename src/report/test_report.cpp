@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a TestReport says, and its forms for programs: JSON and JUnit XML.
+// Invariants of a TestReport, and its JSON and JUnit XML forms.
 #include "report/test_report.hpp"
 
 #include <fmt/format.h>

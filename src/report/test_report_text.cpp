@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A TestReport as text to read.
+// A TestReport as text.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::string names(const Variables& variables) {
     return text;
 }
 
-/// ` wait 5s`, ` 2 cycles`: what is not usual.
+/// ` wait 5s`, ` 2 cycles`: the differences from a usual step.
 std::string manner(const TestSequence::Step& step) {
     const std::string wait = step.wait_ms == 0 ? "" : "wait " + duration_text(step.wait_ms) + ", ";
     return fmt::format("{}{} cycle{}", wait, step.cycles, step.cycles == 1 ? "" : "s");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of a test report, and its rows in order.
+// Phrases of a test report, and its rows in order.
 #pragma once
 
 #include <string>
@@ -15,10 +15,10 @@ std::string_view mode_word(ExecutionMode mode);
 /// `V1 and W1 differ`, `no answer in time`.
 std::string cause_words(const TestReport& report, const TestReport::Failure& failure);
 
-/// Inputs, expected and answered outputs by name, the situation to expect; lines that end with a line feed.
+/// Inputs, expected and actual outputs by name, and the expected situation; lines end with a line feed.
 std::string failure_words(const TestReport& report, const TestReport::Failure& failure);
 
-/// Calls `visit(sequence, row, failure)` for each row; `failure` is null where it has none.
+/// Calls `visit(sequence, row, failure)` for each row; `failure` is null if the row has not failed.
 template <class Visit>
 void for_each_row(const TestReport& report, Visit visit) {
     std::size_t next = 0;

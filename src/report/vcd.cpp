@@ -64,7 +64,7 @@ public:
             time = std::max(time + 1, run_.after(run_.rows[i]).time_ms * 1000);
             changes(i, time);
         }
-        out_ << fmt::format("#{}\n", time + 1000);  // the last step is seen for a while
+        out_ << fmt::format("#{}\n", time + 1000);  // shows the last step for some time
     }
 
 private:
@@ -80,7 +80,7 @@ private:
         out_ << "$upscope $end\n";
     }
 
-    /// `G2.2` is X2 in a module G2 of its own.
+    /// `G2.2` is X2 in a separate module G2.
     void steps() {
         out_ << "$scope module steps $end\n";
         for (const ChartRun::Step& step : run_.steps) {

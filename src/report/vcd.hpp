@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A trace as a value change dump (IEEE 1364-2005, 18), for GTKWave and its kind: modules `inputs`, `outputs`,
-// `internals`, `plant`, and `steps` with the step variables; `loop` is 1 from where the trace repeats for ever.
+// A trace as a value change dump (IEEE 1364-2005, 18), for viewers such as GTKWave: modules `inputs`, `outputs`,
+// `internals`, `plant`, and `steps` with the step variables; `loop` is 1 from the beginning of the part that repeats
+// forever.
 //
-// One unit is a microsecond. Steps within one instant stand a microsecond apart, so that their order can be seen.
+// The time unit is a microsecond. Steps within one instant are separated by one microsecond to show their order.
 #pragma once
 
 #include <iosfwd>

@@ -25,7 +25,7 @@ using Names = std::vector<std::string>;
 constexpr std::array kinds = {Why::Kind::Transition, Why::Kind::Step, Why::Kind::Term, Why::Kind::Guard,
                               Why::Kind::Edge};
 
-/// More open questions of a kind than this are counted where people read them.
+/// Maximum number of open queries of one kind that are listed as text; more are counted.
 constexpr std::size_t most_open = 3;
 
 std::string listed(const Names& names, std::string_view last = ", ", std::string_view between = ", ") {
@@ -41,7 +41,7 @@ bool of_plant(Why::Kind kind) { return kind == Why::Kind::Guard || kind == Why::
 
 std::string nth_of(const Why::Thing& thing) { return thing.nth > 1 ? fmt::format(" ({})", thing.nth) : ""; }
 
-/// As a list of its kind names it: those of an instance stand behind its name (see by_instance).
+/// The name in a list of its kind; elements of an instance follow its name (see by_instance).
 std::string name_of(const Why::Thing& thing) {
     if (thing.kind == Why::Kind::Term) return fmt::format("`{}`{} of {}", thing.name, nth_of(thing), thing.of);
     return thing.name + nth_of(thing);
@@ -49,7 +49,7 @@ std::string name_of(const Why::Thing& thing) {
 
 using Choice = bool (*)(const Why::Thing&);
 
-/// Edges by instance: how many of each are chosen, `Cups 2 of 6`, or which, `Cups (off -> on, on -> off)`.
+/// Edges grouped by instance: their number, `Cups 2 of 6`, or their names, `Cups (off -> on, on -> off)`.
 Names by_instance(const std::vector<Why::Thing>& edges, Choice chosen, bool named) {
     Names groups;
     for (auto first = edges.begin(); first != edges.end();) {
@@ -72,7 +72,7 @@ std::vector<Why::Thing> of_kind(const Why& why, Why::Kind kind) {
     return found;
 }
 
-/// What comes of a model without the things of these names.
+/// The result for a model without the elements of these names.
 std::string without(Why::Kind kind, const Names& names) {
     const std::string list = listed(names, " or ");
     switch (kind) {
@@ -85,7 +85,7 @@ std::string without(Why::Kind kind, const Names& names) {
     return {};
 }
 
-/// What the things of the charts say of a property.
+/// The elements of the charts that a property needs.
 struct OfCharts {
     Names fails = {};  ///< by kind
     Names open = {};
@@ -141,7 +141,7 @@ std::string plural(Why::Kind kind) {
 bool is_needed(const Why::Thing& thing) { return !thing.needed_by.empty(); }
 bool is_free(const Why::Thing& thing) { return thing.needed_by.empty() && thing.open.empty(); }
 
-/// How many things of the kind some property needs, and which ones none does.
+/// The number of elements of the kind that some property needs, and the ones that none needs.
 std::string coverage_words(Why::Kind kind, const std::vector<Why::Thing>& things, bool verbose) {
     const auto covered = std::ranges::count_if(things, is_needed), free = std::ranges::count_if(things, is_free);
     const auto open = std::ssize(things) - covered - free;
@@ -173,7 +173,7 @@ std::string ground_words(const Why& why, const Why::Ground& ground) {
     return listed(said, "; ", "; ");
 }
 
-/// Properties of which the same is said stand together, where the first of them is.
+/// Properties with the same text are grouped at the first of them.
 void print_grounds(const Why& why, std::ostream& out) {
     std::vector<std::pair<Names, std::string>> said;
     for (const Why::Ground& ground : why.grounds) {

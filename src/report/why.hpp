@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What properties that hold rest on, for people and for programs (docs/why.md).
+// Proof cores of properties that hold, as text and as JSON (docs/why.md).
 #pragma once
 
 #include <iosfwd>
@@ -9,7 +9,7 @@
 
 namespace grafverif {
 
-/// `verbose`: edges of the plant that no property needs are named, not counted alone.
+/// `verbose`: lists edges of the plant that no property needs, instead of only counting them.
 void print_why(const Why& why, bool verbose, std::ostream& out);
 
 nlohmann::ordered_json why_json(const Why& why);

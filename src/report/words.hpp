@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of a row: what one moment did.
+// Text of trace rows: the effect of one event.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace grafverif {
 
-/// `going_out, H 4 -> 6`: the location reached, unless it is where the instance was, and what changed in the plant.
-/// `inputs`: what changed among the inputs of controllers, too.
+/// `going_out, H 4 -> 6`: the location, if it changed, and changed plant variables. `inputs`: also changed inputs of
+/// controllers.
 std::string instance_words(const ChartRun& run, std::size_t moment, bool inputs = false);
 
-/// `3s/X2 is true`, `a/2s is false`: one of its delays is over, and its end is `value` now.
+/// `3s/X2 is true`, `a/2s is false`: one of its delays has expired, and its output is `value` now.
 std::string timer_words(const ChartRun::Timer& timer, bool value);
 
 /// `X`, `!X`, `N = 3`.
@@ -21,15 +21,15 @@ std::string value_words(const ChartRun::Signal& signal, std::int64_t value);
 /// `X`, `!X`, `N 3 -> 4`.
 std::string change_words(const ChartRun::Signal& signal, std::int64_t before, std::int64_t after);
 
-/// What a cause is, as terms have it: `X2`, `!a`, `N = 3`, `H_Act.going_out`, `!3s/X2`.
+/// A cause as terms have it: `X2`, `!a`, `N = 3`, `H_Act.going_out`, `!3s/X2`.
 std::string cause_words(const ChartRun& run, const ChartRun::Cause& cause);
 
-/// All causes of a run in a line: `at 13 s: X2, !a; from 14 s on: !L`; what is beyond some is counted. Empty: there are none.
+/// All causes of a run in one line: `at 13 s: X2, !a; from 14 s on: !L`; beyond a limit they are counted. Empty: none.
 std::string causes_words(const ChartRun& run);
 
-/// What could have been left out: `without Start (START) at 1 s the property holds along the run`. Empty: there is nothing.
+/// The shortest change: `without Start (START) at 1 s the property holds along the run`. Empty: none.
 std::string left_out_words(const ChartRun& run);
-/// What a signal becomes, `START`, `!a`, `N = 3`, or the time that is over, `3s/X2`.
+/// The new value of a signal, `START`, `!a`, `N = 3`, or the expired timer, `3s/X2`.
 std::string left_out_words(const ChartRun& run, const ChartRun::LeftOut& left_out);
 
 }  // namespace grafverif

@@ -8,7 +8,7 @@ namespace grafverif {
 
 namespace {
 
-/// Whether the span is of a file of the user's, not of the library in the program.
+/// True if the span is in a file of the user, not in the built-in library.
 bool is_of_files(const Written& written, Span where) {
     return written.sources.contains(where.source) && !written.sources[where.source].name.starts_with('<');
 }
@@ -19,7 +19,7 @@ Id<Chart> chart_of(const Written& written, Id<ChartRun::Controller> controller) 
     return controller.index < controllers.size() ? controllers[{controller.index}].chart : Id<Chart>();
 }
 
-/// The entity of the chart's table that is `id` in the list of its controller.
+/// The entity of the chart's table at index `id` in the list of its controller.
 template <class T, class Entities>
 const Span* origin_in(const std::vector<Id<T>>& list, Id<T> id, const Entities& entities) {
     const auto found = std::ranges::find(list, id);
@@ -36,7 +36,7 @@ const Span* origin_of(const Written& written, const ChartRun& run, Id<ChartRun::
     return nullptr;
 }
 
-/// A step of the situation: of the controller that is told, if one is.
+/// A step of the situation, of the row's controller if it has one.
 const Span* origin_of_situation(const Written& written, const ChartRun& run, const ChartRun::Row& row) {
     for (const Id<ChartRun::Controller> id : run.controllers.ids()) {
         const Id<Chart> chart = chart_of(written, id);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where what a report is about was written.
+// Source locations of the elements of a report.
 #pragma once
 
 #include <optional>
@@ -19,15 +19,15 @@ struct Written {
     Id<Chart> chart = {};
 };
 
-/// Of the loop, or the chart.
+/// The location of the loop, or of the chart.
 Span origin(const Written& written);
-/// Of the property; of what the model does not ask for, or a component of the library says, that of the loop.
+/// The location of the property; of the loop if the property is implicit or from a component of the library.
 Span origin(const Written& written, const Verdict& verdict);
-/// Where the loop or its charts say what happens in row `index` of a run: the transition that is cleared, the instance that
-/// moves, the step that is active; of a delay, what was before it.
+/// The location of the element that causes row `index` of a run: the cleared transition, the moving instance, the
+/// active step; for a delay that of the row before.
 Span origin(const Written& written, const ChartRun& run, std::size_t index);
 
-/// File, line and column (in bytes), where the span is of a file.
+/// File, line and column (in bytes), if the span is in a file.
 struct FilePlace {
     std::string file = {};
     Place at = {};

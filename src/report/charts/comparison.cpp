@@ -18,7 +18,7 @@ namespace grafverif {
 
 namespace {
 
-/// What is not 0: `START, N = 3`; none: `none`.
+/// The nonzero variables: `START, N = 3`; if there are none: `none`.
 std::string standing(const std::vector<Comparison::Variable>& variables, const std::vector<std::int64_t>& values) {
     std::string text;
     for (std::size_t k = 0; k < variables.size(); ++k) {
@@ -29,7 +29,7 @@ std::string standing(const std::vector<Comparison::Variable>& variables, const s
     return text.empty() ? "none" : text;
 }
 
-/// The outputs of which `a` and `b` write other values.
+/// The outputs with different values in `a` and `b`.
 std::string differing(const Comparison& comparison, const Comparison::Answer& a, const Comparison::Answer& b) {
     std::string text;
     for (std::size_t k = 0; k < comparison.outputs.size(); ++k)
@@ -42,7 +42,7 @@ std::string answer_text(const Comparison& comparison, const Comparison::Answer& 
     return standing(comparison.outputs, answer.outputs) + "  in " + answer.situation;
 }
 
-/// The columns of the table, two blanks between them; long cells are wrapped.
+/// The columns of the table, separated by two blanks; long entries are wrapped.
 void print_row(const std::array<std::string, 4>& cells, const std::array<std::size_t, 4>& widths, std::ostream& out) {
     std::array<std::vector<std::string>, 4> lines;
     std::size_t most = 1;
@@ -88,7 +88,7 @@ std::string outcome_text(const Comparison& comparison, Colour colour) {
     return shade + text + "\x1b[0m";
 }
 
-/// What the verdict is about.
+/// The assumptions of the verdict.
 void print_basis(const Comparison& comparison, std::ostream& out) {
     out << fmt::format("  a scan is one cycle of a PLC, mode {}", word(comparison.mode));
     if (comparison.resolution_ms > 0)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A comparison as text and as JSON.
 //
-// Text: the verdict and what it rests on; where the charts differ the scans that tell them apart, with what both do in each;
-// then the changes of the text.
-// JSON: `{"charts":[a,b],"mode","from":[a,b],"resolution_ms","constrained","outcome","reason","shortest","seconds","scans":[
-// {"wait_ms","time_ms","inputs":{name:value},"answers":[{"outputs":{name:value},"situation","stop"}, ...]}],"changes":[{"kind",
-// "subject","before","after"}]}`; what there is not is null.
+// Text: the verdict and its assumptions; if the charts differ, the distinguishing scans with the behaviour of both
+// charts; then the changes of the text. JSON: `{"charts":[a,b], "mode", "from":[a,b], "resolution_ms", "constrained",
+// "outcome", "reason", "shortest", "seconds", "scans":[ {"wait_ms", "time_ms", "inputs":{name:value},
+// "answers":[{"outputs":{name:value}, "situation", "stop"}, ...]}], "changes":[{"kind", "subject", "before",
+// "after"}]}`; missing values are null.
 #pragma once
 
 #include <iosfwd>
@@ -16,12 +16,12 @@
 
 namespace grafverif {
 
-/// Without what the texts say.
+/// Without the differences of the texts.
 void print_answer(const Comparison& comparison, Colour colour, std::ostream& out);
 void print_comparison(const Comparison& comparison, Colour colour, std::ostream& out);
 std::string comparison_json(const Comparison& comparison);
 
-/// The changes of a text, a line each, or two where there is a before and an after.
+/// The changes of a text, one line each, or two lines for a changed element.
 void print_changes(const std::vector<ChartChange>& changes, std::ostream& out);
 
 }  // namespace grafverif

@@ -15,7 +15,7 @@ namespace {
 
 using Fate = MutantFate::Kind;
 
-/// `judged`: those that are neither refused nor equivalent.
+/// Counts; the second one excludes refused and equivalent mutants.
 struct Score {
     std::size_t noticed = 0, judged = 0;
 };
@@ -34,7 +34,7 @@ Score of_specification(const Mutation& mutation) {
     return {noticed, noticed + count_of(mutation, Fate::Unnoticed)};
 }
 
-/// Of those that are known to differ.
+/// Score over the mutants that are known to differ.
 Score of_tests(const Mutation& mutation) {
     Score score;
     for (const auto& fate : mutation.fates) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What became of mutants, as text and as JSON.
+// Results of mutation testing as text and as JSON.
 //
-// Text: how many there are of each fate, the scores of the specification and of the tests, how many each property notices, then
-// each that no property notices as a change of the text, and what was not decided.
-// JSON: `{"chart","possible","properties":[{"name","notices"}],"test_steps","no_test","counts":{fate:number,"not_judged"},
-// "specification":{"notices","of"},"tests":{"catch","of"},"mutants":[{"kind","subject","file","line","before","after","fate",
-// "reason","noticed_by","undecided","caught","scans"}]}`; what there is not is null.
+// Text: the number of mutants per fate, the scores of the specification and of the tests, and the number of mutants
+// that each property detects. Then each mutant that no property detects, as a change of the text, and the unknown ones.
+// JSON: `{"chart", "possible", "properties":[{"name", "notices"}], "test_steps", "no_test",
+// "counts":{fate:number,"not_judged"}, "specification":{"notices", "of"}, "tests":{"catch", "of"}, "mutants":[{"kind",
+// "subject", "file", "line", "before", "after", "fate", "reason", "noticed_by", "undecided", "caught", "scans"}]}`;
+// missing values are null.
 #pragma once
 
 #include <iosfwd>
