@@ -8,7 +8,7 @@ namespace grafverif {
 
 namespace {
 
-/// One pass over the states: whether they are a run, and where some terms hold.
+/// One pass over the states: checks that they are a run, and determines where some terms hold.
 class Evidence {
 public:
     Evidence(const FlatSystem& flat, const ToldRun& told, std::vector<Id<Expr>> terms)
@@ -17,14 +17,14 @@ public:
     }
 
     std::size_t size() const { return told_.states.size(); }
-    /// Why it is no run of the system; empty: it is.
+    /// The reason why it is not a run of the system; empty if it is.
     const std::string& broken() const { return broken_; }
 
     bool holds(std::size_t state, Id<Expr> term) const {
         return truths_[static_cast<std::size_t>(std::ranges::find(terms_, term) - terms_.begin())][state];
     }
 
-    /// Whether the states of the loop meet each condition of justice.
+    /// True if the states of the loop meet each condition of justice.
     bool fair() const {
         return told_.loop && std::ranges::all_of(flat_.justice, [this](Id<Expr> term) {
                    for (std::size_t state = *told_.loop; state < size(); ++state)
@@ -69,7 +69,7 @@ private:
         return {};
     }
 
-    /// The first variable whose value in the state `to` is not the one that `values` say.
+    /// The first variable whose value in the state `to` differs from the one required by `values`.
     std::string differs(const Values& values, std::optional<Id<Expr>> FlatSystem::Variable::*term,
                         std::size_t to) const {
         for (const Id<FlatSystem::Variable> id : flat_.variables.ids()) {
@@ -86,9 +86,9 @@ private:
     std::string broken_ = {};
 };
 
-/// Whether some state with `from` is followed by none with `never`, on and on.
+/// True if some state with `from` is followed by no state with `never` forever.
 bool avoids(const Evidence& evidence, std::size_t loop, Id<Expr> from, Id<Expr> never) {
-    std::size_t without = evidence.size();  // no state from here on has it
+    std::size_t without = evidence.size();  // all later states are without it
     while (without > 0 && !evidence.holds(without - 1, never)) --without;
     if (without > loop) return false;
     for (std::size_t state = without; state < evidence.size(); ++state)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the note begins that names what is lost behind the point of no return.
+// Beginning of the note that lists the transitions that are dead after the point of no return.
 #pragma once
 
 namespace grafverif {

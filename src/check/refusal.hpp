@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the embedded engines of untimed models leave to others.
+// Properties that the embedded engines of untimed models do not support.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace grafverif {
 
-/// Why nobody here decides a property of this pattern on a transition system; empty: somebody does.
+/// The reason why no embedded engine decides a property of this pattern on a transition system; empty if one does.
 inline std::string untimed_refusal(Pattern pattern) {
     switch (pattern) {
     case Pattern::NoDeadlock:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Time for several searches under one limit: a preliminary search gets a share of what is left, and a verdict that a later
-// search leaves unknown tells what the earlier ones explored.
+// Time shares for several searches under one limit: a preliminary search gets a share of the remaining time. A verdict
+// that a later search leaves unknown mentions the states that earlier searches explored.
 #pragma once
 
 #include <chrono>
@@ -17,15 +17,15 @@ using Deadline = std::optional<std::chrono::steady_clock::time_point>;
 
 inline bool is_over(const Deadline& deadline) { return deadline && std::chrono::steady_clock::now() >= *deadline; }
 
-/// The end of the first of `shares` equal shares of the time left; none without a deadline.
+/// The end of the first of `shares` equal shares of the remaining time; none without a deadline.
 inline Deadline share_of(const Deadline& deadline, std::size_t shares) {
     const auto now = std::chrono::steady_clock::now();
     if (!deadline || *deadline <= now) return deadline;
     return now + (*deadline - now) / shares;
 }
 
-/// Adds to the reason of a verdict that a limit of time or memory left unknown how many states `searches` explored before;
-/// not of searches that did not begin.
+/// Adds the number of states that `searches` explored to the reason of a verdict that a limit of time or memory left
+/// unknown; not for searches that did not begin.
 inline void tell_earlier(Verdict& verdict, std::string_view searches, std::uint64_t states) {
     const bool limited = verdict.obstacle == Obstacle::Stopped || verdict.obstacle == Obstacle::Memory;
     if (verdict.outcome != Outcome::Unknown || !limited || states < 2) return;

@@ -37,7 +37,7 @@ public:
     PdrResult result() {
         {
             std::array<std::jthread, 2> engines;
-            const AtEnd end{stop_};  // before they are waited for, however this block is left
+            const AtEnd end{stop_};  // stops the engines before they are joined, also after exceptions
             engines[0] = std::jthread([this] { guarded([this] { by_diagrams(); }); });
             engines[1] = std::jthread([this] { guarded([this] { by_solvers(); }); });
             wait();
@@ -69,7 +69,7 @@ private:
         changed_.notify_all();
     }
 
-    // -- the engines, each in its thread -----------------------------------------------------------------------------
+    // -- the engines, one per thread ---------------------------------------------------------------------------------
 
     void by_diagrams() {
         SymbolicOptions options;
@@ -116,14 +116,14 @@ private:
         if (circuits_.fault) stop_ = true;
     }
 
-    /// What was decided first stays; who says otherwise later is wrong, or the first was.
+    /// Keeps the first verdict; a later one that contradicts it is an internal failure.
     void take(const Verdict& verdict, const std::optional<SystemRun>& run) {
         if (!is_decided(verdict)) return;
         const auto [place, fresh] = first_.try_emplace(verdict.about.index, verdict, run);
         Verdict& first = place->second.first;
         if (fresh) {
             settle(verdict.about);
-            for (const Id<Property> id : system_.properties.ids())  // of what is violated nothing more is to be known
+            for (const Id<Property> id : system_.properties.ids())  // the vacuity of a violated property is not needed
                 if (verdict.outcome == Outcome::Violated && probed_by(system_.properties[id]) == verdict.property)
                     settle(id);
             if (open_.empty()) stop_ = true;
@@ -142,9 +142,9 @@ private:
         open_.erase(about.index);
     }
 
-    // -- who asked ---------------------------------------------------------------------------------------------------
+    // -- the caller's thread -----------------------------------------------------------------------------------------
 
-    /// Until both have ended; hands on what the caller says, and tells of the progress.
+    /// Waits for both engines, forwards cancellation by the caller, and reports progress.
     void wait() {
         Lock lock(mutex_);
         while (working_ != 0) {
@@ -171,7 +171,7 @@ private:
         return result;
     }
 
-    /// Why the others do not know it either, where they could.
+    /// Adds the reason of the other engine, if it supports the property.
     static void add_reason(Verdict& verdict, const Verdict& other) {
         if (verdict.obstacle == Obstacle::Unsupported || other.obstacle == Obstacle::Unsupported) return;
         verdict.reason = "symbolic: " + verdict.reason + "; pdr and bmc: " + other.reason;
@@ -183,7 +183,7 @@ private:
     std::atomic<bool> stop_ = false;
     std::vector<std::atomic<bool>> moot_;  ///< per property of the system
 
-    std::mutex mutex_ = {};  ///< of what follows
+    std::mutex mutex_ = {};  ///< protects the following members
     std::condition_variable changed_ = {};
     std::size_t working_ = 2;
     std::unordered_set<std::uint32_t> open_ = {};

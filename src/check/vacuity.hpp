@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vacuity by probes: reads the verdicts on probes (ir/probes.hpp) into those on their properties.
+// Vacuity detection by probes: evaluates the verdicts on probes (ir/probes.hpp) for their properties.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,12 @@
 
 namespace grafverif {
 
-/// Marks what holds vacuously by the first of its probes that is violated; notes an undecided probe if none is. The verdicts
-/// on probes, which are on `properties` as well, are no result and stay where they are.
+/// Marks properties that hold vacuously, by the first of their probes that is violated; if none is, notes an undecided
+/// probe. The verdicts on probes, which are in `properties` too, are not results and stay in the list.
 void apply_probes(const Table<Property>& properties, std::vector<Verdict>& verdicts);
 
-/// Adds the probes of what external programs decide without telling vacuity: a declared `leads to`, and properties of all
-/// states `at stable` (only if `settled`: the model tells which states are).
+/// Adds probes for properties that external programs decide without vacuity: declared `leads to`, and properties of all
+/// states `at stable` (only if `settled`: the model represents quiescence).
 void add_external_probes(Exprs& exprs, Table<Property>& properties, bool settled);
 
 }  // namespace grafverif

@@ -2,11 +2,12 @@
 // An analysis as text and as JSON.
 //
 // Text: each finding as a diagnostic at its location, then the run that shows it; accepted ones in one line each; then
-// the open queries with the number of searched instants. JSON: `{"chart", "mode", "complete", "obstacle", "instants",
-// "seconds", "questions", "open":[{"code", "subject", "instants", "evolutions"}], "notes", "findings":[{"code",
-// "level", "subject", "message", "file", "line", "column", "related":[{"message", "file", "line", "column"}], "lost"
-// (of `region` findings),"timing", "accepted", "shows", "trace"}]}`, a trace as in report/json.hpp; missing values are
-// null. SARIF: report/sarif.hpp.
+// the open queries with the number of searched instants.
+//
+// JSON: `{"chart", "mode", "complete", "obstacle", "instants", "seconds", "questions", "open":[{"code", "subject",
+// "instants", "evolutions"}], "notes", "findings":[{"code", "level", "subject", "message", "file", "line", "column",
+// "related":[{"message", "file", "line", "column"}], `lost` (of regions), "timing", "accepted", "shows", "trace"}]}`, a
+// trace as in report/json.hpp; missing values are null. SARIF: report/sarif.hpp.
 #pragma once
 
 #include <iosfwd>

@@ -24,27 +24,28 @@ using Cells = std::vector<std::uint32_t>;
 
 bool wanted(const Property& property) { return property.pattern == Pattern::Reachable; }
 
-/// Some cells, and what is asked of them: indices of verdicts.
+/// A choice of fragments, with its queries as indices of verdicts.
 struct Task {
     Cells cells = {};
     std::vector<std::size_t> asked = {};
 };
 
-/// A task that its cells did not decide, and which others these read; `known`: how many invariants there were.
+/// A task that its fragments did not decide, with the others that they read; `known`: number of invariants at that
+/// time.
 struct Open {
     Task task = {};
     Cells borders = {}, tied = {};
     std::size_t known = 0;
 };
 
-/// What was found to be true in every state of the whole.
+/// A term that was proved in every state of the complete network.
 struct Invariant {
     std::string name = {};
     Id<Expr> term = {};
     Cells reads = {};
 };
 
-/// Not by a search of the complete network.
+/// False if a search of the complete network decided it.
 bool is_decided_apart(const Verdict& verdict) { return verdict.scope.cells || verdict.abstraction; }
 
 class ByCells {
@@ -61,7 +62,7 @@ public:
     TimedResult result() {
         look_at_whole();
         if (!goes_on()) return std::move(result_);
-        // Else what holds by cells may be what the whole leaves unknown, or calls vacuous.
+        // Otherwise a property that holds by localization may be unknown or vacuous in the complete network.
         if (result_.errors.empty() && result_.time_passes) ask();
         if (tasks_.empty() && !race_) {
             const bool decided = std::ranges::any_of(result_.verdicts, is_decided_apart);
@@ -102,19 +103,20 @@ private:
     const WholeSearch& whole_;
     TimedResult result_ = {};
     bool ever_settled_ = false;
-    std::vector<std::optional<Property>> questions_ = {};  // per verdict, what cells may tell of
+    std::vector<std::optional<Property>> questions_ = {};  // per verdict, its property if localization can decide it
     std::deque<Task> tasks_ = {};
     std::vector<Open> open_ = {};
     std::vector<Invariant> known_ = {};
-    std::map<std::size_t, Verdict> found_ = {};  // by cells
-    std::optional<std::size_t> race_ = {};       // the verdict that nothing races
+    std::map<std::size_t, Verdict> found_ = {};  // by localization
+    std::optional<std::size_t> race_ = {};       // the verdict on action races
     std::set<std::uint32_t> may_err_ = {}, faultless_ = {};
-    Deadline local_deadline_ = {};                                    // of all searches of cells
+    Deadline local_deadline_ = {};                                    // for all searches of fragments
     std::uint64_t local_states_ = 0;                                  // of these searches
     std::uint64_t faultless_states_ = 0, faultless_transitions_ = 0;  // of all searches without an error
 };
 
-/// As many states of the whole as are soon looked at: all of them, most often, and near ones that decide much.
+/// Explores a small number of states of the complete network: often all of them, and otherwise near ones that decide
+/// many properties.
 void ByCells::look_at_whole() {
     TimedOptions first = options_;
     first.max_states = std::min(options_.max_states, limits_.whole);
@@ -132,7 +134,7 @@ void ByCells::look_at_whole() {
     std::erase_if(result_.verdicts, [](const Verdict& verdict) { return verdict.property == settled_probe; });
 }
 
-/// Whether the bound on the first look is all that ended it.
+/// True if only the bound ended the first search.
 bool ByCells::goes_on() const {
     return std::ranges::any_of(result_.verdicts,
                                [](const Verdict& verdict) { return verdict.obstacle == Obstacle::Bound; });
@@ -165,7 +167,7 @@ bool ByCells::about_race(const Property& property) const {
     return operand.op == Op::Variable && operand.value == network_.race.index;
 }
 
-/// Each question in the cells that it reads; and each cell that may break off, in itself.
+/// Searches each query in the fragments that it reads, and each fragment that may have a model error.
 void ByCells::search_locally() {
     std::set<std::uint32_t> looked_at;
     const auto work = [&] {
@@ -226,15 +228,15 @@ void ByCells::search(const Task& task) {
     if (!left.asked.empty()) open(std::move(left));
 }
 
-/// Of a property that holds by cells. Where something breaks off nothing that cells say is given, and up to there it is
-/// true in each state of a run, so in what is found with its help.
+/// Uses a property that holds by localization as an invariant. If a model error is possible, no result of localization
+/// is reported. Up to the error the invariant holds in each state of a run, and so do results that use it.
 void ByCells::know(const Property& property) {
     if (property.at_stable || about_race(property)) return;
     const Id<Expr> term = property.operands[0];
     const bool is_true = property.pattern == Pattern::Always;
     if (!is_true && property.pattern != Pattern::Never) return;
     for (const Id<Expr> leaf : leaves(network_.exprs, term))
-        if (network_.exprs[leaf].op == Op::At) return;  // which no guard reads
+        if (network_.exprs[leaf].op == Op::At) return;  // no guard reads it
     known_.push_back(
         {property.name, is_true ? term : network_.exprs.negation(term), cells_read(network_, cells_, property)});
 }
@@ -254,8 +256,8 @@ Scope ByCells::scope(const std::set<std::uint32_t>& searched, std::string becaus
     return made;
 }
 
-/// The same once more where more is known of what its cells read; else with the cells whose values these read: those of
-/// its borders, and last those that keep its PLCs from being stable.
+/// Searches again if more invariants about its fragments are known, otherwise with additional fragments: first those
+/// whose values the border reads, then those that keep its PLCs from being stable.
 void ByCells::go_on_with(Open open) {
     Task& task = open.task;
     const auto tells = [&](const Invariant& invariant) {
@@ -277,7 +279,7 @@ void ByCells::go_on_with(Open open) {
 }
 
 void ByCells::take_local() {
-    if (race_) {  // each cell that may race has been searched
+    if (race_) {  // each fragment that may race has been searched
         Verdict& none = found_[*race_] = {.outcome = Outcome::Holds};
         none.scope = scope(faultless_, "has nothing in it that could race");
         if (!faultless_.empty()) {
@@ -296,8 +298,8 @@ void ByCells::take_local() {
     }
 }
 
-/// Whether something that was asked for is open; that time is never locked is said without being asked, where the whole
-/// is searched anyway.
+/// True if a requested verdict is open. `no timelock` is also reported without a request if the complete network is
+/// searched anyway.
 bool ByCells::needs_whole() {
     bool needed = false;
     for (Verdict& verdict : result_.verdicts) {
@@ -312,7 +314,7 @@ bool ByCells::needs_whole() {
     return needed;
 }
 
-/// What cells did not decide. Where the first look was as far as is allowed, it is not done again.
+/// Searches the complete network for the remaining queries, unless the first search already used the allowed bound.
 TimedResult ByCells::search_whole() {
     if (options_.max_states <= limits_.whole) return std::move(result_);
     TimedOptions options = options_;
@@ -345,7 +347,7 @@ TimedResult ByCells::search_whole() {
     return whole;
 }
 
-/// Where time is locked nothing is reached any more: what holds says how far that was looked for, if not everywhere.
+/// After a timelock no further state is reachable: verdicts state how far timelocks were searched for.
 TimedResult with_time_told(TimedResult result) {
     const auto time = std::ranges::find(result.verdicts, Pattern::NoTimelock, &Verdict::pattern);
     if (time == result.verdicts.end()) return result;

@@ -16,7 +16,7 @@ namespace {
 
 using Variable = Id<Network::Variable>;
 
-constexpr std::int64_t most_tried = 4096;  // values that are tried one by one
+constexpr std::int64_t most_tried = 4096;  // values that are enumerated
 
 class Faults {
 public:
@@ -38,8 +38,8 @@ public:
         return std::ranges::all_of(operands, [this](Id<Expr> operand) { return has_value(operand); });
     }
 
-    /// Whether the k-th assignment of an edge keeps its target in range, whatever the state. The guard helps where
-    /// nothing that the value reads has been assigned before.
+    /// True if the k-th assignment of an edge keeps its target in range in every state. The guard is used if no
+    /// variable that the value reads has been assigned before.
     bool stays_in_range(const Network::Edge& edge, const std::vector<Network::Assignment>& assignments,
                         std::size_t k) const {
         const Type& type = network_.variables[variable_of(assignments[k].target)].type;
@@ -97,7 +97,7 @@ private:
     }
 
     const Network& network_;
-    std::set<Id<Expr>> known_ = {};  // to have a value, or asked already
+    std::set<Id<Expr>> known_ = {};  // terms with a value, or being examined
 };
 
 }  // namespace
@@ -130,7 +130,7 @@ std::set<std::uint32_t> cells_that_may_err(const Network& network, const Network
                 if (network.race.valid() && network.exprs[target].value == network.race.index) {
                     for (const Id<Expr> reason : operands_of(network.exprs, assignments[k].value, Op::Or))
                         if (reason != target) {
-                            // as long as one cell that it reads is there, the local network has the reason
+                            // the abstraction detects the reason if it contains one fragment that the reason reads
                             std::uint32_t cell = NetworkCells::none;
                             for (const Id<Expr> leaf : leaves(network.exprs, reason))
                                 cell = std::min(cell, cell_of(leaf));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a network may break off, found without a search: a local network must not hide it.
+// Static detection of possible model errors, which an abstraction must not hide.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,13 @@
 
 namespace grafverif {
 
-/// Whether each term of the expanded network has a value in every state: nothing divides by what may be zero, and no
-/// integer outgrows 64 bits.
+/// True if each term of the expanded network has a value in every state: no divisor can be zero, and no integer exceeds
+/// 64 bits.
 bool terms_have_values(const Network& network);
 
-/// Cells such that a model error of the network is one of the local network of each choice of cells with the right one of
-/// these in it: values that may leave a range, and what makes `race` true. Requires: terms_have_values(network).
+/// A set of fragments such that each model error of the network is found in every abstraction that contains the
+/// appropriate one of them: the error is a value that leaves its range, or a true `race`. Requires
+/// terms_have_values(network).
 std::set<std::uint32_t> cells_that_may_err(const Network& network, const NetworkCells& cells);
 
 }  // namespace grafverif

@@ -18,7 +18,7 @@ std::string_view next_line(std::string_view& text) {
     return line;
 }
 
-/// `x`, what the program leaves open, is 0.
+/// An unspecified value, `x`, is read as 0.
 std::optional<std::vector<bool>> bits_of(std::string_view line) {
     std::vector<bool> bits;
     for (const char c : line) {
@@ -72,7 +72,7 @@ std::optional<std::vector<std::vector<bool>>> read_witness(const Circuit& circui
     if (line.starts_with('b') || line.starts_with('j')) line = next_line(text);
     const auto latches = bits_of(line);
     if (!latches || latches->size() != numbering.latches.size()) return {};
-    if (std::ranges::find(*latches, true) != latches->end()) return {};  // they all begin with 0
+    if (std::ranges::find(*latches, true) != latches->end()) return {};  // all latches begin with 0
     std::vector<std::vector<bool>> run;
     while (!text.empty()) {
         line = next_line(text);

@@ -14,10 +14,10 @@ namespace grafverif {
 namespace {
 
 constexpr std::string_view mark = "grafverif: ";
-/// Of a trace; more are not kept, and what is left shows nothing.
+/// Maximum number of values in a trace; the remaining part of a truncated trace is not used.
 constexpr std::size_t most_values = 50'000'000;
 
-/// What was printed behind each mark and before the next: of what comes last nobody knows whether it is whole.
+/// The output between each marker and the next one. The part after the last marker is excluded: it may be incomplete.
 std::unordered_map<std::string, std::vector<std::string_view>> sections(std::string_view text) {
     std::unordered_map<std::string, std::vector<std::string_view>> found;
     for (std::size_t at = text.find(mark); at != std::string_view::npos;) {
@@ -41,7 +41,7 @@ std::string_view trimmed_line(std::string_view& text) {
     return line;
 }
 
-/// Every answer that stands in a section.
+/// Every result in a section.
 std::vector<bool> truths(std::string_view section) {
     std::vector<bool> found;
     while (!section.empty()) {
@@ -53,7 +53,7 @@ std::vector<bool> truths(std::string_view section) {
     return found;
 }
 
-/// A counterexample as NuSMV prints it: what did not change is left out; the choices of a step stand before the state
+/// Reads a counterexample as NuSMV prints it: unchanged values are omitted; the choices of a step precede the state
 /// that it leads to.
 class TraceReader {
 public:
@@ -62,7 +62,7 @@ public:
         for (const FlatSystem::Variable& variable : flat.variables) now_.push_back(variable.type.low);
     }
 
-    /// Empty: there is none, or it has a value of ours that means nothing to us. `repeats`: a loop matters.
+    /// Empty if there is none, or if it has an invalid value. `repeats`: the loop is needed.
     std::optional<ToldRun> read(std::string_view section, bool repeats) {
         bool in_trace = false;
         while (!section.empty()) {
@@ -121,7 +121,7 @@ private:
         ToldRun run{std::move(states_), {}};
         if (repeats && loop_ && *loop_ + 1 < run.states.size()) {
             run.loop = loop_;
-            run.states.pop_back();  // it is the state where the loop began
+            run.states.pop_back();  // repeats the state where the loop began
         }
         return run;
     }
@@ -135,7 +135,7 @@ private:
     std::optional<std::size_t> loop_ = {};
 };
 
-/// `reachable states: 19456 (2^14.25) out of ...`; a large number is rounded (`1.2e+21`) and not taken.
+/// `reachable states: 19456 (2^14.25) out of ...`; a rounded large number (`1.2e+21`) is ignored.
 std::string state_count(std::string_view section) {
     constexpr std::string_view before = "reachable states: ";
     const std::size_t at = section.find(before);
@@ -167,14 +167,14 @@ void undecided(Verdict& verdict, Obstacle obstacle, std::string reason) {
     verdict.reason = std::move(reason);
 }
 
-/// What the program said, by our marks. One that was ended by a signal has said nothing that counts.
+/// The output of the program by marker. Output of a program that a signal has ended is ignored.
 class Answers {
 public:
     explicit Answers(const ProgramResult& said) {
         if (said.end != ProgramResult::End::Signalled) sections_ = sections(said.out);
     }
 
-    /// Empty: nothing stands there, or it stands there twice.
+    /// Empty if the section does not exist, or exists twice.
     std::string_view section(const std::string& name) const {
         const auto found = sections_.find(name);
         return found == sections_.end() || found->second.size() != 1 ? std::string_view() : found->second.front();
@@ -198,7 +198,7 @@ struct Question {
     const Property& property;
 };
 
-/// Fills in what the program answers, if it bears looking at, and returns the run that shows it.
+/// Fills in the program's result, after validation, and returns the run that shows it.
 std::optional<SystemRun> judged(Verdict& verdict, const Answers& answers, const std::string& name,
                                 const Question& question, const ProgramResult& said) {
     const std::vector<bool> truths = answers.truths_of(name);

@@ -13,8 +13,8 @@ namespace {
 
 constexpr char escape = '\033';
 
-/// `text` with one mark, `escape`, for each of the sequences that programs colour and rewrite lines with: what one stands
-/// in the midst of is not what was said.
+/// `text` with one marker, `escape`, for each terminal control sequence. A line that contains a marker may have been
+/// rewritten and is not reliable.
 std::string marked(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -26,7 +26,7 @@ std::string marked(std::string_view text) {
     return result;
 }
 
-/// How many lines of `text` are `wanted`, blanks and marks around it apart.
+/// The number of lines of `text` that equal `wanted`, ignoring surrounding blanks and markers.
 std::size_t lines(std::string_view text, std::string_view wanted) {
     constexpr std::string_view blanks = " \t\r\033";
     std::size_t count = 0;
@@ -39,7 +39,7 @@ std::size_t lines(std::string_view text, std::string_view wanted) {
     return count;
 }
 
-/// The first line of `text` that says something, without marks.
+/// The first line of `text` that is not blank, without markers.
 std::string first_line(std::string text) {
     std::erase(text, escape);
     constexpr std::size_t longest = 200;
@@ -52,7 +52,7 @@ ExternalAnswer undecided(Obstacle obstacle, std::string reason) {
     return {Outcome::Unknown, obstacle, std::move(reason)};
 }
 
-/// What a program that did not come to its end has to say.
+/// The result for a program that did not run to its end.
 std::optional<ExternalAnswer> ended_early(const ProgramResult& result) {
     switch (result.end) {
     case ProgramResult::End::Exited: return {};
@@ -71,7 +71,7 @@ Verdict verdict_on(const Network& network, const ExternalQuestion& question) {
     return verdict;
 }
 
-/// Whether the question is the one for races: that the flag is never set.
+/// True for the query about races: that the flag is never set.
 bool asks_for_race(const Network& network, const ExternalQuestion& question) {
     const Property& property = network.properties[question.property];
     if (!network.race.valid() || property.pattern != Pattern::Never || property.at_stable) return false;
@@ -96,7 +96,7 @@ Verdict ask(Verdict verdict, const ExternalQuestion& question, const ExternalOpt
     return verdict;
 }
 
-/// What is said of a model in which two stored actions may race is nothing.
+/// Retracts a verdict on a model in which two stored actions may race.
 void take_back(Verdict& verdict) {
     if (verdict.outcome == Outcome::Unknown) return;
     verdict.outcome = Outcome::Unknown;
@@ -133,7 +133,7 @@ std::vector<Verdict> check_verifyta(const Network& network, std::span<const Exte
         const auto known = std::ranges::find(verdicts, name, &Verdict::property);
         return known != verdicts.end() && known->outcome == Outcome::Holds;
     };
-    std::optional<std::size_t> race;  // the verdict on it
+    std::optional<std::size_t> race;  // the verdict on races
     bool stopped = false;
     for (const ExternalQuestion& question : questions) {
         const Property& property = network.properties[question.property];

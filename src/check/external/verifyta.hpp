@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// verifyta, the model checker of UPPAAL, run on the project that we write for it, its answers read into verdicts. Programs,
-// files and the text of the model belong to the caller, who hands in functions.
+// Interface to verifyta, the model checker of UPPAAL, which runs on the exported project. The caller provides programs,
+// files and the text of the model as functions.
 //
-// verifyta, the model checker of UPPAAL, is asked one formula at a time, so that each answer belongs to its question
-// whatever the program prints around it. What is read are the documented lines `-- Formula is satisfied.`,
-// `-- Formula is NOT satisfied.` and `-- Formula MAY [NOT] be satisfied.`; its exit codes and its traces are not
-// documented and are not read. No such line, or two that differ, is no verdict.
+// Each formula is checked by a separate call, so that each result belongs to its query regardless of other output. Only
+// the documented lines `-- Formula is satisfied.`, `-- Formula is NOT satisfied.` and `-- Formula MAY [NOT] be
+// satisfied.` are read; exit codes and traces are not documented and are ignored. Without such a line, or with two that
+// differ, there is no verdict.
 #pragma once
 
 #include <functional>
@@ -20,12 +20,12 @@
 
 namespace grafverif {
 
-/// A formula for the program, and whose it is.
+/// A formula for the program, and its property.
 struct ExternalQuestion {
     Id<Property> property = {};
-    std::string name = {};     ///< of the verdict: the property's, or `S.X7` of one that expands
-    std::string formula = {};  ///< empty: the language of the program cannot say it
-    std::string reason = {};   ///< why it cannot
+    std::string name = {};     ///< of the verdict: the property's, or `S.X7` of an expanded one
+    std::string formula = {};  ///< empty: the program's language cannot express it
+    std::string reason = {};   ///< the reason why it cannot
 };
 
 struct ExternalOptions {
@@ -34,7 +34,7 @@ struct ExternalOptions {
     std::function<ProgramResult(const std::string& formula)> run = {};
 };
 
-/// The answer in what verifyta printed about one formula.
+/// The result that verifyta printed about one formula.
 struct ExternalAnswer {
     Outcome outcome = Outcome::Unknown;  ///< Holds: satisfied
     Obstacle obstacle = Obstacle::None;
@@ -43,9 +43,9 @@ struct ExternalAnswer {
 };
 ExternalAnswer read_verifyta(const ProgramResult& result);
 
-/// A verdict per question, in order, without runs; `no timelock`, which no formula of UPPAAL says, as an unknown one at
-/// the end where the model does not declare it. Where stored actions may race, nothing that verifyta proves is taken
-/// for proven unless it proves `no_race` too.
+/// One verdict per query, in order, without runs. `no timelock`, which no UPPAAL formula expresses, is added as unknown
+/// if the model does not declare it. If stored actions may race, proofs of verifyta are accepted only if it also proves
+/// `no_race`.
 std::vector<Verdict> check_verifyta(const Network& network, std::span<const ExternalQuestion> questions,
                                     const ExternalOptions& options);
 

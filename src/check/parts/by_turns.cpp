@@ -40,7 +40,7 @@ private:
     const SymbolicOptions& options_;
     TurnSearches parts_;
     std::vector<std::optional<std::pair<Verdict, std::optional<SystemRun>>>> given_ = {};  ///< per property
-    std::map<std::uint32_t, std::string> whole_ = {};  ///< the properties that need the whole, and why
+    std::map<std::uint32_t, std::string> whole_ = {};  ///< the properties that need the complete system, and the reason
     SymbolicResult result_ = {};
 };
 
@@ -69,7 +69,7 @@ SymbolicResult ByTurns::result() {
     return std::move(result_);
 }
 
-// -- verdicts -----------------------------------------------------------------------------------------------------------
+// -- verdicts ---------------------------------------------------------------------------------------------------------
 
 Scope ByTurns::scope(const PartList& chosen, std::string because) const {
     Scope made{{}, {}, std::move(because)};
@@ -120,7 +120,7 @@ void ByTurns::answer(Id<Property> id) {
          std::move(run));
 }
 
-/// Where time is abstract, who moves for ever keeps all others from what they would come to.
+/// If time is abstract, a process that moves forever prevents the progress of all others.
 bool ByTurns::answer_starved(Id<Property> id, Searched& search, Verdict& verdict,
                              const std::vector<const Neighbour*>& rest) {
     if (claim_of(verdict) != Claim::Unavoidable) return false;
@@ -152,7 +152,7 @@ bool ByTurns::answer_starved(Id<Property> id, Searched& search, Verdict& verdict
     return true;
 }
 
-/// It holds where it holds of each part.
+/// It holds if it holds in each part.
 void ByTurns::answer_each(Id<Property> id) {
     std::optional<Verdict> open;
     Verdict holds = verdict_on(id, system_.properties[id]);
@@ -200,9 +200,9 @@ void ByTurns::search_whole() {
     }
 }
 
-// -- runs ---------------------------------------------------------------------------------------------------------------
+// -- runs -------------------------------------------------------------------------------------------------------------
 
-/// A run of the search as the steps that it is of the whole.
+/// Converts a run of the search to steps of the complete system.
 TurnRun ByTurns::turn_run(const Searched& search, const FlatRun& run) const {
     const System& system = search.system;
     const FlatSystem& part = search.check->flat();
@@ -222,8 +222,8 @@ TurnRun ByTurns::turn_run(const Searched& search, const FlatRun& run) const {
     return made;
 }
 
-/// A state of the whole as one of the search. What is of no part (that something races) each part has for itself: where
-/// it did not come to that, it is as it was at first.
+/// Converts a state of the complete system to one of the search. A variable that belongs to no part (an action race)
+/// has a copy in each part: if the error did not occur in the part, the copy has its initial value.
 std::vector<std::int64_t> ByTurns::here(Searched& search, const std::vector<std::int64_t>& whole) {
     const std::vector<Id<FlatSystem::Variable>> in_whole = variables_in_whole(search.check->flat(), parts_.flat());
     std::vector<std::int64_t> made;
@@ -240,7 +240,7 @@ std::vector<std::int64_t> ByTurns::here(Searched& search, const std::vector<std:
     return made;
 }
 
-/// From where the sub-loops searched stand still: the others move until they have to wait as well, or for ever.
+/// Continues the run from where the searched subsystems stop: the others move until they have to wait too, or forever.
 TurnRun ByTurns::led_on(TurnRun made, const TurnStep& last, const PartList& rest) {
     const std::vector<std::int64_t> so_far = replayed(parts_.flat(), made).states.back();
     for (const std::uint32_t part : rest) {
@@ -255,7 +255,7 @@ TurnRun ByTurns::led_on(TurnRun made, const TurnStep& last, const PartList& rest
     return made;
 }
 
-/// Moves of these parts, one after the other, to settled states.
+/// Sequential moves of these parts to quiescent states.
 TurnRun ByTurns::settled(const PartList& parts) {
     TurnRun made;
     const std::vector<std::int64_t> first = replayed(parts_.flat(), {}).states.back();
@@ -267,7 +267,7 @@ TurnRun ByTurns::settled(const PartList& parts) {
     return made;
 }
 
-/// The run beside what the others do; none: it would be too long.
+/// The run combined with runs of the other parts; empty if it would be too long.
 std::optional<FlatRun> ByTurns::whole_run(const Searched& search, const FlatRun& run, bool at_stable,
                                           Verdict& verdict) {
     TurnRun shown = turn_run(search, run);

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The symbolic engine by sub-loops, where one process moves in a step: each property is decided on the sub-loops that it
-// reads, without the others, wherever that gives the verdict of the whole (docs/engines.md, "Sub-loops"). What the others
-// must be for that is asked of them when it matters; where it fails or stays unknown, the whole is searched.
+// Compositional checking with the symbolic engine, for systems in which one process moves in a step. Each property is
+// decided on the independent subsystems ("sub-loops") that it reads. The others are omitted if this preserves the
+// verdict (docs/engines.md, "Sub-loops"). The side conditions on omitted subsystems are checked when they matter; if
+// one fails or is unknown, the complete system is searched.
 //
-// `no deadlock` is judged of each sub-loop by itself, as by the timed engine.
+// `no deadlock` is checked per subsystem, as by the timed engine.
 //
-// Every verdict says what was left out and why. Runs are runs of the whole.
+// Each verdict names the omitted subsystems and the reason. Runs are runs of the complete system.
 #pragma once
 
 #include "check/symbolic/symbolic.hpp"
 
 namespace grafverif {
 
-/// As check_symbolic; the memory allowed is for all sub-loops together. Requires verify(system).empty().
+/// As check_symbolic; the memory limit is shared by all subsystems. Requires verify(system).empty().
 SymbolicResult check_symbolic_by_parts(const TransitionSystem& system, const SymbolicOptions& options = {});
 
 }  // namespace grafverif

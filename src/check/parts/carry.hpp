@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a verdict on some sub-loops says of the whole: when it carries over, and the words for either (docs/engines.md,
-// "Sub-loops", has the proofs).
+// Preservation of verdicts from some independent subsystems to the complete system: the conditions, and their
+// explanations (proofs: docs/engines.md, "Sub-loops").
 #pragma once
 
 #include <string>
@@ -10,43 +10,44 @@
 
 namespace grafverif {
 
-/// What a verdict claims; each kind has its premises.
+/// Classes of statements of a verdict; each has different premises.
 enum class Claim {
-    Everywhere,   ///< of every reachable state
-    Somewhere,    ///< of one reachable state, or that some run avoids something for ever
-    Unavoidable,  ///< of every maximal run
-    Possible,     ///< from every state
+    Everywhere,   ///< about every reachable state
+    Somewhere,    ///< about one reachable state, or that some run avoids something forever
+    Unavoidable,  ///< about every maximal run
+    Possible,     ///< about the states reachable from every state
 };
-/// Of a verdict that is decided.
+/// Requires a decided verdict.
 Claim claim_of(const Verdict& verdict);
 
-/// A sub-loop that is left out, as far as it matters to others.
+/// The relevant properties of an omitted subsystem.
 struct Neighbour {
     std::string name = {};
-    bool searched = false;     ///< to its end
-    bool faulty = false;       ///< the model breaks off in it
-    bool diverges = false;     ///< it has a run in which time passes for ever
+    bool searched = false;     ///< completely
+    bool faulty = false;       ///< a model error is reachable in it
+    bool diverges = false;     ///< it has a run in which time diverges
     bool never_locks = false;  ///< from each of its states time can pass again, in dense time
-    bool rests = false;        ///< none of its runs goes on for ever within one instant
-    bool settles = false;      ///< time passes in its settled states only
+    bool rests = false;        ///< none of its runs continues forever within one instant
+    bool settles = false;      ///< time passes in its quiescent states only
     bool time_passes = false;  ///< in some state
 };
 
-/// Why the verdict, found without `left_out`, says nothing of the whole; empty: it is that of the whole. It is decided.
+/// The reason why the verdict, which was found without `left_out`, does not hold for the complete system; empty if it
+/// does. Requires a decided verdict.
 std::string objection(const Verdict& verdict, bool at_stable, const std::vector<const Neighbour*>& left_out);
 
-/// Why what is left out has no say in the verdict. Requires: there is no objection.
+/// The reason why the omitted subsystems do not affect the verdict. Requires that there is no objection.
 std::string because(const Verdict& verdict, bool at_stable);
 
-/// The same where time is abstract, and sub-loops share nothing. `settles` is there: some of its states is settled; `rests`:
-/// none of its runs moves for ever.
+/// The same functions for abstract time, where subsystems share nothing. Here `settles` means that some state is
+/// quiescent, and `rests` that no run moves forever.
 std::string untimed_objection(const Verdict& verdict, bool at_stable, const std::vector<const Neighbour*>& left_out);
 std::string untimed_because(const Verdict& verdict, bool at_stable);
 
-/// Whether `at stable` can be judged by sub-loops at all.
+/// True if `at stable` can be checked compositionally for properties of this pattern.
 bool settled_apart(Pattern pattern);
 
-/// Marks what holds for want of anything to judge on account of what was left out.
+/// Marks verdicts that hold vacuously because time cannot pass in an omitted subsystem.
 void mark_vacuous(Verdict& verdict, const std::vector<const Neighbour*>& left_out);
 
 }  // namespace grafverif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A lasso is cut behind a tick: what a part does from tick n on repeats from tick n + k on where its loop has k ticks and
-// n is not within its stem. So the loop of the whole has as many ticks as the least common multiple says.
+// A lasso is cut after a tick. The actions of a part from tick n on are repeated from tick n + k on, if its loop has k
+// ticks and n is not in its stem. So the number of ticks in the loop of the complete network is the least common
+// multiple.
 #include "check/parts/join.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ struct Event {
     Fire fire = {};
 };
 
-/// Units of time that pass in the moves from `first` to before `last`.
+/// Units of time that pass in the moves [first, last).
 std::int64_t ticks(const Run& run, std::size_t first, std::size_t last) {
     std::int64_t units = 0;
     for (std::size_t i = first; i < last; ++i)
@@ -31,7 +32,7 @@ std::int64_t ticks(const Run& run, std::size_t first, std::size_t last) {
 std::int64_t stem_ticks(const Run& run) { return ticks(run, 0, run.loop.value_or(run.moves.size())); }
 std::int64_t loop_ticks(const Run& run) { return run.loop ? ticks(run, *run.loop, run.moves.size()) : 0; }
 
-/// What fires before time `end`; a lasso goes round as often as it takes, and time passes in its loop.
+/// Adds the events before time `end`; the loop of a lasso, in which time passes, is repeated as necessary.
 void add_fires(const Run& run, std::int64_t end, std::vector<Event>& events) {
     std::int64_t time = 0;
     for (std::size_t i = 0;; ++i) {
@@ -46,7 +47,7 @@ void add_fires(const Run& run, std::int64_t end, std::vector<Event>& events) {
     }
 }
 
-/// Events and the passing of time as moves.
+/// Converts events and delays to moves.
 class Writer {
 public:
     void wait_until(std::int64_t time) {
@@ -66,7 +67,7 @@ private:
     std::int64_t now_ = 0;
 };
 
-/// All that tells a state from others of the same network.
+/// All values that distinguish states of one network.
 std::vector<std::int64_t> values_of(const NetworkState& state) {
     std::vector<std::int64_t> values = state.variables;
     for (const Id<Network::Location> location : state.locations) values.push_back(location.index);
@@ -117,7 +118,7 @@ std::optional<Run> joined(const Run& shown, const std::vector<Run>& others, Endi
 Run gone_on(const Network& network, Run run) {
     NetworkState state = initial_state(network);
     for (const Move& move : run.moves) perform(network, state, move);
-    std::map<std::vector<std::int64_t>, std::size_t> seen;  // and after how many moves
+    std::map<std::vector<std::int64_t>, std::size_t> seen;  // number of moves before each state
     while (run.moves.size() <= most_moves) {
         const auto [known, fresh] = seen.emplace(values_of(state), run.moves.size());
         if (!fresh) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs of sub-loops that share only time, as one run of the whole: each does in every instant what it does alone, and
-// all wait for each other before time passes.
+// Joins runs of subsystems that share only time to one run of the complete network: in each instant each subsystem does
+// the same as alone, and all wait for each other before time passes.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,21 @@
 
 namespace grafverif {
 
-/// A run of more moves is not shown.
+/// Maximum number of moves of a run.
 constexpr std::size_t most_moves = 100'000;
 
-/// Where the others are when `shown` ends.
+/// Required states of the others at the end of `shown`.
 enum class Ending {
-    Anywhere,  ///< they have gone as far as time had to
-    Waiting,   ///< they have done all that they do in its last instant, for `at stable`
+    Anywhere,  ///< anywhere: they have moved as far as time required
+    Waiting,   ///< they have completed the moves of the last instant, for `at stable`
 };
 
-/// The run of the whole that does `shown`, and beside it `others`, lassos in which time passes; all in terms of the whole.
-/// Empty where it would repeat only after very long.
+/// The run of the complete network that combines `shown` with `others`, lassos in which time passes; all in terms of
+/// the complete network. Empty if its period would be too long.
 std::optional<Run> joined(const Run& shown, const std::vector<Run>& others, Ending ending);
 
-/// The run, and on until nothing can happen without the passing of time, until that repeats, or for too many moves.
+/// The run, continued until no move is possible without the passing of time, a state is repeated, or there are too many
+/// moves.
 Run gone_on(const Network& network, Run run);
 
 }  // namespace grafverif

@@ -20,7 +20,7 @@ namespace {
 const char* const timelock_probe = "no timelock";
 const char* const deadlock_probe = "no deadlock";
 
-/// Some parts, searched as a network of their own.
+/// Some parts, searched as a separate network.
 struct Search {
     SubNetwork of = {};
     TimedResult result = {};
@@ -77,11 +77,11 @@ private:
     std::vector<Search> each_ = {};  // per part
     std::vector<Neighbour> neighbours_ = {};
     std::map<PartNumbers, Search> together_ = {};
-    std::vector<std::pair<std::size_t, std::string>> whole_ = {};  // the questions that need the whole, and why
+    std::vector<std::pair<std::size_t, std::string>> whole_ = {};  // queries for the complete network, with reason
     TimedResult result_ = {};
 };
 
-/// Of several profiles the one of the greatest search is kept.
+/// Keeps the profile of the largest search.
 void ByParts::count(const TimedResult& found) {
     result_.states += found.states;
     result_.transitions += found.transitions;
@@ -93,7 +93,7 @@ void ByParts::count(const TimedResult& found) {
     result_.profile = found.profile;
 }
 
-/// The parts `chosen`, with the questions that read nothing else and, of single parts, those that each is asked.
+/// Searches the parts `chosen`: queries that read only these and, for a single part, those asked per part.
 Search ByParts::search(const PartNumbers& chosen, bool premises, const Deadline& deadline) {
     SubNetworkBuilder builder(network_, parts_, chosen);
     bool deadlock_asked = false;
@@ -123,7 +123,7 @@ void ByParts::search_each() {
         each_.push_back(search({part}, true, share_of(options_.deadline, parts_.count - part)));
     for (std::uint32_t part = 0; part < parts_.count; ++part) {
         const bool stopped = each_[part].verdict(timelock_probe).obstacle == Obstacle::Stopped;
-        if (stopped && options_.deadline && !is_over(options_.deadline))  // by its share: the others have left time
+        if (stopped && options_.deadline && !is_over(options_.deadline))  // only its share: there is time left
             each_[part] = search({part}, true, options_.deadline);
         count(each_[part].result);
         neighbours_.push_back(neighbour(part));
@@ -153,7 +153,7 @@ Neighbour ByParts::neighbour(std::uint32_t part) const {
     return is;
 }
 
-/// An error of one part is one of the whole where the others let time pass until it is there.
+/// An error of one part occurs in the complete network only if the others let time pass until then.
 bool ByParts::errors_may_be_out_of_reach() const {
     for (std::uint32_t part = 0; part < parts_.count; ++part)
         for (std::uint32_t other = 0; other < parts_.count; ++other)
@@ -183,7 +183,7 @@ std::vector<const Neighbour*> ByParts::left_out(const PartNumbers& chosen) const
     return rest;
 }
 
-/// What the parts not chosen do beside a run of those chosen.
+/// Runs of the parts that are not chosen, to combine with a run of the chosen ones.
 std::vector<Run> ByParts::beside(const PartNumbers& chosen) const {
     std::vector<Run> runs;
     for (const std::uint32_t part : others(chosen)) {
@@ -199,7 +199,7 @@ std::vector<std::string> ByParts::names(const PartNumbers& chosen) const {
     return all;
 }
 
-/// Keeps of the question what its model says, and of `verdict` what was found.
+/// Stores the results of `verdict` and keeps the declared data of the query.
 void ByParts::take(PartQuestion& question, Verdict verdict) const {
     Verdict& given = question.verdict;
     given.outcome = verdict.outcome;
@@ -213,9 +213,8 @@ void ByParts::take(PartQuestion& question, Verdict verdict) const {
     given.run = std::move(verdict.run);
 }
 
-/// What is to be carried over for the verdict to be that of the whole. What an error or inexact time alone keeps from
-/// holding has to hold of the whole but for these; a search that is too large is so in the whole where the others let
-/// time pass.
+/// The outcome whose preservation to check. A property that fails to hold only because of an error or inexact time must
+/// hold apart from these. An interrupted search is also too large in the complete network if the others let time pass.
 Outcome supposed(const Verdict& verdict) {
     const bool wanted = verdict.pattern == Pattern::Reachable;
     switch (verdict.obstacle) {
@@ -227,7 +226,7 @@ Outcome supposed(const Verdict& verdict) {
     }
 }
 
-/// Whether a verdict on `chosen` is that of the whole, or unknown for good; else `why` not.
+/// True if a verdict on `chosen` is that of the complete network, or unknown there too; otherwise `why` has the reason.
 bool ByParts::carries(const PartQuestion& question, const Verdict& verdict, const PartNumbers& chosen,
                       std::string& why) const {
     if (verdict.obstacle == Obstacle::Stopped || verdict.obstacle == Obstacle::Unsupported) return true;
@@ -237,7 +236,7 @@ bool ByParts::carries(const PartQuestion& question, const Verdict& verdict, cons
     return why.empty();
 }
 
-/// Makes the run of the verdict one of the whole.
+/// Converts the run of the verdict to one of the complete network.
 void ByParts::show(Verdict& verdict, const SubNetwork& of, const PartNumbers& chosen, bool at_stable) const {
     if (!verdict.run) return;
     verdict.run = joined(in_whole(of, *verdict.run), beside(chosen), at_stable ? Ending::Waiting : Ending::Anywhere);
@@ -272,7 +271,7 @@ void ByParts::answer(PartQuestion& question) {
     take(question, std::move(verdict));
 }
 
-/// `no deadlock`, `no timelock`, `no_race`: they hold where they hold of each part.
+/// `no deadlock`, `no timelock`, `no_race`: they hold if they hold for each part.
 void ByParts::answer_each(PartQuestion& question) {
     const Pattern pattern = question.property.pattern;
     const std::string name = pattern == Pattern::NoTimelock   ? timelock_probe
@@ -326,7 +325,7 @@ void ByParts::search_whole() {
     }
 }
 
-/// The steps of every chart, which an empty list stands for.
+/// Replaces an empty list of steps by the steps of every chart.
 void name_steps(Network& network, Property& property) {
     for (const Id<Network::Variable> id : network.variables.ids())
         if (network.variables[id].role == Network::Role::Step)

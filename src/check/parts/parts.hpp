@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The timed engine by sub-loops: each property is decided on the sub-loops that it reads, without those that share only
-// time with them, wherever that gives the verdict of the whole (docs/engines.md, "Sub-loops"). What the others must be
-// for that is found out by a search of each alone; where it fails or stays unknown, the whole is searched.
+// Compositional checking with the timed engine. A property is decided on the independent subsystems ("sub-loops") that
+// it reads. Subsystems that share only time with them are omitted if this preserves the verdict (docs/engines.md,
+// "Sub-loops"). The side conditions on an omitted subsystem are checked by exploring it alone; if one fails or is
+// unknown, the complete network is explored.
 //
-// `no deadlock` is judged of each sub-loop by itself: it holds where from every state of each of them an edge of it can
-// fire, now or after a delay. That is more than the same of the whole, where one that goes on hides others that cannot.
+// `no deadlock` is checked per subsystem: from every state of each subsystem, one of its edges is enabled, now or after
+// a delay. This is stronger than the same property of the complete network, where an active subsystem hides a blocked
+// one.
 //
-// Every verdict says what was left out and why. Runs are runs of the whole.
+// Each verdict names the omitted subsystems and the reason. Runs are runs of the complete network.
 #pragma once
 
 #include "check/timed/timed.hpp"
 
 namespace grafverif {
 
-/// As check_timed; the bounds are those of each search. Requires verify(network).empty().
+/// As check_timed; the limits apply to each search. Requires verify(network).empty().
 TimedResult check_timed_by_parts(const Network& network, const TimedOptions& options = {});
 
 }  // namespace grafverif

@@ -17,7 +17,7 @@ bool about_race(const Network& network, const Property& property) {
     return operand.op == Op::Variable && operand.value == network.race.index;
 }
 
-/// All of them where it reads what several have a copy of.
+/// All parts if it reads a variable of which several parts have a copy.
 PartNumbers read_by(const Network& network, const NetworkParts& parts, const Property& property) {
     for (const Id<Expr> operand : property.operands)
         for (const Id<Expr> leaf : leaves(network.exprs, operand)) {
@@ -32,7 +32,7 @@ PartNumbers read_by(const Network& network, const NetworkParts& parts, const Pro
     return parts_read(network, parts, property.operands);
 }
 
-/// Each step is a question of its own.
+/// Adds each step as a separate query.
 void add_steps(const Network& network, const NetworkParts& parts, const PartQuestion& question,
                std::vector<PartQuestion>& list) {
     for (const Id<Expr> step : question.property.operands) {

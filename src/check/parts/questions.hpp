@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the timed engine is asked by sub-loops: the verdicts to give, and which parts each reads.
+// Queries of the timed engine for compositional checking: the verdicts to give, and the parts that each one reads.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,20 @@
 
 namespace grafverif {
 
-/// Some parts of a network, in order.
+/// Numbers of parts of a network, increasing.
 using PartNumbers = std::vector<std::uint32_t>;
 
-/// One verdict to give.
+/// A query for one verdict.
 struct PartQuestion {
-    Property property = {};  ///< named as its verdict; its pattern asks for one state where that of the verdict expands
+    Property property = {};  ///< named as its verdict; for an expanded one, about one state
     Verdict verdict = {};
     PartNumbers reads = {};
-    bool each = false;  ///< asked of every part by itself
-    bool race = false;  ///< then: whether there is an action race
+    bool each = false;  ///< asked for every part separately
+    bool race = false;  ///< if `each`: asks for an action race
 };
 
-/// The properties asked for, each step of an expanding one separately, and `no timelock` unless `options` exclude it.
+/// The selected properties, with a separate query for each step of an expanded one, and `no timelock` unless `options`
+/// exclude it.
 std::vector<PartQuestion> part_questions(const Network& network, const NetworkParts& parts,
                                          const TimedOptions& options);
 

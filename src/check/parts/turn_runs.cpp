@@ -12,7 +12,7 @@ using StepKind = TurnStep::Kind;
 
 constexpr std::size_t most_steps = 20'000;
 
-/// Somebody's run, step by step.
+/// Replays a run step by step.
 class Player {
 public:
     explicit Player(const TurnRun& run) : run_(run) {}
@@ -59,7 +59,7 @@ std::optional<TurnRun> side_by_side(const TurnRun& shown, const std::vector<Turn
     std::vector<Player> beside;
     for (const TurnRun& other : others) beside.emplace_back(other);
     TurnRun made;
-    std::map<std::vector<std::size_t>, std::size_t> seen;  // where all are before a round of the loop, and when
+    std::map<std::vector<std::size_t>, std::size_t> seen;  // positions of all runs, with the first step there
     const bool alone = shown.loop && shown.never_waits_again();
     for (Player here(shown); !here.over() && made.steps.size() <= most_steps; here.go_on()) {
         if (shown.loop && here.place() == *shown.loop) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs of parts that take turns as one run of the whole system. Each step is made anew on the whole, by its choices.
+// Combines runs of interleaved parts to one run of the complete system. Each step is re-executed in the complete system
+// with its choices.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +13,15 @@
 
 namespace grafverif {
 
-/// A step of the whole that one part makes alone, or all together.
+/// A step of the complete system by one part alone, or by all together.
 struct TurnStep {
-    enum class Kind { Moves, Waits, Ends };  ///< Ends: nothing can happen, the state repeats itself
+    enum class Kind { Moves, Waits, Ends };  ///< Ends: no event is possible, the state is repeated
     Kind kind = Kind::Moves;
-    std::vector<std::pair<std::uint32_t, std::int64_t>> choices = {};  ///< variables of the whole; the others are 0
+    std::vector<std::pair<std::uint32_t, std::int64_t>> choices = {};  ///< by variable of the complete system; the
+                                                                       ///< others are 0
 };
 
-/// What a part does; a lasso leads back to the state before step `loop`.
+/// A run of a part; a lasso leads back to the state before step `loop`.
 struct TurnRun {
     std::vector<TurnStep> steps = {};
     std::optional<std::size_t> loop = {};
@@ -27,17 +29,18 @@ struct TurnRun {
     bool never_waits_again() const;
 };
 
-/// One after the other; the second begins where the first, which is finite, ends.
+/// The concatenation of two runs; requires that the second begins where the first, which is finite, ends.
 TurnRun behind(TurnRun first, const TurnRun& second);
 
-/// The same without the steps in which nobody moves. Requires that a loop has others.
+/// The run without steps in which no process moves. Requires that a loop has others.
 TurnRun without_waits(const TurnRun& run);
 
-/// `shown` beside `others`, lassos that wait again and again: all wait together. `settling`: the others go on to where
-/// they would wait next. Empty: it would repeat only after very long. `shown` does not end in a state that repeats itself.
+/// Combines `shown` with `others`, lassos that wait infinitely often; all wait together. `settling`: the others
+/// continue to their next wait. Empty if the period would be too long. Requires that `shown` does not end in a repeated
+/// state.
 std::optional<TurnRun> side_by_side(const TurnRun& shown, const std::vector<TurnRun>& others, bool settling);
 
-/// The run as one of the whole.
+/// The run as one of the complete system.
 FlatRun replayed(const FlatSystem& whole, const TurnRun& run);
 
 }  // namespace grafverif

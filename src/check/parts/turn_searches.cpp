@@ -38,7 +38,7 @@ PartList TurnSearches::reads(const std::vector<Id<Expr>>& operands) const {
             const auto* define = std::get_if<TransitionSystem::DefineSymbol>(&symbols[symbol].kind);
             if (of_[symbol.index] != no_part) read.push_back(of_[symbol.index]);
             else if (define != nullptr) open.push_back(define->value);
-            else return all();  // what several write
+            else return all();  // written by several parts
         }
     }
     std::ranges::sort(read);
@@ -46,7 +46,7 @@ PartList TurnSearches::reads(const std::vector<Id<Expr>>& operands) const {
     return read.empty() ? PartList{0} : read;
 }
 
-/// A flag that several parts set: each has one of its own when it is alone.
+/// True for a flag that several parts set: each part has a separate copy if it is alone.
 bool TurnSearches::set_by_several(Id<Expr> term) const {
     if (system_.exprs[term].op != Op::Variable) return false;
     const Id<TransitionSystem::Symbol> symbol{static_cast<std::uint32_t>(system_.exprs[term].value)};
@@ -65,14 +65,14 @@ bool TurnSearches::about_each(const Property& property) const {
                                [&](Id<Expr> each) { return set_by_several(each) || reads({each}).size() == 1; });
 }
 
-/// The disjuncts of what speaks of every part alike that speak of this one.
+/// For a property of all parts: the disjuncts that concern this one.
 std::vector<Id<Expr>> TurnSearches::share(const Property& property, std::uint32_t part) const {
     std::vector<Id<Expr>> found = operands_of(system_.exprs, property.operands.front(), Op::Or);
     std::erase_if(found, [&](Id<Expr> each) { return !set_by_several(each) && reads({each}) != PartList{part}; });
     return found;
 }
 
-/// Of these parts, with all that is asked of them alone.
+/// The search of these parts, with all queries that concern only them.
 Searched& TurnSearches::search(const PartList& chosen) {
     const auto [known, fresh] = searches_.try_emplace(chosen);
     Searched& made = known->second;
@@ -118,11 +118,11 @@ symbolic::Turns& TurnSearches::turns(Searched& search) {
     return *search.turns;
 }
 
-/// Finds out of a part what a claim about others needs to know.
+/// Determines the properties of a part that a verdict about others requires.
 void TurnSearches::know(Searched& search, Claim claim, bool at_stable) {
     Neighbour& as = search.as;
     if (!as.searched || (claim == Claim::Everywhere && !at_stable)) return;
-    // What a search that ran out of memory left open is asked again.
+    // Repeats queries of a search that ran out of memory.
     if (timed() && !search.knows_time) {
         as.never_locks = turns(search).never_locks();
         as.diverges = as.never_locks || turns(search).diverges();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sub-loops that take turns, each searched as a system of its own with what is asked of it alone, and what each must be for
-// others to be judged without it.
+// Searches of interleaved subsystems ("sub-loops"): each is searched as a separate system with the queries that concern
+// it alone, and with the side conditions under which it can be omitted from queries about others.
 #pragma once
 
 #include <cstdint>
@@ -14,27 +14,27 @@
 
 namespace grafverif {
 
-/// Some parts, searched as a system of their own.
+/// Some parts, searched as a separate system.
 struct Searched {
     PartList chosen = {};
     TransitionSystem system = {};
     SymbolicOptions options = {};
-    std::vector<Id<Property>> asked = {};  ///< of the whole, in the order of its verdicts
+    std::vector<Id<Property>> asked = {};  ///< of the complete system, in the order of its verdicts
     std::unique_ptr<symbolic::Check> check = {};
     SymbolicResult result = {};
     std::unique_ptr<symbolic::Turns> turns = {};
     Neighbour as = {};
-    bool knows_time = false, knows_rest = false, knows_settled = false;  ///< what of `as` was found out
+    bool knows_time = false, knows_rest = false, knows_settled = false;  ///< the properties of `as` that are known
 };
 
 class TurnSearches {
 public:
-    /// Both outlive this.
+    /// Both arguments must outlive the object.
     TurnSearches(const TransitionSystem& system, const SymbolicOptions& options)
         : system_(system), options_(options), flat_(flattened(system)), of_(parts_of_symbols(system)) {}
 
     const FlatSystem& flat() const { return flat_; }
-    /// Clocks count.
+    /// True if clocks matter.
     bool timed() const { return system_.parts.can_wait.valid(); }
     PartList all() const;
     PartList others(const PartList& chosen) const;
@@ -42,13 +42,13 @@ public:
     bool asked(const Property& property) const;
     /// The parts that the operands read.
     PartList reads(const std::vector<Id<Expr>>& operands) const;
-    /// It speaks of every part alike: that none can lock time, come to an end, race or leave a range.
+    /// True if it concerns all parts in the same way: no part causes a timelock, terminates, races or leaves a range.
     bool about_each(const Property& property) const;
 
-    /// Of these parts; made when first asked for. What was made stays.
+    /// The search of these parts; created on first use and kept.
     Searched& search(const PartList& chosen);
     symbolic::Turns& turns(Searched& search);
-    /// A part as far as a verdict on others needs to know it.
+    /// The properties of a part that a verdict on others requires.
     const Neighbour& neighbour(std::uint32_t part, const Verdict& verdict, bool at_stable);
     void forget() { searches_.clear(); }
 

@@ -8,7 +8,7 @@ namespace grafverif::pdr {
 
 namespace {
 
-/// The whole circuit as clauses, gate by gate; variable n + 1 is node n.
+/// The complete circuit as clauses, gate by gate; variable n + 1 is node n.
 class WholeCircuit {
 public:
     WholeCircuit(const Circuit& circuit, Watch& watch) : solver_(watch) {

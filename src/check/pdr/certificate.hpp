@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Certificates: why a state is never reached, checked by a solver that has seen nothing of the search.
+// Certificates of unreachability, checked by a solver that is independent of the search.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace grafverif::pdr {
 
-/// States in which each of these latches has that value: literals of latches, increasing.
+/// The states in which each of these latches has the given value: literals of latches, increasing.
 using Cube = std::vector<Literal>;
 
-/// Why the complement of the cubes is no inductive invariant that excludes `bad`; empty: it is one. Then no state with
-/// `bad` can be reached: the first state is in none of the cubes, no step leads from outside all of them into one, and
-/// outside all of them `bad` is false. Throws Exhausted.
+/// The reason why the complement of the cubes is not an inductive invariant that excludes `bad`; empty if it is one.
+/// Then no state with `bad` is reachable: the first state is in none of the cubes, no step leads from outside all cubes
+/// into one, and outside all cubes `bad` is false. Throws Exhausted.
 std::string flaw(const Circuit& circuit, Literal bad, const std::vector<Cube>& cubes, Watch& watch);
 
 }  // namespace grafverif::pdr

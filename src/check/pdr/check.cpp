@@ -20,7 +20,7 @@ namespace pdr {
 
 namespace {
 
-/// Why this engine does not take a property; empty: it does.
+/// The reason why this engine does not support a property; empty if it does.
 std::string refusal(Pattern pattern) {
     const bool about_runs =
         pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo || pattern == Pattern::AlwaysPossible;
@@ -62,23 +62,23 @@ private:
         const Property& property;
         Verdict verdict = {};
         std::optional<SystemRun> run = {};
-        const Circuit::Target* target = nullptr;  ///< null: there is nothing to search
-        std::size_t cleared = 0;                  ///< the first so many states of every run do not have its `bad`
-        bool open = true, has_value = false;      ///< has_value: in every state that is reached, which is proved
-        const std::atomic<bool>* moot = nullptr;  ///< somebody else has decided it
-        std::function<Answer()> search = {};      ///< of PDR, interrupted
+        const Circuit::Target* target = nullptr;  ///< null: nothing to search for
+        std::size_t cleared = 0;                  ///< number of initial states of every run in which `bad` is false
+        bool open = true, has_value = false;      ///< has_value: proved for every reachable state
+        const std::atomic<bool>* moot = nullptr;  ///< another engine has decided it
+        std::function<Answer()> search = {};      ///< an interrupted PDR search
 
         bool is_open() const { return open && (moot == nullptr || !moot->load()); }
         bool wants() const { return property.pattern == Pattern::Reachable; }
     };
 
-    /// What is answered without a search is answered here.
+    /// Adds a query; queries that need no search are decided here.
     void ask(Id<Property> id) {
         const Property& property = system_.properties[id];
         Question& question = questions_.emplace_back(Question{property, verdict_on(id, property)});
         if (const std::string why = refusal(property.pattern); !why.empty())
             return give_up(question, Obstacle::Unsupported, why);
-        if (is_probe(property) && options_.method == PdrOptions::Method::Bmc)  // by which nothing holds
+        if (is_probe(property) && options_.method == PdrOptions::Method::Bmc)  // it never proves that a property holds
             return give_up(question, Obstacle::Unsupported, "its property is not proved");
         if (fault_obstacle_ != Obstacle::None) return give_up(question, fault_obstacle_, fault_reason_);
         question.target = &element_of(circuit_.targets, id, &Circuit::Target::about);
@@ -102,9 +102,9 @@ private:
         return cause == Exhausted::Cause::Stopped ? Obstacle::Stopped : Obstacle::Memory;
     }
 
-    /// Whether a state with `bad` is reached. What says so and what says no has been checked, whatever was asked: on a fault
-    /// or on what is settled other verdicts rest.
-    /// `going_on`: a search that was interrupted, or nothing yet; it is kept there where it is interrupted again.
+    /// Searches for a state with `bad`. Both possible results are validated for every query, since other verdicts
+    /// depend on faults and quiescence. `going_on`: an interrupted search, or empty; stores the search if it is
+    /// interrupted again.
     Answer searched(Literal bad, const std::string& name, std::function<Answer()>* going_on = nullptr) {
         const auto told = [this, &name](std::size_t frames) {
             if (options_.progress) options_.progress({name, frames, watch_.bytes(), seconds()});
@@ -125,7 +125,7 @@ private:
         return answer;
     }
 
-    /// Whether the run has a state with `bad`; what follows the first of them is cut off.
+    /// True if the run has a state with `bad`; removes the states after the first of them.
     bool gets_to(Literal bad, std::vector<std::vector<bool>>& inputs) const {
         std::size_t states = 0, first = 0;
         run_through(circuit_, inputs, [&](const NodeValues& values) {
@@ -136,7 +136,7 @@ private:
         return first != 0;
     }
 
-    /// Something of ours that does not stand up.
+    /// An unsound result of an internal engine.
     struct Unsound {
         std::string what = {};
     };
@@ -154,9 +154,9 @@ private:
     }
     ToldRun told_run(const Answer& answer) const { return {states_of(circuit_, answer.inputs), {}}; }
 
-    // -- whether the system means something ------------------------------------------------------------------------
+    // -- validity of the system ------------------------------------------------------------------------------------
 
-    /// Calls `work`; what it has not come to keeps every verdict from being given.
+    /// Calls `work` and handles exhausted limits and invalid results: open queries then stay undecided.
     template <class Work>
     void guarded(const Work& work) {
         obstacle_ = Obstacle::None;
@@ -179,7 +179,7 @@ private:
         if (obstacle_ == Obstacle::Stopped && !watch_.over()) reason_ = "its share of the time is over";
     }
 
-    /// Of ours a failure; a program is not believed.
+    /// For an internal engine a failure; the result of an external program is only rejected.
     void disbelieve(const std::string& what) {
         if (!options_.reach) result_.failures.push_back(what);
         obstacle_ = options_.reach ? Obstacle::Disagrees : Obstacle::Failed;
@@ -203,8 +203,8 @@ private:
         return solver.solve(std::vector{first, possible});
     }
 
-    /// Where all values are in range and no step leads out, they stay so. Of the steps that might, as far as that goes, it
-    /// takes a search.
+    /// If all values are initially in range, and no step leaves the range, they stay in range. For a step that may
+    /// leave it, a search determines whether it is reachable.
     void look_for_leaks() {
         Solver solver(circuit_, watch_);
         const int in_range = circuit_.leaks.empty() ? 0 : solver.of(circuit_.in_range);
@@ -223,7 +223,7 @@ private:
 
     bool any_open() const { return std::ranges::any_of(questions_, &Question::is_open); }
 
-    /// False of a probe whose property does not hold.
+    /// False for a probe of a property that does not hold.
     bool matters(const Question& question) const {
         if (!is_probe(question.property)) return true;
         const auto of = std::ranges::find(questions_, probed_by(question.property),
@@ -231,7 +231,8 @@ private:
         return of == questions_.end() || of->open || of->verdict.outcome == Outcome::Holds;
     }
 
-    /// One after the other, each with its share of the time, or for so long; what is open then stays so.
+    /// Decides the queries sequentially, each with its share of the time, or for at most `time`; undecided ones stay
+    /// open.
     void by_pdr(std::optional<Clock::duration> time) {
         auto left = static_cast<std::size_t>(std::ranges::count_if(questions_, &Question::is_open));
         for (Question& question : questions_) {
@@ -251,7 +252,7 @@ private:
         }
     }
 
-    /// After work on a question: what it came to. `later`: it may go on where no more than its share of the time is over.
+    /// Evaluates the work on a query. `later`: it may continue if only its share of the time is used up.
     void conclude(Question& question, const char* by, bool later) {
         if (obstacle_ == Obstacle::None) {
             if (options_.method != PdrOptions::Method::InTurns || question.verdict.outcome == Outcome::Unknown) return;
@@ -262,7 +263,7 @@ private:
         }
     }
 
-    /// PDR loses what it was at where it is interrupted: few questions have more of the first round each.
+    /// An interrupted PDR search loses its current obligation: with few queries, each gets a longer first round.
     void in_turns() {
         constexpr std::ptrdiff_t few = 8;
         const auto open = std::max<std::ptrdiff_t>(1, std::ranges::count_if(questions_, &Question::is_open));
@@ -286,7 +287,7 @@ private:
             if (!options_.reach && !is_probe(property)) shorten(question, answer, Clock::now() - start);
             return reached(question, answer);
         }
-        if (!question.wants() && property.at_stable) is_settled();  // where that is interrupted the question stays open
+        if (!question.wants() && property.at_stable) is_settled();  // if that is interrupted, the query stays open
         close(question, question.wants() ? Outcome::Violated : Outcome::Holds);
         question.verdict.notes.push_back("an inductive invariant of " + std::to_string(answer.invariant.size()) +
                                          (answer.invariant.size() == 1 ? " clause" : " clauses") +
@@ -316,7 +317,7 @@ private:
         question.verdict.outcome = outcome;
     }
 
-    /// What `answer` shows, held against the terms of the system.
+    /// Validates the run in `answer` by the terms of the system.
     void reached(Question& question, const Answer& answer) {
         if (const std::string why = doubt(system_, flat_, question.property, told_run(answer)); !why.empty())
             throw Unsound{"the run found for `" + question.property.name + "` is none: " + why};
@@ -328,9 +329,9 @@ private:
                                                 : "a run with fewer steps may show it");
     }
 
-    // -- all runs, step by step --------------------------------------------------------------------------------------
+    // -- bounded model checking --------------------------------------------------------------------------------------
 
-    /// Looks for a shorter run, for about as long as it took to find this one.
+    /// Searches for a shorter run, for about as long as it took to find this one.
     void shorten(Question& question, Answer& answer, Clock::duration took) {
         watch_.limit(took + std::chrono::seconds(2));
         try {
@@ -343,7 +344,7 @@ private:
         }
     }
 
-    /// A run to the first state that was not looked at yet; nothing: there is none.
+    /// A run to the first state that has not been searched yet; nothing if there is none.
     std::optional<RunInputs> next_step(Question& question) {
         if (!unrolling_) unrolling_.emplace(circuit_, watch_);
         std::optional<RunInputs> found = unrolling_->run_to(question.target->bad, question.cleared);
@@ -353,7 +354,7 @@ private:
         return found;
     }
 
-    /// All that is open, a step of all runs after the other; where it is told for how long, what is open then stays so.
+    /// Extends the search of all open queries step by step; with `time`, queries that are open at its end stay open.
     void by_bmc(std::optional<Clock::duration> time) {
         if (without_bmc_) return;
         if (!time) refuse_what_has_no_value();
@@ -371,7 +372,7 @@ private:
                         reached(*question, {.reached = true, .inputs = std::move(*inputs)});
                 });
             question->verdict.seconds = seconds();
-            if (time && obstacle_ == Obstacle::Memory) {  // PDR may do with less
+            if (time && obstacle_ == Obstacle::Memory) {  // PDR may need less
                 unrolling_.reset();
                 without_bmc_ = true;
                 return;
@@ -389,7 +390,7 @@ private:
         }
     }
 
-    /// Of what is open and has a value; null: nothing is.
+    /// The open query with a value that has been searched least; null if there is none.
     Question* least_looked_at() {
         Question* least = nullptr;
         for (Question& question : questions_)
@@ -398,7 +399,7 @@ private:
         return least;
     }
 
-    /// Why BMC ends without a run, and what it says of those it has looked at.
+    /// The reason why BMC ends without a run, and the length of the searched runs.
     std::string what_is_cleared(const Question& question) const {
         std::string words = obstacle_ == Obstacle::Bound ? "" : reason_;
         if (question.cleared == 0) return words;
@@ -407,7 +408,7 @@ private:
                (steps == 1 ? " step" : " steps") + (question.wants() ? " gets there" : " violates it");
     }
 
-    /// Whether some state is settled.
+    /// True if some state is quiescent.
     bool is_settled() {
         if (!settled_) settled_ = searched(circuit_.settled, "settled").reached;
         return *settled_;
@@ -429,12 +430,12 @@ private:
     std::vector<Question> questions_ = {};
     std::optional<Unrolling> unrolling_ = {};
     std::optional<EqualLatches> equal_latches_ = {};
-    bool without_bmc_ = false;            ///< there is not the memory for it
-    Obstacle obstacle_ = Obstacle::None;  ///< met by the work at hand
+    bool without_bmc_ = false;            ///< there is not enough memory for it
+    Obstacle obstacle_ = Obstacle::None;  ///< of the current work
     std::string reason_ = {};
-    Obstacle fault_obstacle_ = Obstacle::None;  ///< met by every question
+    Obstacle fault_obstacle_ = Obstacle::None;  ///< of the search for faults
     std::string fault_reason_ = {};
-    std::optional<bool> settled_ = {};  ///< whether some state is settled
+    std::optional<bool> settled_ = {};  ///< true if some state is quiescent
 };
 
 }  // namespace

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Engines on a circuit: properties about states of a TransitionSystem (`always`, `never`, `exactly one of`, `reachable`),
-// by property directed reachability, one at a time (PDR), or by looking at all runs of one step, two steps, and so on (BMC,
-// bounded model checking).
+// Engines on a circuit: decide properties about states of a TransitionSystem (`always`, `never`, `exactly one of`,
+// `reachable`), by property directed reachability, one at a time (PDR), or by bounded model checking (BMC), which
+// searches all runs of increasing length.
 //
-// `holds` (of `reachable`: violated) rests on an inductive invariant, checked by a second solver that has seen nothing of the
-// search; BMC never says it. Others may search in place of PDR (PdrOptions::reach): what they find is checked alike. What is
-// reached comes with a run of the system, held against its terms before it is told. A run of ours is looked at for shorter
-// ones by BMC; a note says whether there are none.
+// `holds` (for `reachable`: violated) is based on an inductive invariant, which an independent second solver checks;
+// BMC cannot prove it. Other engines may search in place of PDR (PdrOptions::reach); their results are validated in the
+// same way. A violation comes with a run of the system, which is validated by its terms. BMC searches for runs shorter
+// than one found by PDR; a note states if there are none.
 //
-// A system that leaves the range of a variable means nothing, and nothing is decided about it (`faulty`); it is proved, by PDR,
-// that none does. That every state has a step is not looked at: verdicts are about the states that runs reach.
+// If a variable of a system can leave its range, nothing is decided about the system (`faulty`); PDR proves that none
+// can. Totality is not checked: verdicts are about the states that runs reach.
 #pragma once
 
 #include <functional>
@@ -30,31 +30,31 @@ struct PdrProgress {
     double seconds = 0;
 };
 
-/// Thrown by who searches in place of the engine, where it has no answer, or one that means nothing.
+/// Thrown by an engine in place of PDR without a result, or with an invalid one.
 struct Undecided {
     Obstacle obstacle = Obstacle::Failed;
     std::string reason = {};
 };
 
 struct PdrOptions {
-    /// InTurns: PDR for a while on each property, then BMC for a third of that, then both for four times as long, and so on; a note
-    /// says which of them found the verdict.
+    /// InTurns: PDR for some time on each property, then BMC for a third of that time; both are repeated with fourfold
+    /// time. A note names the engine that found the verdict.
     enum class Method { Pdr, Bmc, InTurns };
     Method method = Method::Pdr;
     std::chrono::steady_clock::duration first_turn = std::chrono::milliseconds(250);
     std::optional<std::size_t> max_steps =
-        {};  ///< of BMC: of the runs that it looks at; empty: as time and memory allow
-    /// Searches in place of PDR, as pdr::reach does; what it finds is checked all the same.
+        {};  ///< for BMC: length of the searched runs; empty: limited by time and memory only
+    /// Searches in place of PDR, as pdr::reach does; its results are validated.
     std::function<pdr::Answer(const Circuit& circuit, pdr::Literal bad, pdr::Watch& watch)> reach = {};
     bool equal_latches =
-        false;  ///< first try the invariant that latches are equal: for two similar systems side by side
+        false;  ///< first try the invariant that latches are equal: for the product of two similar systems
     std::vector<std::string> properties = {};            ///< names; empty: all
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;                ///< set by somebody else: end with what is known
+    const std::atomic<bool>* stop = nullptr;                ///< cancellation flag: return the results so far
     std::function<void(const PdrProgress&)> progress = {};  ///< called for every frame or step
-    /// Of InTurns. Called with every verdict that is not unknown, as soon as it is there; which properties of the system somebody
-    /// else has decided meanwhile: nothing more is done for them.
+    /// For InTurns. `answered` is called with every verdict that is not unknown, as soon as it is available; `moot`
+    /// marks properties of the system that another engine has decided, which need no further work.
     std::function<void(const Verdict&, const std::optional<SystemRun>&)> answered = {};
     const std::vector<std::atomic<bool>>* moot = nullptr;
 };
@@ -63,7 +63,7 @@ struct PdrResult {
     std::vector<Verdict> verdicts = {};               ///< in the order of the properties
     std::vector<std::optional<SystemRun>> runs = {};  ///< per verdict: counterexample, or witness of `reachable`
     std::optional<SystemFault> fault = {};
-    std::vector<std::string> failures = {};  ///< ours: a proof or a run that does not stand up
+    std::vector<std::string> failures = {};  ///< internal failures: an invalid proof or run
 };
 
 /// Requires verify(system).empty().

@@ -18,7 +18,7 @@ constexpr std::size_t runs = 8, states_of_a_run = 64;
 EqualLatches::EqualLatches(const Circuit& circuit, Watch& watch)
     : circuit_(circuit), watch_(watch), class_of_(circuit.latches.size()) {}
 
-/// Latches of a class stay together if they have the same value; class 0 keeps those whose value is false.
+/// Splits each class by value; class 0 keeps the latches whose value is false.
 template <class Value>
 void EqualLatches::split(const Value& value) {
     std::map<std::pair<std::size_t, bool>, std::size_t> classes{{{0, false}, 0}};
@@ -39,13 +39,13 @@ void EqualLatches::split_by_runs() {
     }
 }
 
-/// False: there is no step to split by.
+/// False if there is no step to split by.
 bool EqualLatches::split_by_solver() {
     if (!solver_) solver_.emplace(circuit_, watch_);
     Solver& solver = *solver_;
     const int equal = solver.fresh();
     std::vector<int> differ;
-    std::map<std::size_t, std::size_t> first;  // per class the latch that the others are compared with
+    std::map<std::size_t, std::size_t> first;  // per class, the latch that represents it
     for (std::size_t k = 0; k < class_of_.size(); ++k) {
         const Circuit::Latch& latch = circuit_.latches[k];
         Circuit::Latch other;  // the constant false

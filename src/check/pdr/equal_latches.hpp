@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Signal correspondence (van Eijk 2000: "Sequential equivalence checking based on structural similarities"): which latches
-// of a circuit have equal values in every reachable state, by induction. Two systems side by side that keep the same state
-// are proved equal by this at once, and by PDR only with an invariant that relates all values of their state.
+// Signal correspondence (van Eijk 2000: "Sequential equivalence checking based on structural similarities"): determines
+// by induction which latches of a circuit have equal values in every reachable state. It directly proves two systems
+// equal if both keep the same state. PDR would need an invariant that relates all values of their states.
 //
-// Latches start in one class, with the constant false. Random runs split the classes; then a solver looks for a state in
-// which all latches of a class are equal and a step to one in which some are not, and that step splits them, until there is
-// none.
+// Initially all latches and the constant false form one class. Random runs split the classes. Then a solver searches
+// for a step from a state in which all latches of a class are equal to one in which they are not, and that step splits
+// them, until there is none.
 #pragma once
 
 #include <optional>
@@ -17,11 +17,11 @@ namespace grafverif::pdr {
 
 class EqualLatches {
 public:
-    /// Both outlive it.
+    /// Both arguments must outlive the object.
     EqualLatches(const Circuit& circuit, Watch& watch);
 
-    /// States that are never reached because two latches would differ in them: an inductive invariant, see flaw. Throws
-    /// Exhausted; called again it continues.
+    /// Unreachable states, in which two latches would differ: the cubes of an inductive invariant, see flaw. Throws
+    /// Exhausted; another call continues.
     const std::vector<Cube>& cubes();
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Justification: of a state and inputs that make some literals true, a part that does so alone.
+// Justification: reduces a state and inputs that make some literals true to a sufficient part of them.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace grafverif::pdr {
 
-/// A source and its value.
+/// Literals of latches or inputs.
 using Sources = std::vector<Gates::Literal>;
 
 class Justifier {
@@ -21,8 +21,8 @@ public:
     struct Part {
         Sources latches = {}, inputs = {};  ///< literals that are true; increasing
     };
-    /// `value`: of every literal in the cone of `targets`, all of which are true. As few latches as a look along the gates
-    /// finds.
+    /// `value`: of every literal in the cone of `targets`, all of which are true. Minimizes the number of latches by a
+    /// greedy pass over the gates.
     Part part(const std::vector<Gates::Literal>& targets, const std::function<bool(Gates::Literal)>& value);
 
 private:
@@ -30,8 +30,8 @@ private:
 
     const Circuit& circuit_;
     std::vector<bool> is_latch_;                ///< per node
-    std::vector<std::uint32_t> seen_, needed_;  ///< per node: the round in which it was
-    std::vector<std::uint32_t> cost_;           ///< per node: latches that its value may need
+    std::vector<std::uint32_t> seen_, needed_;  ///< per node: the last round in which it was seen or needed
+    std::vector<std::uint32_t> cost_;           ///< per node: number of latches that its value may need
     std::vector<char> values_;                  ///< per node
     std::vector<std::uint32_t> cone_ = {};      ///< increasing
     std::uint32_t round_ = 0;

@@ -21,11 +21,11 @@ bool holds_first_state(const Cube& cube) { return std::ranges::all_of(cube, is_i
 
 bool contains(const Cube& cube, const Cube& part) { return std::ranges::includes(cube, part); }
 
-/// A state, in part, that leads to `bad`.
+/// A partial state that leads to `bad`.
 struct Obligation {
     Cube state = {};
-    Sources inputs = {};        ///< with these it leads to `successor`, or is bad itself
-    std::size_t successor = 0;  ///< of the last: itself
+    Sources inputs = {};        ///< with these it leads to `successor`, or is bad
+    std::size_t successor = 0;  ///< of the last one: itself
     std::size_t frame = 0, depth = 0;
 };
 
@@ -36,7 +36,7 @@ public:
         for (const Circuit::Latch& latch : circuit.latches) next_[latch.node] = latch.next;
     }
 
-    /// After Exhausted it goes on where it was.
+    /// After Exhausted, another call continues.
     Answer result() {
         obligations_.clear();
         if (frames_.empty()) add_frame();  // frame 0: the first state
@@ -68,7 +68,7 @@ private:
         active_.push_back(solver_ ? solver_->fresh() : 0);
     }
 
-    /// A solver without the clauses that nobody needs any more.
+    /// Replaces the solver by one without unused clauses.
     void renew() {
         solver_.emplace(circuit_, watch_);
         for (int& each : active_) each = solver_->fresh();
@@ -86,13 +86,13 @@ private:
         ++live_;
     }
 
-    /// What holds in frame i: it excludes what later frames exclude.
+    /// The assumptions of frame i: it excludes the cubes of later frames too.
     std::vector<int> in_frame(std::size_t frame) const {
         return {active_.begin() + static_cast<std::ptrdiff_t>(frame), active_.end()};
     }
 
-    /// A state of frame i outside `cube` that a step leads from into `cube`; if there is none, `core` is what of the cube
-    /// the solver needed for that.
+    /// Searches for a step from a state of frame i outside `cube` into `cube`; if there is none, `core` is the part of
+    /// the cube that the solver needed.
     bool steps_into(const Cube& cube, std::size_t frame, bool from_outside, Cube& core) {
         std::vector<int> assumptions = in_frame(frame);
         const std::size_t first = assumptions.size();
@@ -117,7 +117,7 @@ private:
         return nexts;
     }
 
-    /// `core` excludes the first state, as `cube` does.
+    /// Extends `core` so that it excludes the first state, as `cube` does.
     static void keep_off_first_state(Cube& core, const Cube& cube) {
         if (!holds_first_state(core)) return;
         const auto found = std::ranges::find_if_not(cube, is_inverted);
@@ -125,7 +125,7 @@ private:
         core.insert(std::ranges::lower_bound(core, *found), *found);
     }
 
-    /// Of the solver's last answer: the part of it that makes `targets` true.
+    /// From the solver's model: the part of it that makes `targets` true.
     Obligation found_for(const std::vector<Literal>& targets) {
         Justifier::Part part = justifier_.part(targets, [this](Literal literal) { return solver_->value(literal); });
         Obligation found;
@@ -151,8 +151,8 @@ private:
         return obligations_.size() - 1;
     }
 
-    /// Excludes the state from its frame, and all that leads to it from the frames before; or the obligation that holds
-    /// the first state.
+    /// Excludes the state from its frame, and all its predecessors from the frames before; or returns the obligation
+    /// that contains the first state.
     std::size_t block(std::size_t first) {
         const auto later = [this](std::size_t a, std::size_t b) {
             const Obligation &one = obligations_[a], &other = obligations_[b];
@@ -195,7 +195,7 @@ private:
         return false;
     }
 
-    /// Excludes the cube, and as much beside it as may be, from the frame and from those behind it that allow it.
+    /// Excludes a generalization of the cube from the frame and from later frames that contain it.
     void learn(Cube cube, std::size_t frame, bool in_the_way = false) {
         generalise(cube, frame - 1, in_the_way);
         Cube core;
@@ -210,7 +210,7 @@ private:
         frames_[frame].push_back(std::move(cube));
     }
 
-    /// Leaves out of the cube what it needs not, those first that were of little use so far.
+    /// Removes literals that the cube does not need, beginning with those that were least useful so far.
     void generalise(Cube& cube, std::size_t before, bool in_the_way) {
         Cube order = cube;
         std::ranges::stable_sort(order, {}, [this](Literal literal) {
@@ -225,9 +225,9 @@ private:
         }
     }
 
-    /// Whether the cube is excluded, in part, where the next step leads; what is left in it is what that takes. A state in the
-    /// way, of which few are looked at, is excluded itself if nothing leads to it (Hassan, Bradley and Somenzi 2013: "Better
-    /// generalization in IC3").
+    /// True if the step relation excludes the cube; reduces it to the part needed for that. A state that prevents this
+    /// is excluded itself if it has no predecessors; the number of these attempts is limited (Hassan, Bradley and
+    /// Somenzi 2013: "Better generalization in IC3").
     bool excludes(Cube& cube, std::size_t before, bool in_the_way) {
         if (holds_first_state(cube)) return false;
         Cube core;
@@ -241,7 +241,7 @@ private:
         return true;
     }
 
-    /// Every cube moves on to the next frame if that excludes it too; the frame that is empty then.
+    /// Moves every cube to the next frame if that excludes it too; returns a frame that has become empty.
     std::optional<std::size_t> propagated() {
         for (std::size_t frame = 1; frame < top(); ++frame) {
             const std::vector<Cube> cubes = frames_[frame];
@@ -259,7 +259,7 @@ private:
         return {};
     }
 
-    // -- answers ---------------------------------------------------------------------------------------------------
+    // -- results ---------------------------------------------------------------------------------------------------
 
     Answer reached(std::size_t at) const {
         Answer answer{.reached = true, .frames = top()};
@@ -288,7 +288,7 @@ private:
     Justifier justifier_;
     std::unordered_map<std::uint32_t, Literal> next_ = {};  ///< per node of a latch
     std::optional<Solver> solver_ = {};
-    std::vector<std::vector<Cube>> frames_ = {};  ///< what a frame excludes and the next one does not
+    std::vector<std::vector<Cube>> frames_ = {};  ///< the cubes that a frame excludes and the next one does not
     std::vector<int> active_ = {};                ///< per frame: the assumption under which its clauses hold
     std::vector<Obligation> obligations_ = {};
     std::unordered_map<Literal, unsigned> uses_ = {};

@@ -8,7 +8,7 @@
 #include <new>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define SANITIZED                                                  // they have an allocator of their own
+#define SANITIZED                                                  // they have a separate allocator
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // NOLINT: its name
 #endif
 
@@ -32,7 +32,7 @@ Watch::Watch(const Bounds& bounds) : bounds_(bounds), share_(bounds.deadline), b
 void Watch::share(std::size_t parts) {
     met_.reset();
     calls_ = 0;
-    share_ = bounds_.deadline;  // a limit of what was done before is over
+    share_ = bounds_.deadline;  // a limit of earlier work no longer applies
     if (!bounds_.deadline || parts == 0) return;
     const auto now = std::chrono::steady_clock::now();
     if (now < *bounds_.deadline) share_ = now + (*bounds_.deadline - now) / static_cast<std::int64_t>(parts);
@@ -59,7 +59,7 @@ bool Watch::terminate() {
     if (met_) return true;
     for (const std::atomic<bool>* each : {bounds_.stop, moot_})
         if (each != nullptr && each->load(std::memory_order_relaxed)) met_ = Exhausted::Cause::Stopped;
-    constexpr std::uint32_t seldom = 64;  // what follows asks the system
+    constexpr std::uint32_t seldom = 64;  // the following queries call the system
     if (calls_++ % seldom != 0 || met_) return met_.has_value();
     const auto now = std::chrono::steady_clock::now();
     if (share_ && now >= *share_) met_ = Exhausted::Cause::Stopped;
@@ -154,7 +154,7 @@ int Solver::literal(Literal literal) const {
 int Solver::of(Literal wanted) {
     variable_.resize(circuit_.gates.size());
     is_latch_.resize(circuit_.gates.size());
-    std::vector<std::uint32_t> open;  // gates with a variable and no clauses yet
+    std::vector<std::uint32_t> open;  // gates that have a variable but no clauses yet
     const auto name = [&](std::uint32_t node) {
         if (variable_[node] != 0) return;
         variable(node);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One state of a circuit, with the functions of it that anybody asks for, as clauses in a solver (CaDiCaL; Biere, Fazekas,
-// Fleury and Heisinger 2020) that is asked again and again. A gate becomes clauses when it is first spoken of, so that what
-// a question does not concern costs nothing.
+// Incremental solver for functions of one state of a circuit (CaDiCaL; Biere, Fazekas, Fleury and Heisinger 2020). A
+// gate is translated to clauses on first use, so that a query only costs its cone.
 #pragma once
 
 #include <atomic>
@@ -19,46 +18,47 @@ namespace grafverif::pdr {
 
 using Literal = Gates::Literal;
 
-/// What bounds the work.
+/// Limits of the work.
 struct Bounds {
     std::uint64_t memory = std::uint64_t{2} << 30U;  ///< bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;
 };
 
-/// Thrown where a bound is met; what a solver was asked last has no answer then.
+/// Thrown when a limit is exceeded; the current query of the solver has no result then.
 struct Exhausted {
     enum class Cause { Memory, Stopped };
     Cause cause = Cause::Stopped;
 };
 
-/// Looks at the bounds while the solver works, and for who asks.
+/// Polls the limits, during the solver's work and for other callers.
 class Watch final : public CaDiCaL::Terminator {
 public:
     explicit Watch(const Bounds& bounds);
 
-    /// From now on a share of the time left counts, one of `parts` alike; whoever met that bound may go on in the next.
+    /// From now on one of `parts` equal shares of the remaining time is the limit; work that exceeds it may continue in
+    /// the next share.
     void share(std::size_t parts);
-    /// From now on there is that time at most, within what is left at all.
+    /// From now on the given time is the limit, within the remaining time.
     void limit(std::chrono::steady_clock::duration time);
-    /// From now on the work ends too where this is set; null: it does not.
+    /// From now on the work also ends if this flag is set; null: none.
     void end_with(const std::atomic<bool>* moot) { moot_ = moot; }
     std::optional<std::chrono::steady_clock::time_point> deadline() const { return share_; }
-    /// Whether all is over, not a share alone.
+    /// True if a limit of all the work is exceeded, not only of a share.
     bool over() const;
 
     bool terminate() override;
-    /// Throws Exhausted where a bound is met.
+    /// Throws Exhausted if a limit is exceeded.
     void look();
-    std::uint64_t bytes() const;  ///< memory taken since this was made
+    std::uint64_t bytes() const;  ///< memory allocated since construction
 
 private:
     Bounds bounds_;
-    std::optional<std::chrono::steady_clock::time_point> share_ = {};  ///< the deadline that counts now
+    std::optional<std::chrono::steady_clock::time_point> share_ = {};  ///< the current deadline
     const std::atomic<bool>* moot_ = nullptr;
     std::uint64_t before_ = 0;
     std::uint32_t calls_ = 0;
-    std::chrono::steady_clock::time_point weighed_ = {};  ///< when the memory was last looked at
+    std::chrono::steady_clock::time_point weighed_ = {};  ///< time of the last memory measurement
     std::optional<Exhausted::Cause> met_ = {};
 };
 
@@ -72,14 +72,14 @@ public:
     SatSolver(const SatSolver&) = delete;
     SatSolver& operator=(const SatSolver&) = delete;
 
-    /// For thousands of small queries: no technique that inspects all clauses.
+    /// For thousands of small queries: disables techniques that inspect all clauses.
     void expect_small_queries();
     void add(std::span<const int> clause);
-    /// True if the assumptions can be met, together with one of `one_of` if it is not empty. Throws Exhausted.
+    /// True if the assumptions are satisfiable, together with one of `one_of` if it is not empty. Throws Exhausted.
     bool solve(std::span<const int> assumptions, std::span<const int> one_of = {});
-    /// After a query that can be met.
+    /// After a satisfiable query.
     bool is_true(int literal) const;
-    /// After a query that cannot be met: true if the assumption was needed to refute it.
+    /// After an unsatisfiable query: true if the assumption was needed for the refutation.
     bool failed(int assumption);
 
 private:
@@ -93,14 +93,14 @@ private:
 
 class Solver {
 public:
-    /// All outlive it; the circuit may gain gates.
+    /// All arguments must outlive the object; the circuit may gain gates.
     Solver(const Circuit& circuit, Watch& watch);
 
-    /// A literal of the circuit as one of the solver; its gates are clauses from now on.
+    /// The solver's literal for one of the circuit; adds the clauses of its gates.
     int of(Literal literal);
     /// A new variable.
     int fresh() { return ++variables_; }
-    /// The latch variables that are false where `condition` holds: those that are there, and those to come.
+    /// Makes all latch variables false under `condition`: existing ones, and later ones.
     void all_false_under(int condition);
 
     void add(std::span<const int> clause);
@@ -108,7 +108,8 @@ public:
     bool solve(std::span<const int> assumptions, std::span<const int> one_of = {}) {
         return solver_.solve(assumptions, one_of);
     }
-    /// Of the last answer: the value of a literal that the solver knows; whether an assumption was needed to refute.
+    /// For the last query: the value of a literal that the solver knows; true if an assumption was needed for the
+    /// refutation.
     bool value(Literal literal) const;
     bool knows(Literal literal) const {
         return node_of(literal) < variable_.size() && variable_[node_of(literal)] != 0;

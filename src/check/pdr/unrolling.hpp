@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Bounded model checking (Biere, Cimatti, Clarke and Zhu 1999: "Symbolic model checking without BDDs"): the first states
-// of all runs of a circuit, side by side in one graph of gates that grows with every step. The first state has constants
-// for latches, and equal gates of different steps are one gate, so most of what few steps can do folds away before a
-// solver sees it; only what is asked about is unrolled at all.
+// Bounded model checking (Biere, Cimatti, Clarke and Zhu 1999: "Symbolic model checking without BDDs"): the first
+// states of all runs of a circuit as one graph of gates, which grows with every step. The latches of the first state
+// are constants, and equal gates of different steps are one gate. So for few steps most gates are simplified away
+// before solving. Only gates that a query needs are unrolled.
 #pragma once
 
 #include <optional>
@@ -18,11 +18,11 @@ using RunInputs = std::vector<std::vector<bool>>;
 
 class Unrolling {
 public:
-    /// Both outlive it.
+    /// Both arguments must outlive the object.
     Unrolling(const Circuit& circuit, Watch& watch);
 
-    /// A run with `bad` in the state after that many steps; nothing: there is none, which is kept in mind. Throws
-    /// Exhausted, and may then be asked again.
+    /// A run with `bad` in the state after that many steps; nothing if there is none, which is recorded. Throws
+    /// Exhausted; may be called again after that.
     std::optional<RunInputs> run_to(Literal bad, std::size_t steps);
 
 private:
@@ -36,8 +36,8 @@ private:
     Watch& watch_;
     std::vector<Literal> next_;                      ///< per node of a latch
     std::vector<bool> is_latch_;                     ///< per node
-    Circuit unrolled_ = {};                          ///< gates alone
-    std::vector<std::vector<Literal>> states_ = {};  ///< per step and node: what it is among the gates unrolled
+    Circuit unrolled_ = {};                          ///< only gates
+    std::vector<std::vector<Literal>> states_ = {};  ///< per step and node: the unrolled literal
     Solver solver_;
 };
 

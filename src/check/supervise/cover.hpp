@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Covers: a condition that is true here and false there, and anywhere else as is shortest, over few variables.
+// Covers: short conditions over few variables that are true on one set and false on another one.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ struct Cover {
     bool negated = false;
 };
 
-/// True on `on`, false on `off`, which exclude each other; over as few of `variables` as leaving out one after the other
-/// finds, the first first. It is the shorter one of the condition and its negation. Empty: more than `most` products.
+/// True on `on` and false on `off`, which are disjoint. Removes variables greedily, in the order of `variables`.
+/// Returns the shorter one of the condition and its negation; empty if it has more than `most` products.
 std::optional<Cover> cover(const BddSpace& space, Bdd on, Bdd off, std::span<const std::uint32_t> variables,
                            std::size_t most);
 

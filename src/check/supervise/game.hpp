@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Game: the charts of a system, which may be held back, against its plant, which may not.
+// Supervisory-control game: the charts of a system (controllable) against its plant (uncontrollable).
 //
-// In each of its evolutions a chart clears a set of transitions and sets outputs; whoever holds it back chooses, by its
-// permissions, which of those that it would clear and set. Everything else moves as it likes: the plant, its environment,
-// timers, and who is next. Of Ramadge and Wonham (1987), "Supervisory control of a class of discrete event processes":
-// permissions are the controllable events, an evolution alone excepted that happens in any case, with or without them.
+// In each evolution a chart clears transitions and sets outputs; the supervisor restricts both by permissions. All
+// other moves are uncontrollable: plant, environment, timers and scheduling. In terms of Ramadge and Wonham (1987),
+// "Supervisory control of a class of discrete event processes", permissions are the controllable events, except that an
+// evolution itself cannot be prevented.
 //
-// Lost is where whoever holds back loses, however clever: a bad state; a state from which a move of the plant, or an
-// evolution whatever it may do, leads to a lost one; and a state from which no marked one can be reached any more without
-// a lost one. The others are won, and all moves of the plant from there lead to won states.
+// A state is losing if it is bad, if an uncontrollable move or an evolution under every permission leads to a losing
+// state, or if no marked state is reachable without a losing state. All other states are winning; every uncontrollable
+// move from a winning state leads to a winning state.
 #pragma once
 
 #include <cstdint>
@@ -22,16 +22,16 @@ namespace grafverif::supervise {
 
 /// A controller of the system as a player.
 struct Player {
-    Bdd evolves = {};           ///< over states and choices: the step is one of its evolutions
-    std::vector<Bdd> may = {};  ///< its permissions: each a choice, a variable of the space
+    Bdd evolves = {};           ///< over states and choices: true if the step is one of its evolutions
+    std::vector<Bdd> may = {};  ///< its permissions: each is a choice, a variable of the space
 };
 
-/// What has been lost, in the order in which it was found: each set is bad or blocked, or one move or evolution leads
-/// from each of its states to those before it.
+/// The losing states, in the order of their detection: each set is bad or blocked, or one move or evolution leads from
+/// each of its states to earlier ones.
 struct Lost {
     struct Stage {
         Bdd states = {};
-        bool blocked = false;  ///< no marked state can be reached from here without one that was lost before
+        bool blocked = false;  ///< no marked state is reachable from here without an earlier losing state
     };
     std::vector<Stage> stages = {};
     Bdd all = {};
@@ -39,32 +39,33 @@ struct Lost {
 
 class Game {
 public:
-    /// The model outlives this. `reached`: the states to which moves lead, whatever is permitted.
+    /// The model must outlive the game. `reached`: the states reachable under all permissions.
     Game(const symbolic::StateSpace& model, const BddSpace& space, std::vector<Player> players, Bdd reached);
 
     std::size_t players() const { return players_.size(); }
     const std::vector<Bdd>& may(std::size_t player) const { return players_[player].may; }
     const Bdd& reached() const { return reached_; }
 
-    /// Where moves that nobody holds back lead from `states`; from where one leads to `to`.
+    /// The successors of `states` by uncontrollable moves; the predecessors of `to`.
     Bdd moved(const Bdd& states) const { return model_.image(states, moves_); }
     Bdd moves_to(const Bdd& to) const { return model_.preimage(to, moves_); }
-    /// Where the evolutions of a player lead from `pairs` of states and permissions.
+    /// The successors of pairs of states and permissions by evolutions of a player.
     Bdd evolved(std::size_t player, const Bdd& pairs) const;
-    /// The pairs of which its evolution leads to one of `to`.
+    /// The pairs whose evolution leads to one of `to`.
     Bdd evolves_to(std::size_t player, const Bdd& to) const { return model_.preimage(to, evolutions_[player]); }
-    /// The states in which it can evolve; those of which its evolution leads to `to` whatever is permitted.
+    /// The states in which the player can evolve; those of them whose evolution leads to `to` under every permission.
     const Bdd& ready(std::size_t player) const { return ready_[player]; }
     Bdd helpless(std::size_t player, const Bdd& to) const { return ready(player) & ~states(~evolves_to(player, to)); }
-    /// Over states and choices: the step is no evolution; it is one of the player.
+    /// Over states and choices: true if the step is not an evolution; true if it is one of the player.
     const Bdd& is_move() const { return is_move_; }
     const Bdd& is_evolution(std::size_t player) const { return players_[player].evolves; }
-    /// `pairs` without what is permitted.
+    /// `pairs` without the permissions.
     Bdd states(const Bdd& pairs) const { return exists(pairs, all_may_); }
 
-    /// All that is lost where `bad` is; `lost` is what is known already.
+    /// All losing states for the bad states `bad`; `lost`: those already known.
     Lost solve(const Bdd& bad, const Bdd& marked, Lost lost = {}) const;
-    /// The pairs of won states in which the player is ready, and of which its evolution leads to no lost one.
+    /// The pairs of winning states in which the player can evolve, and permissions whose evolution leads to a winning
+    /// state.
     Bdd allowed(std::size_t player, const Lost& lost) const;
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Conditions from a game. States are looked at as they are reached under the conditions so far; where those let an
-// evolution come to a lost state, all are made anew over what was reached, until none does. What cannot be kept apart by
-// sight, or circles for ever under the conditions, counts as lost too, and all begins again: the conditions stay sound,
-// and are `Cautious`.
+// Synthesis of conditions from a game. States are explored as they are reached under the current conditions. If these
+// let an evolution reach a losing state, all conditions are computed again for the explored states, until none does.
+// States that cannot be distinguished by observation, or that allow infinite cycles under the conditions, are treated
+// as losing, and the synthesis restarts: the conditions stay sound, and are `Cautious`.
 #include "check/supervise/supervise.hpp"
 
 #include <algorithm>
@@ -20,12 +20,12 @@ namespace supervise {
 
 namespace {
 
-constexpr std::size_t most_products = 64;  ///< of a condition: nobody reads longer ones
+constexpr std::size_t most_products = 64;  ///< of a condition: longer ones are unreadable
 
 using symbolic::StateSpace;
 
-/// Of a player: per permission the sights at which it is refused, those of outputs after the evolution; and the same as
-/// permissions over states.
+/// The policy of a player: per permission the observations at which it is refused, for outputs those after the
+/// evolution; and the same as permissions over states.
 struct Policy {
     std::vector<Bdd> refusals = {};
     Bdd obeyed = Bdd::constant(true);
@@ -142,24 +142,24 @@ private:
         return asked_.controllers[player].permissions[index];
     }
 
-    // -- conditions over sights ---------------------------------------------------------------------------------------
+    // -- conditions over observations ---------------------------------------------------------------------------------
 
-    /// The pairs in which a permission is refused by these sights.
+    /// The pairs in which a permission is refused at these observations.
     Bdd refused(std::size_t player, std::size_t index, const Bdd& sights) const {
         if (sights.is_false()) return {};
         const Bdd states = seen_[player].states(sights);
         return permission(player, index).output ? game_->evolves_to(player, states) : states;
     }
 
-    /// Nothing is refused.
+    /// The policy that refuses nothing.
     Policy lenient(std::size_t player) const {
         Policy made{std::vector<Bdd>(game_->may(player).size())};
         for (const Bdd& may : game_->may(player)) made.obeyed &= may;
         return made;
     }
 
-    /// What a player has to be refused in the states of `within`, one permission after the other, as little as may be, and
-    /// transitions before outputs; the states for which nothing is left go to `none_left`.
+    /// Refuses a player permissions in the states of `within`, one by one, as few as possible, and transitions before
+    /// outputs; states without an allowed permission are added to `none_left`.
     Policy decided(std::size_t player, const Bdd& within, const Lost& lost, Bdd& none_left) const {
         const std::vector<Bdd>& may = game_->may(player);
         Policy made{std::vector<Bdd>(may.size())};
@@ -176,7 +176,7 @@ private:
             made.obeyed &= obeyed;
             return obeyed;
         };
-        Bdd wanted = pairs;  // with as many outputs as can be
+        Bdd wanted = pairs;  // with as many outputs as possible
         for (std::size_t index = 0; index < may.size(); ++index)
             if (permission(player, index).output) wanted &= may[index] | ~game_->states(wanted & may[index]);
         for (std::size_t index = 0; index < may.size(); ++index)
@@ -187,7 +187,7 @@ private:
         return made;
     }
 
-    /// What is reached from `states` without lost states, under the policies.
+    /// The states reachable from `states` without losing states, under the policies.
     Bdd closed(Bdd states, const Lost& lost) const {
         for (Bdd latest = states; !latest.is_false(); states |= latest) {
             Bdd next = game_->moved(latest);
@@ -198,7 +198,7 @@ private:
         return states;
     }
 
-    /// Makes the policies; false, with more that is lost: they cannot be made of this.
+    /// Computes the policies; false if there are none for these states, after adding losing states.
     bool settled(Lost& lost) {
         policies_.clear();
         for (std::size_t player = 0; player < game_->players(); ++player) policies_.push_back(lenient(player));
@@ -223,7 +223,7 @@ private:
         return false;
     }
 
-    /// The states reached from which a marked one is reached under the policies.
+    /// The reached states from which a marked one is reachable under the policies.
     Bdd returning(const Lost& lost) const {
         std::vector<Bdd> pairs;
         for (std::size_t player = 0; player < game_->players(); ++player)
@@ -238,9 +238,9 @@ private:
         return found;
     }
 
-    // -- what is said of them -----------------------------------------------------------------------------------------
+    // -- classification of the conditions -----------------------------------------------------------------------------
 
-    /// The pairs in which it matters what the permission is.
+    /// The pairs in which the permission has an effect.
     Bdd relevant(std::size_t player, std::size_t index) const {
         const Bdd& may = game_->may(player)[index];
         const auto with = [&](const Bdd& f, bool value) {
@@ -253,7 +253,7 @@ private:
         return with(set, true) & ~with(set, false);
     }
 
-    /// Condition by condition, and the claim. False: one is too long.
+    /// Writes each condition and the classification. False if a condition is too long.
     bool write(const Lost& lost) {
         for (std::size_t player = 0; player < game_->players(); ++player) {
             const Bdd here = under_ & game_->ready(player);
@@ -313,13 +313,13 @@ private:
         return true;
     }
 
-    /// Compares what was chosen with all that is allowed; what does not matter counts as permitted.
+    /// Compares the chosen permissions with all allowed ones; permissions without effect count as given.
     void claim(std::size_t player, const Bdd& chosen, const std::vector<Bdd>& matters, Bdd allowed) {
         const std::vector<Bdd>& may = game_->may(player);
-        std::vector<Bdd> permitted;  // states in which it is, or does not matter
+        std::vector<Bdd> permitted;  // states in which it is given, or has no effect
         Bdd above = Bdd::constant(true);
         for (std::size_t index = 0; index < may.size(); ++index) {
-            allowed &= may[index] | matters[index];  // what does not matter is permitted
+            allowed &= may[index] | matters[index];  // a permission without effect counts as given
             permitted.push_back(game_->states(chosen & (may[index] | ~matters[index])));
             above &= implies(permitted.back(), may[index]);
         }
@@ -330,7 +330,8 @@ private:
         }
     }
 
-    // -- where nothing helps --------------------------------------------------------------------------------------------
+    // -- runs that cannot be prevented
+    // ----------------------------------------------------------------------------------
 
     Supervisor nothing(const Lost& lost) {
         result_.outcome = Supervisor::Outcome::None;
@@ -349,7 +350,7 @@ private:
         return std::move(result_);
     }
 
-    /// One step to the first stage that can be reached, before `stage`: a move, or an evolution that nobody holds back.
+    /// A step to the first reachable stage before `stage`: a move, or an evolution under all permissions.
     void step(symbolic::Path& path, symbolic::State& state, const Lost& lost, std::size_t stage) const {
         const Bdd only = model_->only(state);
         const auto go = [&](const Bdd& to, const Bdd& how) {
@@ -386,7 +387,7 @@ private:
     std::vector<std::vector<std::vector<Bdd>>> site_effects_ = {};  ///< per player, permission and site
     Bdd bad_ = {}, marked_ = {};
     std::vector<Policy> policies_ = {};  ///< per player
-    Bdd under_ = {};                     ///< what is reached under them
+    Bdd under_ = {};                     ///< the states reachable under the policies
     Supervisor result_ = {};
 };
 

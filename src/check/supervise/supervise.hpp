@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// supervisor_of: what a chart must be forbidden so that nothing bad happens and what is marked stays within reach.
+// supervisor_of: synthesizes the restrictions of charts under which no bad state is reachable and marked states stay
+// reachable.
 //
-// It answers by the game (game.hpp) on a system in which each transition and each output of the charts has a permission,
-// a choice. A condition is over what its chart can see; two states that look the same get the same, and where a condition
-// forbids something in one of them it forbids it in both.
+// It solves the game (game.hpp) on a system in which each transition and each output of the charts has a permission,
+// which is a choice. A condition is over the observations of its chart: states with equal observations are restricted
+// equally.
 //
-// What is said of the conditions found is said of the states to which the system with them comes:
-//   Least     whatever is forbidden there leads to a lost state: nobody could allow more
-//   Several   nothing more can be allowed there in an evolution unless something else is forbidden in it instead;
-//             transitions are forbidden before outputs, later ones before earlier ones
-//   Cautious  somebody who saw all of the plant could allow more
+// The conditions are classified by the states that are reachable under them:
+//   Least     every refused permission there leads to a losing state: no supervisor could allow more
+//   Several   in an evolution more can be allowed only if another permission is refused instead; transitions are
+//             refused before outputs, later ones before earlier ones
+//   Cautious  a supervisor that observes the complete plant could allow more
 #pragma once
 
 #include <atomic>
@@ -26,36 +27,38 @@
 namespace grafverif {
 
 struct Supervision {
-    /// What can be forbidden: that a transition is cleared, that an output is set.
+    /// A permission: to clear a transition, or to set an output.
     struct Permission {
-        Id<TransitionSystem::Symbol> symbol = {};  ///< of main: a Boolean choice; false forbids
+        Id<TransitionSystem::Symbol> symbol = {};  ///< of main: a Boolean choice; false refuses
         bool output = false;
-        Id<Expr> effect = {};                 ///< over main: the transition is cleared in the step; the output is set
-        std::vector<std::size_t> sites = {};  ///< of an output: what is seen while its actions may set it, one by one
-        /// Per site, over main: its action sets the output in the step, if permitted. Missing or not valid: always while it is seen.
+        Id<Expr> effect = {};                 ///< over main: true if the transition is cleared, or the output is set,
+                                              ///< in the step
+        std::vector<std::size_t> sites = {};  ///< of an output: observations while its actions may set it, one by one
+        /// Per site, over main: true if its action sets the output in the step, if permitted. Missing or not valid:
+        /// always while the site is observed.
         std::vector<Id<Expr>> site_effects = {};
     };
     struct Controller {
-        Id<Expr> evolves = {};            ///< over main: the step is one of its evolutions
-        std::vector<Id<Expr>> seen = {};  ///< over main, of states: what it can see; what it writes is not seen
+        Id<Expr> evolves = {};            ///< over main: true if the step is one of its evolutions
+        std::vector<Id<Expr>> seen = {};  ///< over main, of states: its observations; its outputs are not observed
         std::vector<Permission> permissions = {};
     };
     std::vector<Controller> controllers = {};
-    std::vector<Id<Expr>> bad = {};  ///< over main, of states: never to be; no value is bad
-    Id<Expr> marked = {};            ///< likewise: always to be within reach
+    std::vector<Id<Expr>> bad = {};  ///< over main, of states: to be avoided; undefined counts as bad
+    Id<Expr> marked = {};            ///< over main, of states: must stay reachable
 };
 
 struct SuperviseOptions {
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< bytes, for decision diagrams
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;
-    std::function<void(const std::string& doing)> progress = {};  ///< called now and then
+    std::function<void(const std::string& doing)> progress = {};  ///< called periodically
 };
 
 struct Supervisor {
     enum class Outcome {
         Found,
-        None,     ///< no conditions will do, over whatever
+        None,     ///< no conditions suffice, even over all variables
         Unknown,  ///< see `reason`
     };
     enum class Claim { Least, Several, Cautious };
@@ -65,15 +68,15 @@ struct Supervisor {
         bool value = true;
         bool operator==(const Literal&) const = default;
     };
-    /// `all`: a conjunction of disjunctions, else a disjunction of conjunctions.
+    /// `all`: a conjunction of disjunctions; otherwise a disjunction of conjunctions.
     struct Condition {
         std::size_t controller = 0, permission = 0;
-        std::optional<std::size_t> site = {};  ///< of an output: which of its sites
+        std::optional<std::size_t> site = {};  ///< of an output: index of its site
         std::vector<std::vector<Literal>> terms = {};
         bool all = false;
         bool operator==(const Condition&) const = default;
     };
-    /// A permission by its place.
+    /// A permission by its indices.
     struct Which {
         std::size_t controller = 0, permission = 0;
         bool operator==(const Which&) const = default;
@@ -82,14 +85,16 @@ struct Supervisor {
     Outcome outcome = Outcome::Unknown;
     std::string reason = {};
     Claim claim = Claim::Least;
-    std::vector<Condition> conditions = {};  ///< none: nothing need be forbidden
-    std::vector<Which> hidden = {};          ///< Cautious: what somebody who sees the plant could allow more often
-    std::vector<Which> traded = {};          ///< Several: what could be allowed more often if others were less
-    /// None: a run without forbidding, of which no move can be helped, to what is bad; or, if `blocked`, to where nothing
-    /// marked can be reached without it.
+    std::vector<Condition> conditions = {};  ///< none: no restriction is needed
+    std::vector<Which> hidden = {};          ///< Cautious: permissions that a supervisor with full observation could
+                                             ///< give more often
+    std::vector<Which> traded = {};          ///< Several: permissions that could be given more often if others were
+                                             ///< refused more often
+    /// None: a run under all permissions to a bad state, none of whose moves can be prevented; if `blocked`, to a state
+    /// from which every path to a marked one contains a losing state.
     std::optional<FlatRun> run = {};
     bool blocked = false;
-    FlatSystem flat = {};  ///< whose variables the run gives values
+    FlatSystem flat = {};  ///< the variables of the run
 };
 
 /// Requires verify(system).empty().

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One check, from the space of diagrams to the verdicts. It can be kept, to ask more of what it reached.
+// One symbolic check, from the space of diagrams to the verdicts. It can be kept for further queries of its state
+// space.
 #pragma once
 
 #include <chrono>
@@ -13,25 +14,25 @@ namespace grafverif::symbolic {
 
 class Check {
 public:
-    /// Both outlive this.
+    /// Both arguments must outlive the object.
     Check(const TransitionSystem& system, const SymbolicOptions& options);
     Check(const Check&) = delete;
     Check& operator=(const Check&) = delete;
 
-    /// Searches, and answers what is asked. To be called once; then the following can be asked.
+    /// Searches and decides the queries. Must be called once, before the following functions.
     SymbolicResult result();
 
-    /// Whether all states were reached, and none of them is a fault.
+    /// True if all states were reached, and none of them is faulty.
     bool complete() const { return search_.obstacle == Obstacle::None; }
     std::uint64_t bytes() const { return space_.bytes(); }
     const FlatSystem& flat() const { return flat_; }
-    /// Per verdict, its run.
+    /// The run of each verdict.
     const std::vector<std::optional<FlatRun>>& runs() const { return runs_; }
     /// Requires complete().
     const StateSpace& model() const { return *model_; }
     const Bdd& reached() const { return search_.reached; }
     Search& search_made() { return search_; }
-    /// A term over main that has a value everywhere, as a function of states and choices.
+    /// A term over main that is defined everywhere, as a function of states and choices.
     Bdd meaning(const TransitionSystem& system, Id<Expr> term);
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A choice is split where its values leave most bits as they are. What a value implies for other choices is put in their
-// place first: who has no turn takes no edge, and without an edge nothing of it changes.
+// A choice is split if its values leave most bits unchanged. Before that, the choices implied by a value are
+// substituted: a process that does not have its turn takes no edge, and without an edge its bits are unchanged.
 #include "check/symbolic/kinds.hpp"
 
 #include <algorithm>
@@ -11,12 +11,12 @@ namespace grafverif::symbolic {
 
 namespace {
 
-/// A choice is split if that leaves at most so many of the bits to change, in the mean over its values.
+/// A choice is split if, on average over its values, at most this fraction of the bits can change.
 constexpr double worth_splitting = 0.6;
-/// Larger conditions are not asked whether they keep a bit as it is.
+/// Larger conditions are not checked for implying that a bit is unchanged.
 constexpr std::size_t easily_joined = 100;
 
-/// Of a function that is read again and again: what it reads.
+/// A function with its support, which is needed repeatedly.
 struct Read {
     Bdd function = {};
     std::vector<std::uint32_t> variables = {};
@@ -34,7 +34,7 @@ struct Read {
 
 struct Rules {
     std::vector<Read> conditions = {};
-    std::vector<std::pair<std::uint32_t, Read>> bits = {};  ///< the variable before a step, and what it becomes
+    std::vector<std::pair<std::uint32_t, Read>> bits = {};  ///< the variable before a step, and its next value
 };
 
 bool is_cube(const Bdd& f) {
@@ -75,7 +75,7 @@ public:
     }
 
 private:
-    /// Of each value of the word what is left of the rules; none where nothing reads it.
+    /// The remaining rules for each value of the word; none if no rule reads it.
     std::vector<Rules> by_value(const Rules& rules, const BddWord& word) const {
         const auto read = [&](const Read& each) { return each.reads_any(word.bits); };
         std::vector<Rules> parts;
@@ -86,8 +86,8 @@ private:
         return parts;
     }
 
-    /// The rules where literals of choices hold, with what follows from them; without bits that stay as they are. Empty:
-    /// there is no such step.
+    /// The rules restricted to literals of choices and to their implications, without unchanged bits. Empty: there is
+    /// no such step.
     std::optional<Rules> under(const Rules& rules, Bdd literals) const {
         Rules left = rules;
         while (!literals.is_true()) {
@@ -109,7 +109,7 @@ private:
         return left;
     }
 
-    /// Whether a bit is what it was, at least in the states where there are such steps.
+    /// True if a bit is unchanged in all states that have such steps.
     bool stays(std::uint32_t bit, const Read& value, const std::vector<Read>& conditions) const {
         Bdd changes = value.function ^ space_.variable(bit);
         for (const Read& each : conditions)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Kinds of steps: the steps of a system, apart by what they choose, where that tells which bits change. Of a loop whose
-// automata take turns: a kind for each that moves, and one for time.
+// Event clusters: a disjunctive partition of the transition relation. Steps are grouped by the choice that they make,
+// if this choice determines which bits change. An interleaved closed loop has one cluster per automaton and one for
+// time.
 #pragma once
 
 #include <span>
@@ -11,14 +12,13 @@
 
 namespace grafverif::symbolic {
 
-/// Steps of one kind: the bits that they may change, and conjuncts of when they are possible, over states and choices.
+/// A cluster of steps: the bits that they may change, and the conjuncts of their condition, over states and choices.
 struct Kind {
     std::vector<Bdd> conditions = {};
     std::vector<bdd::NextBit> bits = {};
 };
 
-/// Kinds that together have the steps of `all`, no more: one by one they may overlap. `choices`: the words chosen anew
-/// in each step.
+/// Clusters whose union is the set of steps of `all`; they may overlap. `choices`: the words chosen in each step.
 std::vector<Kind> kinds(const BddSpace& space, Kind all, std::span<const BddWord> choices);
 
 }  // namespace grafverif::symbolic

@@ -54,7 +54,7 @@ private:
         if (value.op == Op::Variable) names_.emplace(value.value, name);
     }
 
-    /// In some step from some state, or nobody knows.
+    /// True if it is cleared in some step from some state, or if this is unknown.
     bool is_cleared(const System::Controller& controller, const System::Named& transition) {
         Id<Expr> clears = flat_.symbols[transition.variable.index];
         if (controller.evolves.valid())

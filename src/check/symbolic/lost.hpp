@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is lost behind the point of no return of an untimed model: which transitions are never cleared in the states that can
-// still be reached.
+// Dead transitions after the point of no return of an untimed model: transitions that are never cleared in the states
+// that are still reachable.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace grafverif::symbolic {
 
-/// Names them, each with what stays false of its condition where that is a step or a variable. `reached`: all states there are;
-/// `from`, one of them: the point of no return. `flat`, of `system`, gains terms. Empty: there is none, or nothing is known of
-/// charts.
+/// Lists them, each with the part of its condition that is constantly false, if that is a step or a variable.
+/// `reached`: all reachable states; `from`, one of them: the point of no return. `flat`, of `system`, gains terms.
+/// Empty if there are none, or if the system has no charts.
 std::string lost_words(const TransitionSystem& system, FlatSystem& flat, const StateSpace& model, const Bdd& reached,
                        const State& from);
 

@@ -22,7 +22,7 @@ struct Signed {
     bool positive = true;
 };
 
-/// The operands where it is a conjunction (or, if `disjunction`, a disjunction) of terms; itself otherwise.
+/// The operands of a conjunction (or, if `disjunction`, of a disjunction); of any other term itself.
 std::vector<Signed> operands_of(const Exprs& exprs, Signed root, bool disjunction) {
     std::vector<Signed> open{root}, found;
     while (!open.empty()) {
@@ -38,9 +38,9 @@ std::vector<Signed> operands_of(const Exprs& exprs, Signed root, bool disjunctio
     return found;
 }
 
-/// Conjuncts whose conjunction is true where `condition` is true and defined: of `a -> b and not (c or d)` three, of
-/// `a -> b`, `a -> not c`, `a -> not d`. What is defined nowhere else only need not be looked at: where the whole is
-/// defined, operands without a value come behind one that decides.
+/// Conjuncts whose conjunction is true where `condition` is true and defined: for `a -> b and not (c or d)` three, of
+/// `a -> b`, `a -> not c`, `a -> not d`. Points where only operands are undefined need not be considered: if the
+/// complete condition is defined, an operand before them decides it.
 std::vector<Bdd> conjuncts(const Exprs& exprs, BddTerms& terms, Id<Expr> condition) {
     const BddTerm& whole = terms(condition);
     if (!whole.undefined.is_false()) return {whole.bits.front() & ~whole.undefined};
@@ -62,7 +62,7 @@ std::vector<Bdd> conjuncts(const Exprs& exprs, BddTerms& terms, Id<Expr> conditi
     return found;
 }
 
-Bdd together(std::vector<Bdd> operands) {  // in pairs, so that no operand is much larger than its partner
+Bdd together(std::vector<Bdd> operands) {  // in pairs, so that both operands have similar sizes
     if (operands.empty()) return Bdd::constant(true);
     for (; operands.size() > 1; operands.resize((operands.size() + 1) / 2))
         for (std::size_t i = 0; i < operands.size(); i += 2)
@@ -138,7 +138,7 @@ void StateSpace::add_next_bits(BddTerms& terms) {
     }
 }
 
-/// A kind leaves bits as they are, and free inputs never stay: with them all is one kind.
+/// Clusters keep bits unchanged, and free inputs always change: with them, all steps form one cluster.
 std::deque<bdd::Steps> StateSpace::steps_where(const Bdd& condition, const std::vector<std::uint32_t>& kept) const {
     Kind all{offered_, next_bits_};
     all.conditions.push_back(condition);

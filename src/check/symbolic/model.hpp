@@ -2,7 +2,7 @@
 // A FlatSystem over the variables of a BddSpace: its states as assignments, its steps as a relation.
 //
 // Each bit of a state variable with a next value has two variables, for the bit before and after a step. Free variables
-// and choices have one: what a step gives a free variable nobody decides.
+// and choices have one, since the value of a free variable after a step is arbitrary.
 #pragma once
 
 #include <cstdint>
@@ -17,51 +17,51 @@
 
 namespace grafverif::symbolic {
 
-/// An assignment to all variables of the space; only those of states count.
+/// An assignment to all variables of the space; only those of states matter.
 using State = std::vector<bool>;
 
 class StateSpace {
 public:
-    /// `by_kind`: steps are kept apart by what they choose, where that tells which bits change.
+    /// `by_kind`: partitions the steps by their choices, if these determine which bits change.
     StateSpace(const FlatSystem& flat, BddSpace& space, bool by_kind);
 
     /// States, here and below, are functions of the bits of a state, and imply the invariants.
     const Bdd& initial() const { return initial_; }
     const Bdd& invariant() const { return invariant_; }
-    /// The states that a step leads to from one of `states`.
+    /// The successors of `states` by one step.
     Bdd image(const Bdd& states) const { return image(states, steps_); }
     Bdd image(const Bdd& states, const std::deque<bdd::Steps>& steps) const;
-    /// Whether steps are of several kinds; then `closure` is quick.
+    /// True if the steps are partitioned; then `closure` is fast.
     bool has_kinds() const { return steps_.size() > 1; }
-    /// The states that any number of steps leads to from one of `states`, as long as all values stay in their ranges:
-    /// one outside may be among them, with what follows.
+    /// The states reachable from `states` by any number of steps, provided that all values stay in their ranges;
+    /// otherwise it may contain an invalid state and its successors.
     Bdd closure(const Bdd& states) const;
-    /// The states from which some step leads to one of `states`.
+    /// The predecessors of `states` by one step.
     Bdd preimage(const Bdd& states) const { return preimage(states, steps_); }
     Bdd preimage(const Bdd& states, const std::deque<bdd::Steps>& steps) const;
-    /// States in which some step leaves all as it is, as far as its kind tells.
+    /// States in which some step changes nothing; may miss states if its cluster does not determine that.
     Bdd still() const;
-    /// The steps of which `condition`, over states and choices, is true. Images and preimages leave the choices `kept`,
-    /// bits of the space, as they are.
+    /// The steps that satisfy `condition`, over states and choices. Images and preimages leave the choices `kept`, bits
+    /// of the space, unchanged.
     std::deque<bdd::Steps> steps_where(const Bdd& condition, const std::vector<std::uint32_t>& kept = {}) const;
 
     /// Terms over the variables of the system as functions of the bits of a state.
     BddTerms terms() const;
 
-    /// Where in `states` a step gives some variable a value outside its range, or none; and which.
+    /// The part of `states` in which a step gives a variable a value outside its range, or an undefined one.
     struct Leak {
         Id<FlatSystem::Variable> variable = {};
         Bdd states = {};
     };
     std::optional<Leak> leak(const Bdd& states) const;
 
-    /// One of `states`, which are some: as many bits as may be are those of `near`, the others false.
+    /// One of `states`, which must not be empty: with as many bits of `near` as possible, the others false.
     State pick(const Bdd& states, const State& near) const;
     Bdd only(const State& state) const;
-    /// The state in which the variables have these values.
+    /// The state with these values of the variables.
     State state_of(const std::vector<std::int64_t>& values) const;
-    /// The values of all variables, choices those of a step from `state` to `next`, if one is given, of which
-    /// `condition` is true.
+    /// The values of all variables. The choices are those of a step from `state` to `next`, if one is given, that
+    /// satisfies `condition`.
     std::vector<std::int64_t> values(const State& state, const State* next, const Bdd& condition) const;
 
     /// The bits of a state, increasing.
@@ -83,7 +83,7 @@ private:
     std::vector<Leak> leaks_ = {};   ///< over states and choices
     Bdd choices_ = {}, free_ = {};   ///< sets of variables
     std::vector<bdd::NextBit> next_bits_ = {};
-    std::deque<bdd::Steps> steps_ = {};  ///< by kind
+    std::deque<bdd::Steps> steps_ = {};  ///< by cluster
 };
 
 }  // namespace grafverif::symbolic

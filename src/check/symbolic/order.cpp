@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The order by a place for each variable and term on a line, such that the squares of the distances between an operator and
-// its operands, and between a variable and its next value, are small in sum (Hall 1970: "An r-dimensional quadratic placement
-// algorithm"; Fiedler 1973). An operator weighs less the more operands it has, so that a wide disjunction does not weld all
-// that it reads into one block; terms have places of their own, so that what a large term reads need not stand together.
+// Variable order by quadratic placement on a line. Each variable and each term has a place, such that the sum of the
+// squared distances is small: between an operator and its operands, and between a variable and its next value (Hall
+// 1970: "An r-dimensional quadratic placement algorithm"; Fiedler 1973). The weight of an operator decreases with its
+// number of operands, so that a wide disjunction does not force all its variables into one block. Terms have separate
+// places, so that the variables of a large term need not be adjacent.
 //
-// The places are the second eigenvector of a random walk over the terms, found by walking: from a first guess, everything goes
-// to the mean place of its neighbours again and again, and what all have in common is taken away.
+// The places are the second eigenvector of a random walk over the terms, computed by power iteration: beginning with an
+// initial guess, each vertex repeatedly moves to the mean place of its neighbours, and the common mean is removed.
 #include "check/symbolic/order.hpp"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ private:
 
     double weight(std::size_t tie) const { return 1 / static_cast<double>(ties_[tie].size() - 1); }
 
-    /// A vertex for each term below `root`, a tie for each operator. Variables are the first vertices.
+    /// Adds a vertex for each term below `root`, and a tie for each operator. Variables are the first vertices.
     void add(Id<Expr> root) {
         std::vector<Id<Expr>> open{root}, operators;
         while (!open.empty()) {
@@ -88,7 +89,7 @@ private:
         for (const std::uint32_t vertex : ties_.back()) weights_[vertex] += weight(ties_.size() - 1);
     }
 
-    /// Variables in the order of the system; a term in the middle of its operands, which stand before it in the table.
+    /// Variables in the order of the system; a term in the middle of its operands, which precede it in the table.
     std::vector<double> first_guess() const {
         std::vector<double> place(weights_.size());
         for (std::size_t vertex = 0; vertex < flat_.variables.size(); ++vertex)
@@ -103,7 +104,7 @@ private:
         return place;
     }
 
-    /// The mean is 0, the farthest place 1.
+    /// Scales so that the mean is 0 and the greatest distance 1.
     void centred(std::vector<double>& place) const {
         double sum = 0, all = 0, farthest = 0;
         for (std::size_t vertex = 0; vertex < place.size(); ++vertex) {

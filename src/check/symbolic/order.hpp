@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A static order of the variables of a system for decision diagrams: variables that terms read together stand near each
+// Static variable order of a system for decision diagrams: variables that terms read together are placed near each
 // other.
 #pragma once
 

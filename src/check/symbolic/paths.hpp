@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Searches through the states of a StateSpace, and the runs that show what they found.
+// Reachability searches in a StateSpace, and runs that show their results.
 #pragma once
 
 #include <functional>
@@ -15,20 +15,20 @@ namespace grafverif::symbolic {
 struct Path {
     std::vector<State> states = {};
     std::optional<std::size_t> loop = {};
-    std::vector<Bdd> steps = {};  ///< what holds of the choices of the step that leaves each state; missing: anything
+    std::vector<Bdd> steps = {};  ///< condition on the choices of the step that leaves each state; missing: none
 };
 
-/// Adds rings to `rings` until one has a state of `goal` or no new state comes. Rings lie in `within`, which holds the
-/// first; or until `goes_on` says no of their number. Whether there may be more.
+/// Adds rings to `rings` until one intersects `goal`, no new state is found, or `goes_on` returns false for their
+/// number. Rings are subsets of `within`, which contains the first. True if there may be further states.
 bool grow(const StateSpace& model, bdd::Rings& rings, const Bdd& within, const Bdd& goal,
           const std::function<bool(std::size_t)>& goes_on = {});
 
-/// A shortest path through `rings` to a state of `goal`; empty where no ring has one.
+/// A shortest path through `rings` to a state of `goal`; empty if no ring contains one.
 std::vector<State> shortest_path(const StateSpace& model, const bdd::Rings& rings, const Bdd& goal);
 
-/// The states of `within` from which some path in it, of no step or more, leads to a state of `goal`.
+/// The states of `within` from which a path in it, possibly of length 0, leads to a state of `goal`.
 Bdd can_reach(const StateSpace& model, const Bdd& within, const Bdd& goal);
-/// The states of `within` from which some infinite path stays in it and meets each of `justice` infinitely often
+/// The states of `within` from which some infinite path stays in it and visits each of `justice` infinitely often
 /// (Emerson and Lei 1986).
 Bdd can_stay(const StateSpace& model, const Bdd& within, const std::vector<Bdd>& justice);
 

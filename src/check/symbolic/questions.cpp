@@ -49,7 +49,7 @@ void Questions::ask(Id<Property> about) {
     Question question{about, {}};
     for (const Id<Expr> operand : property.operands) question.operands.push_back(flattened(system_, flat_, operand));
     Exprs& exprs = flat_.exprs;
-    // What is about every state is asked as: which state breaks it?
+    // A property of every state is decided by searching for a state that violates it.
     if (property.pattern == Pattern::ExactlyOneOf) question.operands = {exprs.negation(exactly_one(question.operands))};
     if (property.pattern == Pattern::Always) question.operands = {exprs.negation(question.operands.front())};
     for (Id<Expr>& operand : question.operands) operand = settled_and(property, operand);
@@ -58,13 +58,13 @@ void Questions::ask(Id<Property> about) {
 
 std::vector<Found> Questions::answers(const StateSpace* model, Search& search, const SymbolicOptions& options) {
     std::vector<Found> all;
-    Obstacle obstacle = model == nullptr ? search.obstacle : Obstacle::None;  // met by every question to come
+    Obstacle obstacle = model == nullptr ? search.obstacle : Obstacle::None;  // applies to all following queries
     std::string reason = search.reason;
     for (const Question& question : questions_) {
         Found found{verdict_on(question.about, of(question)), {}};
         const auto exhausted = [&](Obstacle what, std::string why) {
             unknown(found.verdict, what, why);
-            if (what != Obstacle::Stopped) return;  // with less to do, the memory may do
+            if (what != Obstacle::Stopped) return;  // with less work, the memory may suffice
             obstacle = what;
             reason = std::move(why);
         };
@@ -82,7 +82,7 @@ std::vector<Found> Questions::answers(const StateSpace* model, Search& search, c
         }
         all.push_back(std::move(found));
     }
-    // What explains a verdict comes behind them all: it may use up the time or the memory that another one needs.
+    // Explanations are computed after all verdicts: they may use up time or memory that another verdict needs.
     for (Found& found : all) {
         if (!found.lost) continue;
         std::string words = what_is_lost(*model, search, *found.lost);
@@ -168,7 +168,7 @@ void Questions::answer_paths(Found& found, const Question& question, const Sets&
     found.run = run_of(model, lasso(model, search, from, staying));
 }
 
-/// Where it takes more memory than there is, or time, it is not told.
+/// Omitted if it needs more memory or time than is available.
 std::string Questions::what_is_lost(const StateSpace& model, const Search& search, const State& from) {
     try {
         return lost_words(system_, flat_, model, search.reached, from);

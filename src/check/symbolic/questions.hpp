@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Questions: the properties of a system as sets of states, and what the reachable states answer.
+// Questions: the properties of a system as sets of states, and their evaluation on the reachable states.
 #pragma once
 
 #include <string>
@@ -10,33 +10,33 @@
 
 namespace grafverif::symbolic {
 
-/// What a search of the reachable states came to.
+/// Result of a search of the reachable states.
 struct Search {
     bdd::Rings rings = {};  ///< around the initial states, as many as were needed so far
     Bdd reached = {};
     bool witnesses = true;               ///< a run for each `reachable` that holds
-    Obstacle obstacle = Obstacle::None;  ///< None: all are reached
+    Obstacle obstacle = Obstacle::None;  ///< None: all states were reached
     std::string reason = {};
 };
 
-/// A shortest path from an initial state to one of `goal`, of which some are reachable; looks further than before where
-/// it must.
+/// A shortest path from an initial state to one of `goal`, of which some are reachable; extends the search if
+/// necessary.
 std::vector<State> shortest_way(const StateSpace& model, Search& search, const Bdd& goal);
 
 /// One verdict, and the run that shows it.
 struct Found {
     Verdict verdict = {};
     std::optional<FlatRun> run = {};
-    std::optional<State> lost = {};  ///< a state from which what is asked is impossible
+    std::optional<State> lost = {};  ///< a state from which the required states are unreachable
 };
 
 class Questions {
 public:
     Questions(const TransitionSystem& system, FlatSystem& flat);
 
-    /// Translates what is asked; before this, the terms of `flat` may still grow.
+    /// Translates a property; must precede answers(), because the terms of `flat` may grow.
     void ask(Id<Property> property);
-    /// The verdicts, in the order asked. `model` may be missing where the search did not get far enough to have one.
+    /// The verdicts, in the order asked. `model` may be null if the search ended before it was built.
     std::vector<Found> answers(const StateSpace* model, Search& search, const SymbolicOptions& options);
 
 private:
@@ -44,10 +44,10 @@ private:
         Id<Property> about = {};
         std::vector<Id<Expr>> operands = {};  ///< over the variables of the flat system, `at stable` resolved
     };
-    /// The sets of states that a question is about.
+    /// The sets of states of a query.
     struct Sets {
         std::vector<Bdd> operands = {};
-        bool undefined = false;  ///< some operand has no value in some reachable state
+        bool undefined = false;  ///< some operand is undefined in some reachable state
     };
 
     const Property& of(const Question& question) const { return system_.properties[question.about]; }

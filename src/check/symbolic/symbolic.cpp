@@ -67,15 +67,15 @@ void Check::note(const BddExhausted& exhausted) {
 void Check::count_states() {
     try {
         result_.states = count(search_.reached, model_->state_bits());
-    } catch (const BddExhausted&) {  // then nobody knows
+    } catch (const BddExhausted&) {  // then it is unknown
     }
 }
 
 void Check::search() {
     const StateSpace& model = *model_;
     const std::uint64_t enough = space_.work() + options_.one_by_one;
-    // What follows a step out of a range is no state: the search ends there, and until a ring was looked at for
-    // such steps, what it leads to is not believed.
+    // The successor of a step out of a range is not a state: the search ends there, and the successors of a ring are
+    // used only after the ring was checked for such steps.
     bool leaks = false;
     const auto goes_on = [&](bool kinds) {
         return [&, kinds](std::size_t depth) {
@@ -91,7 +91,7 @@ void Check::search() {
     search_.rings.add(model.initial());
     if (grow(model, search_.rings, model.invariant(), {}, goes_on(model.has_kinds())) && !leaks) {
         const Bdd closure = model.closure(search_.reached);
-        // From what no run leads to, outside of a range or of the invariants, more may follow.
+        // States outside a range or the invariants may have further successors, although no run leads to them.
         if ((closure & ~model.invariant()).is_false() && !model.leak(closure)) search_.reached = closure;
         else grow(model, search_.rings, model.invariant(), {}, goes_on(false));
     }
@@ -107,7 +107,7 @@ std::optional<SystemFault> Check::fault() {
     };
     if (const auto some = model.leak(search_.reached)) {
         (void)shortest_way(model, search_, some->states);
-        // The nearest: what follows a leak is no run.
+        // The nearest one: states after a leak do not belong to a run.
         for (const Bdd& ring : search_.rings.each)
             if (const auto leak = model.leak(ring))
                 return SystemFault{OutOfRange, flat_.variables[leak->variable].name, path_to(leak->states)};

@@ -7,7 +7,7 @@ namespace grafverif::symbolic {
 
 namespace {
 
-/// A run of more states is not shown.
+/// Maximum number of states of a run.
 constexpr std::size_t longest_run = 20'000;
 
 }  // namespace
@@ -46,7 +46,7 @@ const Bdd& Turns::moving_for_ever() {
     return moving_for_ever_.emplace(std::move(staying));
 }
 
-/// A shortest way of moves in `within` to a state of `goal`, both ends among its states; empty: there is none.
+/// A shortest path of moves in `within` to a state of `goal`, including both ends; empty if there is none.
 std::vector<State> Turns::moves_to(const State& from, const Bdd& goal, const Bdd& within) const {
     bdd::Rings rings;
     for (bool more = rings.add(model_.only(from)); more && (rings.each.back() & goal).is_false();)
@@ -59,13 +59,13 @@ std::vector<State> Turns::moves_to(const State& from, const Bdd& goal, const Bdd
         });
 }
 
-/// All but the last of `states`, with the moves that leave them.
+/// Adds all but the last of `states`, with the moves that leave them.
 void Turns::add_moves(const std::vector<State>& states, FlatRun& run) const {
     for (std::size_t i = 0; i + 1 < states.size(); ++i)
         run.states.push_back(model_.values(states[i], &states[i + 1], moves_));
 }
 
-/// Moves within `within`, where each state has one, until a state comes again.
+/// Follows moves within `within`, in which each state has one, until a state is repeated.
 void Turns::walk(State from, const Bdd& within, FlatRun& run) const {
     std::map<State, std::size_t> seen;
     while (seen.emplace(from, run.states.size()).second) {

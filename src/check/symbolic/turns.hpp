@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What a part of a loop is to the others with which it takes turns: whether it lets them wait for it, and the runs that
-// show it (docs/engines.md, "Sub-loops").
+// Interleaving premises: the properties of a part of a loop that matter to the parts interleaved with it, and the runs
+// that show them (docs/engines.md, "Sub-loops").
 //
-// A step of the part waits or moves; where clocks count, waiting is the passing of time, and one that does neither
-// repeats a state that nothing can leave.
+// A step of the part waits or moves. If clocks matter, waiting is the passing of time, and a step that does neither
+// repeats a state that cannot be left.
 #pragma once
 
 #include <optional>
@@ -15,30 +15,31 @@ namespace grafverif::symbolic {
 
 class Turns {
 public:
-    /// `waits`, `moves`: over main of `part`, what a step does. Requires check.complete(); `check` is of `part`, and
-    /// outlives this.
+    /// `waits`, `moves`: conditions over main of `part`, for a step. Requires check.complete(); `check` is of `part`
+    /// and must outlive the object.
     Turns(const TransitionSystem& part, Check& check, Id<Expr> waits, const std::vector<Id<Expr>>& moves);
 
-    /// Some run waits again and again.
+    /// True if some run waits infinitely often.
     bool diverges() { return !(waiting_for_ever() & model_.initial()).is_false(); }
-    /// From each state that it reaches it can wait again.
+    /// True if from each reachable state it can wait again.
     bool never_locks();
-    /// No run moves for ever without waiting.
+    /// True if no run moves forever without waiting.
     bool rests() { return moving_for_ever().is_false(); }
-    /// The states that it reaches in which it can wait.
+    /// The reachable states in which it can wait.
     const Bdd& ready();
     const Bdd& reached() const { return reached_; }
-    /// Whether the state with these values is one of them.
+    /// True if the state with these values is reachable.
     bool reaches(const std::vector<std::int64_t>& values) const { return evaluate(reached_, model_.state_of(values)); }
 
-    /// A run that waits again and again; none: it is too long. Requires diverges().
+    /// A run that waits infinitely often; none if it is too long. Requires diverges().
     std::optional<FlatRun> waiting_run();
-    /// Moves from the state with these values to one of `goal`; where they lead to none, moves for ever. Requires that
-    /// moves end there only.
+    /// Moves from the state with these values to one of `goal`; if none is reachable, an infinite sequence of moves.
+    /// Requires that sequences of moves end only in `goal`.
     FlatRun moves_on(const std::vector<std::int64_t>& from, const Bdd& goal) const;
     /// The states without a move.
     Bdd still() const { return reached_ & ~model_.preimage(reached_, move_steps_); }
-    /// A run of moves from the beginning, without end. Requires that it does not rest, and that waiting changes nothing.
+    /// An infinite run of moves from the initial state. Requires that rests() is false, and that waiting changes
+    /// nothing.
     FlatRun endless_run();
 
 private:
