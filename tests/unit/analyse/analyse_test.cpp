@@ -49,7 +49,7 @@ constexpr std::string_view sound = R"(
     transition t1: 1 -> 0 when b;
 )";
 
-/// What the last row clears, evolution by evolution.
+/// The transitions cleared in the last row, evolution by evolution.
 std::vector<std::vector<std::string>> cleared(const ChartRun& run) {
     std::vector<std::vector<std::string>> names;
     for (const std::vector<Id<ChartRun::Transition>>& evolution : run.rows.back().fired) {
@@ -349,7 +349,7 @@ TEST(Analyse, AnAcceptedFindingIsNotOpen) {
     }));
 }
 
-// -- time --------------------------------------------------------------------------------------------------------------
+// -- time -------------------------------------------------------------------------------------------------------------
 
 TEST(Analyse, EvidenceThatNeedsTimeSaysWhen) {
     const Analysis found = analysed(R"(
@@ -379,7 +379,7 @@ TEST(Analyse, TheLongerOfTwoTimersOnOneStepNeverEndsFirst) {
 }
 
 TEST(Analyse, WhatOnlyTheTimesRuleOutIsSaidToBeUnconfirmed) {
-    // Both steps become active at once; 3 s are over before 5 s are.
+    // Both steps become active at the same time; the 3 s timer expires before the 5 s timer.
     const Analysis found = analysed(R"(
         initial step 0;
         initial step 1;
@@ -407,9 +407,9 @@ TEST(Analyse, ATimerOnAnInputThatRisesWhileNothingElseHappensRuns) {
     EXPECT_EQ(find(found, "transition-never-fired", "t1"), nullptr);
 }
 
-// -- parts, and counters -----------------------------------------------------------------------------------------------
+// -- parts, and counters ----------------------------------------------------------------------------------------------
 
-/// Two cells that a supervisor forces, each with a counter that nobody ever sets back while it runs.
+/// Two partial charts that a supervisor forces, each with a counter that is never reset while it runs.
 constexpr std::string_view two_cells = R"(
     input go, halt, p1, q1, p2, q2;
     output m1, m2;
@@ -492,7 +492,7 @@ TEST(Analyse, SaysTheSameOfOneChartEachTime) {
 }
 
 TEST(Analyse, WhatARunThatBreaksOffRulesOutIsNotTakenFromAPart) {
-    // Part b alone reaches b1 in its second instant; the other part races in the first one, whatever the inputs are.
+    // Part b alone reaches b1 in its second instant; the other part races in the first one, for all inputs.
     const Analysis found = analysed(R"(
         input x; output o, p;
         partial a {
@@ -509,7 +509,8 @@ TEST(Analyse, WhatARunThatBreaksOffRulesOutIsNotTakenFromAPart) {
 }
 
 TEST(Analyse, ARunOfAPartThatNoTimesMakeIsNotTakenForOneOfTheChart) {
-    // Whatever follows a rise of `a` is never stable, by part g; the shortest run of the other part lets a timer end too late.
+    // After a rise of `a` the chart is never stable, because of part g; in the shortest run of the other part a timer
+    // expires too late.
     const Analysis found = analysed(R"(
         input a;
         output o;
@@ -524,7 +525,8 @@ TEST(Analyse, ARunOfAPartThatNoTimesMakeIsNotTakenForOneOfTheChart) {
     EXPECT_NE(find(found, "transition-never-fired", "t"), nullptr);
 }
 
-// -- what never comes again --------------------------------------------------------------------------------------------
+// -- events that never occur again
+// -------------------------------------------------------------------------------------
 
 constexpr std::string_view press = R"(
     input a, b;
@@ -590,7 +592,7 @@ TEST(Analyse, TwoPartsThatFallOutOfStepAreARegionThatIsNeverLeft) {
 }
 
 TEST(Analyse, AWayBackThroughARaceIsNotDenied) {
-    // What comes after the race is not looked at: it may lead back to 0.
+    // The states after the race are not explored: they may lead back to 0.
     const Analysis found = analysed(R"(
         input a, b;
         internal m: bool = false;
@@ -608,7 +610,7 @@ TEST(Analyse, AWayBackThroughARaceIsNotDenied) {
 }
 
 TEST(Analyse, AWayThatAnotherPartBreaksOffLeadsIntoNoTrap) {
-    // Without the counter 2 is left for good; with it a value does not fit before the instant is over.
+    // Without the counter 2 is left forever; with it a value goes out of range before the instant is over.
     const Analysis found = analysed(R"(
         input a;
         internal n: int -2..5 = 5;
@@ -636,7 +638,7 @@ TEST(Analyse, AnInstantWithoutEndIsNoLifeBesideARegion) {
     EXPECT_EQ(find(found, "region-never-left"), nullptr);
 }
 
-/// More regions than are told apart: each value of k is one, and in two of them something else is lost besides.
+/// More regions than are distinguished: each value of k is one, and two of them have an additional dead element.
 TEST(Analyse, WhatIsLostInOneOfManyRegionsIsNotToldWithWhatIsLostInAnother) {
     const Analysis found = analysed(R"(
         input C: int 0..63;

@@ -109,7 +109,7 @@ TEST(Findings, SayOfWhatIsNotDecidedHowFarItWasLookedInto) {
               "not decided (stopped before the end): step-never-active of `X1`: so it is in the first instant");
 }
 
-/// What the schema of SARIF 2.1.0 asks of a log such as ours.
+/// The requirements of the SARIF 2.1.0 schema for a log of this kind.
 void expect_sarif(const nlohmann::json& log) {
     EXPECT_EQ(log["version"], "2.1.0");
     ASSERT_EQ(log["runs"].size(), 1U);

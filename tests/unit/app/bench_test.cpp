@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `test --against`: controllers that conform, that do not, and that do not even answer.
+// `test --against`: controllers that conform, that do not, and that do not respond at all.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -23,7 +23,7 @@ Result tested(const std::string& controller, std::vector<std::string> options = 
     return grafverif(options);
 }
 
-/// A controller that answers the right outputs, but does `what` instead of its second answer.
+/// A controller with correct outputs that executes `what` instead of its second response.
 std::string faulty(const std::string& what) {
     return "read x; echo 0,0,0,0; read x; " + what + "; read x; echo 0,0,1,1";
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The bounds of a run, kept by every verb on input that is too much for them: `--timeout`, `--max-memory`, Ctrl-C, and
-// memory that the system refuses. Judged by the processor time of the program, which a loaded machine does not stretch.
+// Limits of a run, for every command on input that exceeds them: `--timeout`, `--max-memory`, Ctrl-C, and memory that
+// the system refuses. Measures processor time of the program, which does not depend on the load of the machine.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -27,21 +27,21 @@ using Json = nlohmann::json;
 using namespace std::chrono_literals;
 
 #if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;  // takes memory and time of its own
+constexpr bool sanitized = true;  // uses additional memory and time itself
 #else
 constexpr bool sanitized = false;
 #endif
 
 struct Ended {
     int code = -1, signal = 0;
-    double seconds = 0;         ///< of the processor
-    std::size_t mebibytes = 0;  ///< most that was resident
+    double seconds = 0;         ///< processor time
+    std::size_t mebibytes = 0;  ///< peak resident memory
     std::string out = {}, err = {};
 };
 
 struct Setting {
-    std::optional<std::size_t> address_space = {};  ///< bytes, as `ulimit -v` sets it
-    std::optional<double> interrupt_after = {};     ///< seconds of the processor
+    std::optional<std::size_t> address_space = {};  ///< bytes, as set by `ulimit -v`
+    std::optional<double> interrupt_after = {};     ///< seconds of processor time
 };
 
 double processor_seconds(pid_t child) {
@@ -55,7 +55,7 @@ double processor_seconds(pid_t child) {
     return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
-/// The program on its own, as a user starts it; standard input never ends.
+/// The program in a separate process, as a user starts it; standard input never ends.
 Ended run_bounded(const Folder& folder, std::vector<std::string> arguments, const Setting& setting) {
     arguments.insert(arguments.begin(), GRAFVERIF_PROGRAM);
     std::vector<char*> pointers;
@@ -115,7 +115,7 @@ std::string ring(std::size_t steps) {
            std::to_string(steps - 1) + ";\n}\n";
 }
 
-/// The same as a sequential function chart.
+/// The same chart as a sequential function chart.
 std::string sequence(std::size_t steps) {
     std::string text =
         "PROGRAM p\nVAR_INPUT\n a : BOOL;\nEND_VAR\nVAR_OUTPUT\n O : BOOL;\nEND_VAR\nINITIAL_STEP S0:\n "
@@ -127,7 +127,7 @@ std::string sequence(std::size_t steps) {
     return text + "END_PROGRAM\n";
 }
 
-/// Inputs that no verb is through with in a second.
+/// Inputs that no command can process within a second.
 struct Inputs {
     Folder folder = {};
     std::string chart = folder.write("ring.grafcet", ring(300'000));
@@ -154,7 +154,7 @@ struct Inputs {
                 {"plc", chart},
                 {"test", chart, "--against", "cat"}};
     }
-    /// Every `nth` command, all of them where laws are asked to be larger.
+    /// Every `nth` command; all of them if larger randomized tests are requested.
     std::vector<std::vector<std::string>> some_commands(std::size_t nth, std::size_t from) const {
         std::vector<std::vector<std::string>> some, all = commands();
         for (std::size_t i = law_size(1) > 1 ? 0 : from; i<all.size(); i += law_size(1)> 1 ? 1 : nth)
@@ -168,7 +168,7 @@ std::vector<std::string> with(std::vector<std::string> command, const std::vecto
     return command;
 }
 
-/// Ended by a bound: told in a line, by the right code, nothing left half written.
+/// Checks the end by a limit: one line of message, the right exit code, no partial output.
 void expect_bounded(const Ended& ended, const std::string& why) {
     EXPECT_EQ(ended.signal, 0);
     EXPECT_EQ(ended.code, 3) << ended.err;
@@ -179,7 +179,7 @@ void expect_bounded(const Ended& ended, const std::string& why) {
 TEST(Bounds, EveryVerbKeepsTheTimeLimit) {
     const Inputs inputs;
     for (const std::vector<std::string>& command : inputs.commands()) {
-        if (command.front() == "test") continue;  // its limit is that of one answer
+        if (command.front() == "test") continue;  // its limit applies to one response
         SCOPED_TRACE(command.front());
         const Ended ended = run_bounded(inputs.folder, with(command, {"--timeout", "100ms"}), {});
         expect_bounded(ended, "[stopped]");
@@ -192,7 +192,7 @@ TEST(Bounds, EveryVerbEndsOnInterrupt) {
     const Inputs inputs;
     for (const std::vector<std::string>& command : inputs.some_commands(3, 1)) {
         SCOPED_TRACE(command.front());
-        const double at_work = sanitized ? 1 : 0.1;  // by then it listens
+        const double at_work = sanitized ? 1 : 0.1;  // it listens by then
         const Ended ended = run_bounded(inputs.folder, command, {.interrupt_after = at_work});
         expect_bounded(ended, "[stopped]");
         EXPECT_NE(ended.err.find("Ctrl-C"), std::string::npos) << ended.err;
@@ -222,7 +222,7 @@ TEST(Bounds, MemoryThatTheSystemRefusesIsNoSignal) {
     }
 }
 
-/// Of `check`, by name.
+/// The command line of `check`, by name.
 Json property(const Ended& ended, const std::string& name) {
     const Json report = Json::parse(ended.out, nullptr, false);
     if (report.is_discarded()) ADD_FAILURE() << "no JSON: " << ended.out << ended.err;
@@ -234,7 +234,7 @@ Json property(const Ended& ended, const std::string& name) {
 
 TEST(Bounds, WhatIsKnownByThenIsTold) {
     const Folder folder;
-    // Many timers and buttons: more states than anybody has time or room for.
+    // Many timers and buttons: too many states for any limit of time or memory.
     std::string text = "grafcet g {\n    input a";
     for (int i = 0; i < 60; ++i) text += ", b" + std::to_string(i);
     text +=
@@ -249,7 +249,7 @@ TEST(Bounds, WhatIsKnownByThenIsTold) {
         "check", chart, "--whole", "--format", "json", "--junit", folder.file("report.xml")};
     const auto expect_partial = [&](const Ended& ended, const std::string& why) {
         SCOPED_TRACE(why);
-        EXPECT_EQ(ended.code, 1) << ended.err;  // a verdict against expectation is one, whatever is unknown
+        EXPECT_EQ(ended.code, 1) << ended.err;  // an unexpected verdict takes precedence over unknown ones
         EXPECT_EQ(property(ended, "early")["verdict"], "violated") << ended.err;
         EXPECT_EQ(property(ended, "late")["verdict"], "unknown");
         EXPECT_NE(property(ended, "late")["reason"].dump().find(why), std::string::npos) << ended.out;
@@ -298,7 +298,7 @@ TEST(Bounds, ALimitBeyondEveryClockIsNone) {
 }
 
 TEST(Bounds, WorkGrowsInStepWithTheInput) {
-    // Twice the input takes about twice the time; four times would be a square.
+    // Twice the input needs about twice the time; four times would indicate a quadratic algorithm.
     const Folder folder;
     const auto seconds = [&](const std::string& text, const std::vector<std::string>& command, std::size_t at) {
         std::vector<std::string> whole = command;

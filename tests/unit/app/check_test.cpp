@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `check` as a whole: verdicts, exit codes, reports and traces in files.
+// `check` end to end: verdicts, exit codes, reports and traces in files.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 
 std::string sample(const std::string& path) { return (root / "samples" / path).string(); }
 
-/// A chart that counts presses of a button, and a loop with the properties given.
+/// A chart that counts presses of a button, and a loop with the given properties.
 std::string counter(const std::string& properties) {
     return "grafcet counter { input GO; output L; internal N: int 0..2 = 0;\n"
            "initial step 0; step 1 { N := N + 1 on activation; L; } // step 2\n"
@@ -82,7 +82,7 @@ TEST(Check, HasAnExitCodeForEachOutcome) {
     }
 }
 
-/// Two charts with a button and a lamp each, which share nothing but time.
+/// Two charts with a button and a lamp each, which share only time.
 const char* const two_lamps = R"(
 grafcet left { input A; output L; initial step 0; step 1 { L; }
     transition on: 0 -> 1 when A; transition off: 1 -> 0 when 2s/X1; }
@@ -295,8 +295,8 @@ TEST(Check, WhyCoversPropertiesWithDurationsAndScopes) {
     EXPECT_TRUE(why["properties"][0]["parts"].is_null());
 }
 
-/// A program called verifyta that says of every formula with `wrong` in it that it is not satisfied, and of no other. It
-/// stands in for the real one, whose licence keeps it out of automated tests.
+/// A stand-in for verifyta that reports exactly the formulas containing `wrong` as not satisfied. The licence of the
+/// real program forbids automated tests.
 void install_stand_in(const Folder& folder, const std::string& wrong) {
     fs::permissions(folder.write("verifyta",
                                  "#!/bin/sh\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `compare`: equal, different, unknown, and what cannot be compared.
+// `compare`: equal, different, unknown, and charts that cannot be compared.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -42,7 +42,7 @@ TEST(Compare, EachModeIsAskedInOneRun) {
     const std::size_t first = result.out.find("mode stability-search"), second = result.out.find("mode every-cycle");
     EXPECT_LT(first, second) << result.out;
     EXPECT_EQ(result.out.find("the texts say"), result.out.rfind("the texts say")) << "once";
-    // A step more on the way is seen in every cycle only.
+    // An additional transient step is visible in every_cycle mode only.
     const std::string longer = with(with(lamp, "step 1 {", "step 9;\n    step 1 {"), "0 -> 1 when on;",
                                     "0 -> 9 when on && !off;\n    transition t9: 9 -> 1 when true;");
     const std::string plain = with(lamp, "when on;", "when on && !off;");

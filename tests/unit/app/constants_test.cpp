@@ -101,7 +101,7 @@ TEST(Constants, AreNotSetForAChartAloneWhichReadsNone) {
         EXPECT_NE(result.err.find("a chart alone, which reads none"), std::string::npos) << verb << result.err;
         EXPECT_TRUE(result.out.empty()) << verb;
     }
-    // The chart of which mutants are made is one of the loop.
+    // The mutated chart is one of the loop.
     EXPECT_NE(grafverif({"mutate", file, "--chart", "filling", "--limit", "1", "--set", "N=3"}).code, ExitCode::Input);
 }
 

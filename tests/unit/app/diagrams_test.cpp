@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the verbs that rest on decision diagrams do where time or memory is short, and where there is next to nothing to do.
+// Commands based on decision diagrams: with little time or memory, and on trivial models.
 #include <gtest/gtest.h>
 
 #include <chrono>

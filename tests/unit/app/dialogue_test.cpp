@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Dialogues with programs that behave, and with those that do not.
+// Dialogues with well-behaved and with misbehaving programs.
 #include "app/system/dialogue.hpp"
 
 #include <gtest/gtest.h>
@@ -103,7 +103,7 @@ TEST(Dialogue, AFloodIsCut) {
     EXPECT_EQ(many.ask("a"), (Reply{Kind::Flood, "y"}));
     Dialogue two("while read line; do echo 1; echo 2; done", {});
     Kind kind = two.ask("a").kind;
-    for (int k = 0; k < 100 && kind == Kind::Line; ++k) {  // the second line comes a moment later
+    for (int k = 0; k < 100 && kind == Kind::Line; ++k) {  // the second line comes slightly later
         std::this_thread::sleep_for(milliseconds(20));
         kind = two.ask("a").kind;
     }
@@ -131,7 +131,7 @@ TEST(Dialogue, SignalsAreAsTheyWereAfterwards) {
     {
         Dialogue dialogue("exit 0", {});
         dialogue.ask("a");
-        dialogue.ask("b");  // into a pipe that nobody reads
+        dialogue.ask("b");  // into a pipe without a reader
     }
     EXPECT_EQ(std::signal(SIGPIPE, before), SIG_DFL);
 }

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The group of that id in the drawing that the arguments make.
+/// The group of that id in the drawing produced by the arguments.
 pugi::xml_node group(pugi::xml_document& document, const std::vector<std::string>& arguments, const char* id) {
     const Result result = grafverif(arguments);
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;

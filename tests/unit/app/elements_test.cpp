@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The table in docs/reference/language-elements.md is correct: each cell is tried on a chart that turns on the
-// subtle case of its element. `x`: the stage takes the chart, and finds what the chart says of itself. `-`: it refuses the
-// element by name, or leaves out what reads it and says so. Empty: the element is no concern of the stage.
+// Checks the table of elements and stages in docs/reference/language-elements.md: each entry is tested on a chart that
+// contains the subtle case of its element. `x`: the stage supports the chart and gives the result that the chart
+// declares. `-`: it rejects the element by name, or omits the parts that read it with a message. Empty: the element is
+// irrelevant to the stage.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -22,7 +23,7 @@ std::string text_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The rows of the matrix, each with the name of its chart in the first cell.
+/// The rows of the table, each with the name of its chart in the first column.
 std::vector<Cells> matrix() {
     std::vector<Cells> rows;
     std::istringstream page(text_of(root / "docs/reference/language-elements.md"));
@@ -70,7 +71,7 @@ Result untimed(const std::string& file) {
                 checked(file, {"--untimed", "--plant", "automata"}));
 }
 
-/// A test sequence is run on the rules of the standard before it is written.
+/// A test sequence is executed by the interpreter before it is written.
 Result automaton(const std::string& file) { return both(grafverif({"automaton", file}), grafverif({"testgen", file})); }
 
 struct Stage {

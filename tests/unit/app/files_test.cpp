@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files as outputs: whole or not at all, whatever stands in their way, fails, or happens at the same time.
+// Output files: complete or unchanged, regardless of obstacles, failures and concurrent runs.
 #include "pipeline/files.hpp"
 
 #include <fcntl.h>
@@ -19,7 +19,7 @@
 
 namespace {
 
-/// The call that fails: the `fail_at`th of those counted, while that is not 0; with `fail_on` all after it, too.
+/// The call that fails: the `fail_at`th counted one, unless that is 0; with `fail_on` all later ones too.
 std::atomic<int> fail_at = 0, calls = 0;
 std::atomic<bool> fail_on = false;
 
@@ -33,7 +33,7 @@ bool fails(int error) {
 
 }  // namespace
 
-// In place of those of the C library.
+// Replacements of the C library functions.
 extern "C" {
 int renameat(int from, const char* old_name, int to, const char* new_name) noexcept {
     return fails(EIO) ? -1 : static_cast<int>(::syscall(SYS_renameat, from, old_name, to, new_name));
@@ -91,7 +91,7 @@ TEST(WriteFiles, KeepsPermissionsAndReplacesNothingThatMayNotBeWritten) {
     EXPECT_EQ(folder.read("secret"), "new");
 }
 
-/// All of the folder, by name.
+/// The content of the folder, by name.
 std::string state(const Folder& folder) {
     std::vector<std::string> parts;
     for (const auto& entry : fs::recursive_directory_iterator(folder.file("")))
@@ -104,8 +104,8 @@ std::string state(const Folder& folder) {
     return text;
 }
 
-/// Runs `work` in a folder with files, each time with another call that fails, until there is no call left. Whether it
-/// threw, and the folder, are given to `look`.
+/// Runs `work` in a folder with files, each time with another failing call, until there are no more calls. `look` gets
+/// the folder, and whether `work` threw.
 template <class Work, class Look>
 int with_each_call_failing(const Work& work, const Look& look) {
     int failures = 0;
@@ -127,7 +127,7 @@ int with_each_call_failing(const Work& work, const Look& look) {
         fail_at = 0;
         look(folder, before, thrown);
         failures += thrown ? 1 : 0;
-        if (calls < k) return failures;  // there are no more calls to fail
+        if (calls < k) return failures;  // there are no more calls that can fail
     }
 }
 
@@ -331,7 +331,7 @@ TEST(ReadFile, TakesRegularFilesAloneAndNeverWaits) {
     }
 }
 
-// -- includes ----------------------------------------------------------------------------------------------------------
+// -- includes ---------------------------------------------------------------------------------------------------------
 
 std::string chart(const std::string& name) {
     return "grafcet " + name +
@@ -355,7 +355,7 @@ TEST(FilesBelow, LeavesOutTheKernelAndEndsWhenAsked) {
 TEST(Include, AFileIsReadOnceWhateverLeadsToIt) {
     const Folder folder;
     for (const char* link : {"a", "b"}) fs::create_symlink(".", folder.file(link));
-    constexpr int files = 40;  // 2^40 paths lead to the last
+    constexpr int files = 40;  // 2^40 include paths lead to the last file
     for (int k = 0; k < files; ++k) {
         const std::string next = "f" + std::to_string(k + 1) + ".grafcet\";\n";
         folder.write("f" + std::to_string(k) + ".grafcet", "include \"a/" + next + "include \"b/" + next);
@@ -384,7 +384,7 @@ TEST(Include, PipesDevicesAndFoldersAreRefused) {
     EXPECT_NE(grafverif({"equations", main, "-I", "/dev"}).err.find("it is a device"), std::string::npos);
 }
 
-/// The current folder for the length of a scope.
+/// Changes the current folder for the lifetime of the object.
 class Standing {
 public:
     explicit Standing(const fs::path& folder) : before_(fs::current_path()) { fs::current_path(folder); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is said to somebody who has just met the program: wrong files, wrong verbs, half a chart.
+// Messages for new users: wrong files, wrong commands, incomplete charts.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Strings that would do something to a terminal or break out of a document, wherever somebody else can put them, through
-// every verb and every form of output: what is for people is clean, what is for programs is read back whole.
+// Strings with terminal control sequences or markup, in all places that foreign input can reach, through every command
+// and every output format. Output for terminals must be clean; output for programs must be read back unchanged.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -56,7 +56,7 @@ std::vector<std::string> mixtures() {
     return joined;
 }
 
-/// What a terminal would obey, or nothing. Written without the function it judges.
+/// The control sequences in a text, or nothing. Written independently of the function under test.
 std::string dirt(const std::string& text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         const auto byte = [&](std::size_t k) {
@@ -86,7 +86,7 @@ Result on_a_terminal(const std::vector<std::string>& arguments, const std::strin
     return {code, out.str(), err.str()};
 }
 
-/// The command does not fail on our side and shows nothing unclean; a report does not either where it is piped on.
+/// The command does not fail internally and prints nothing unclean; nor does a report that is piped.
 void expect_clean(const std::vector<std::string>& arguments, const std::string& input = "", bool report = true) {
     std::string told;
     for (const std::string& argument : arguments) told += argument + " ";
@@ -137,7 +137,7 @@ const std::vector<std::vector<std::string>> verbs = {{"check"},
                                                      {"test", "--against", "true"},
                                                      {"check", "--diagnostics", "json"}};
 
-/// A loop in whose texts `text` stands wherever a text may hold it.
+/// A loop with `text` in every place that may contain arbitrary text.
 std::string loop_with(const std::string& text) {
     return "// " + text +
            "\ngrafcet g { input a; output o; initial step 0; step 1 { o; }\n    transition t0: 0 -> 1 when a;\n    "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Circuits from the command line: `aiger`, the PDR engine, ABC and other programs that read circuits, and stand-ins for
-// them that lie, crash, flood or never end.
+// Circuits on the command line: `aiger`, the PDR engine, ABC and other programs that read circuits, and stand-ins for
+// them that give wrong results, crash, flood or never end.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -24,7 +24,7 @@ std::string lamp(const std::string& properties) {
            properties + " }\n";
 }
 
-/// Whether the table at the end says that the property holds.
+/// True if the final table states that the property holds.
 bool holds(const std::string& out, const std::string& property) {
     const std::size_t row = out.find("\n" + property + " ");
     return row != std::string::npos &&
@@ -201,7 +201,7 @@ TEST(Abc, ProvesWithAnInvariantThatIsCheckedAndShowsRuns) {
     }
 }
 
-/// What a stand-in does, and what is said of it.
+/// The behaviour of a stand-in, and the expected message.
 struct Lie {
     const char* property;
     std::string script, why;

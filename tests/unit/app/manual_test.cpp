@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the table of options says reaches the manual and the shells whole.
+// Manual pages and shell completion contain the complete option table.
 #include <gtest/gtest.h>
 
 #include <algorithm>

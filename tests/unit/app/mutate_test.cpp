@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `mutate`: mistakes in a chart, and who notices them.
+// `mutate`: mutants of a chart, and the properties that detect them.
 #include <gtest/gtest.h>
 
 #include <algorithm>

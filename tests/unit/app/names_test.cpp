@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A thing is called the same wherever it is told, and wherever somebody names it: steps, internal variables, what instances
-// hold and where they are, properties.
+// Consistent names in all output and input: steps, internal variables, variables and locations of instances,
+// properties.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -13,8 +13,8 @@ namespace {
 
 using Tree = nlohmann::json;
 
-/// Two controllers that call steps and internals alike; partial charts, a macro-step, an enclosing step; a variable of an
-/// instance's own.
+/// Two controllers with equal names of steps and internal variables; partial charts, a macro-step, an enclosing step; a
+/// variable of an instance.
 const std::string model = R"(
 component gate(input UP, DOWN; output OPEN) {
     variable H: int 0..3 = 0;
@@ -72,10 +72,10 @@ std::string loop(const std::string& properties) {
            properties + "}\n";
 }
 
-/// `press.G1.3` as a condition says it: an X before the step's own name (IEC 60848, 4.3).
+/// `press.G1.3` as written in conditions: an X before the step's own name (IEC 60848, 4.3).
 std::string variable(std::string step) { return step.insert(step.rfind('.') + 1, 1, 'X'); }
 
-/// What the JSON of a run, or of an automaton, calls variables (a property takes them as they are) and steps.
+/// Names of variables and steps in the JSON of a run or an automaton; properties accept the names of variables.
 struct Names {
     std::set<std::string> values = {}, steps = {};
 };
@@ -166,8 +166,8 @@ void can_be_named(const Names& names) {
     const std::string file = folder.write("named.grafcet", loop(properties));
     EXPECT_EQ(grafverif({"check", file, "--list"}).err, "");
     const Result simulated = grafverif({"simulate", file, "--script", folder.write("s.txt", script)});
-    EXPECT_EQ(simulated.code, ExitCode::Verdict) << simulated.err;  // not all is true: but all is known
-    for (const char* refusal : {"! there is no step", "could be"})  // what the rules refuse is another matter
+    EXPECT_EQ(simulated.code, ExitCode::Verdict) << simulated.err;  // not all hold, but all names are known
+    for (const char* refusal : {"! there is no step", "could be"})  // rejections by the interpreter are irrelevant here
         EXPECT_EQ(grafverif({"simulate", file}, forced).out.find(refusal), std::string::npos);
 }
 
@@ -176,7 +176,7 @@ TEST(Names, ATraceShowsWhatAPropertyAndAScriptCanName) { can_be_named(names_of_t
 TEST(Names, SoDoesATraceOfTheModelWithoutTime) {
     Names timed = names_of_trace({});
     const Names untimed = names_of_trace({"--untimed", "--plant", "automata"});
-    timed.values.erase("A.idle");  // where it always is, which that model does not say
+    timed.values.erase("A.idle");  // its only location, which that model does not represent
     EXPECT_EQ(timed.values, untimed.values);
     EXPECT_EQ(timed.steps, untimed.steps);
     EXPECT_TRUE(timed.values.contains("Gate.H") && timed.values.contains("upper.N") &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What build systems ask of outputs: names known beforehand, what they were made from, and that nothing is made by mistake.
+// Requirements of build systems on outputs: predictable names, dependency files, no accidental files.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -27,7 +27,7 @@ std::string chart(const std::string& name) {
            "!x; }\n";
 }
 
-/// What `command` prints, run by a shell.
+/// The output of `command`, run by a shell.
 std::string printed(const std::string& command) {
     const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
     std::string text;
@@ -107,8 +107,8 @@ TEST(Depfile, IsRefusedWhereItWouldSayNothing) {
     EXPECT_FALSE(fs::exists(folder.file("d")));
 }
 
-/// Names with every character of ASCII in the middle, at the beginning and at the end, and with backslashes before some,
-/// as far as `reader` can be told them on that side.
+/// Names that contain every ASCII character in the middle, at the beginning and at the end, and backslashes before some
+/// of them. Only names that `reader` can represent on that side.
 std::vector<std::string> hostile_names(DepfileSide side, DepfileReader reader) {
     std::vector<std::string> names = {"plain",   "$(x) y",   "a\\ b",  "a\\#b",    "a\\\\#b",     "a\\:b",
                                       "a\\$b",   "a\\\\$b",  "a\\*b",  "a\\%b",    "a\\|b",       "a\\\\ # $$b",
@@ -242,7 +242,7 @@ TEST(Depfile, TellsCMakeTheNamesThemselves) {
               0);
     std::string expected = "result:";
     for (const std::string& name : files) expected += " \\\n  " + name;
-    const auto plain = [](std::string text) {  // what it writes is escaped as the version at hand does it
+    const auto plain = [](std::string text) {  // the installed version determines how it escapes output
         for (const auto& [written, meant] : {std::pair{"\\ ", " "}, {"\\#", "#"}, {"$$", "$"}})
             for (std::size_t at = 0; (at = text.find(written, at)) != std::string::npos;) text.replace(at, 2, meant);
         return text;
@@ -339,7 +339,8 @@ TEST(Outputs, RejectNamesOfFormatsThatAreNotWrittenWithRemedy) {
     EXPECT_EQ(grafverif({"draw", file, "-o", x + ".drawing"}).code, ExitCode::Done);
 }
 
-// -- standard streams, of every verb of the table ----------------------------------------------------------------------
+// -- standard streams, for every command in the table
+// ------------------------------------------------------------------
 
 using Words = std::vector<std::string>;
 
@@ -347,7 +348,7 @@ const std::string violated =
     chart("c") +
     "closed_loop l {\n    controller c;\n    environment E = push_button(OUT = x);\n    property p: never X1;\n}\n";
 
-/// A call of `verb` on `file` that ends.
+/// A call of `verb` on `file` that terminates.
 Words call(const Verb& verb, const std::string& file, const Folder& folder) {
     Words words = {verb.name};
     if (accepts(verb, Accepts::File)) words.push_back(file);
@@ -399,7 +400,7 @@ TEST(StandardInput, IsReadOnce) {
     EXPECT_EQ(grafverif({"simulate", file, "--script", "-"}, "wait 1s\n").code, ExitCode::Done);
 }
 
-/// What a document of that option begins with; empty: it is one of many.
+/// The expected beginning of a document of that option; empty: it varies.
 std::string beginning_of(const std::string& option) {
     if (option == "junit") return "<?xml";
     if (option == "sarif") return "{\n";
@@ -408,8 +409,8 @@ std::string beginning_of(const std::string& option) {
     return option == "depfile" ? "x:" : "";
 }
 
-/// Each call of a verb with an option that names a file or folder: `look` gets verb, option, use and the call without the
-/// value, which is its last word.
+/// Calls each command with each option that names a file or folder: `look` gets the command, the option, its use and
+/// the call without the value, which is its last word.
 template <class Look>
 void with_each_path_option(const Folder& folder, const std::string& file, const Look& look) {
     for (const Verb& verb : all_verbs())
@@ -500,7 +501,7 @@ TEST(StandardOutput, OfAReportIsItsOwnAndWhatIsSaidGoesToStandardError) {
     }
 }
 
-/// Whatever reads what is said to people may end when it has seen enough: `grafverif check ... | head -1`.
+/// The reader of messages may end early: `grafverif check ... | head -1`.
 TEST(Reports, AreWholeThoughNobodyReadsStandardOutput) {
     const Folder folder;
     folder.write("one.grafcet", violated);

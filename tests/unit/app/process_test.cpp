@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Other programs, run by the real system: a shell stands for them.
+// External programs, run by the real system: a shell represents them.
 #include "app/system/process.hpp"
 
 #include <gtest/gtest.h>

@@ -103,7 +103,7 @@ TEST(Build, LeavesExistingOutputsUntouchedOnError) {
     ASSERT_EQ(grafverif({"build", station, "-o", folder.file("out"), "--create"}).code, ExitCode::Done);
     const std::string before = folder.read("out/station.xml");
     fs::remove(folder.file("out/station.q"));
-    fs::create_directory(folder.file("out/station.q"));  // cannot be written over
+    fs::create_directory(folder.file("out/station.q"));  // cannot be overwritten
     const Result result = grafverif({"build", station, "-o", folder.file("out"), "--create", "--grain", "atomic"});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_EQ(folder.read("out/station.xml"), before);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `report`: the page as the program writes it.
+// `report`: the page written by the program.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -66,7 +66,7 @@ closed_loop shop {
     EXPECT_EQ(grafverif({"report", wrong, "--property", "nobody"}).code, ExitCode::Input);
 }
 
-/// The first sentence of the page, which says whether all is well.
+/// The first sentence of the page, with the summary verdict.
 std::string glance(const std::vector<std::string>& arguments) {
     const std::string page = grafverif(arguments).out, begin = "<p class=\"glance ";
     const std::size_t from = page.find("<strong>", page.find(begin)) + 8;
@@ -169,7 +169,7 @@ TEST(Report, PlaysTheSequencesOfATest) {
     EXPECT_FALSE(fs::exists(folder.file("page.html")));
 }
 
-/// Of an untimed run the time counts the steps of the model.
+/// In an untimed run the time counts the steps of the model.
 TEST(Report, TellsWhichMomentsAreNoStatesOfTheModel) {
     const Folder folder;
     const std::string file = folder.write(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reports for build servers: what they say, and that none is of another run.
+// Reports for build servers: their content, and that none is left from another run.
 #include "app/reports.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// On line 5 stands the property that does not hold; on line 2 the step that it finds active.
+/// Line 5 contains the violated property, line 2 the step that it finds active.
 std::string lamp_loop(const std::string& name, const std::string& claim = "never X1") {
     return "grafcet c" + name +
            " {\n    input x; output L; initial step 0; step 1 { L; }\n"
@@ -58,7 +58,7 @@ TEST(Reports, OfJsonSayWhereAPropertyStands) {
     EXPECT_EQ(p["column"], 14);
 }
 
-/// What the schema of SARIF 2.1.0 and those who show it ask of a log such as ours; the results.
+/// The requirements of the SARIF 2.1.0 schema, and of SARIF viewers, on the log; the results.
 Json checked(const std::string& text) {
     const Json log = Json::parse(text);
     EXPECT_EQ(log["version"], "2.1.0");
@@ -229,7 +229,7 @@ TEST(Reports, SayThatTheirRunDidNotEnd) {
     Reports reports;
     Job job{.options = {.operands = {file}, .junit = folder.file("r.xml"), .sarif = folder.file("r.sarif")},
             .reports = &reports};
-    begin_reports(false, job);  // and here the machine stops
+    begin_reports(false, job);  // here the machine stops
     EXPECT_NE(folder.read("r.xml").find("the run did not come to its end"), std::string::npos);
     EXPECT_EQ(checked(folder.read("r.sarif")).size(), 0u);
     EXPECT_NE(folder.read("r.sarif").find("the run did not come to its end"), std::string::npos);
@@ -272,7 +272,7 @@ TEST(List, NamesWhatThereIsToCheck) {
     alone.erase(alone.find("closed_loop"));
     EXPECT_EQ(grafverif({"check", folder.write("alone.grafcet", alone), "--list"}).out,
               folder.file("alone.grafcet") + "\tcl\n");
-    // Each line is a check by itself.
+    // Each line is a separate check.
     for (const Json& line : objects_in(grafverif({"check", file, "--list", "--json-lines"}).out)) {
         const Result one =
             grafverif({"check", line["file"], "--loop", line["model"], "--property", line["property"], "--json-lines"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program run in-process, and a folder of its own for each test.
+// Runs the program in-process, with a separate folder for each test.
 #pragma once
 
 #include <sys/wait.h>
@@ -27,7 +27,7 @@ struct Result {
     std::string out = {}, err = {};
 };
 
-/// `input`: what is typed.
+/// `input`: the simulated keyboard input.
 inline Result grafverif(const std::vector<std::string>& arguments, const std::string& input = "") {
     std::istringstream in(input);
     std::ostringstream out, err;
@@ -35,10 +35,10 @@ inline Result grafverif(const std::vector<std::string>& arguments, const std::st
     return {code, out.str(), err.str()};
 }
 
-/// Whether no child of ours is left, not even a dead one.
+/// True if this process has no children left, not even zombies.
 inline bool no_child() { return ::waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD; }
 
-/// A folder of its own for one test, gone with it.
+/// A folder for one test, removed with the object.
 class Folder {
 public:
     Folder() {
@@ -69,7 +69,7 @@ private:
     fs::path path_ = {};
 };
 
-/// A variable of the environment for the length of a test.
+/// Sets an environment variable for the lifetime of the object.
 class Variable {
 public:
     Variable(std::string name, const std::string& value) : name_(std::move(name)) {
@@ -88,7 +88,7 @@ private:
     std::optional<std::string> before_ = {};
 };
 
-/// The PATH for the length of a test.
+/// Sets the PATH for the lifetime of the object.
 class Path : public Variable {
 public:
     explicit Path(const std::string& value) : Variable("PATH", value) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scripts of `simulate`: what waits, what passes within one instant, what follows without a choice.
+// Scripts of `simulate`: waiting, events within one instant, moves without a choice.
 #include <gtest/gtest.h>
 
 #include "run_program.hpp"
@@ -36,7 +36,7 @@ TEST(Script, WaitUntilIsMetByWhatWasTrueWithinTheCurrentInstant) {
         const ScriptRun run = script(passing, of,
                                      "GO = true\nwait until X1\nwait until X2\nexpect within 1s X1\nexpect X3\n"
                                      "GO = false\nwait until X5\nexpect X0\nwait until X0\n");
-        // The claim before `X2` was met: a second `X1` is not.
+        // The expectation before `X2` was met: a second `X1` is not.
         EXPECT_NE(run.err.find(":4: not met: expected `X1`, but `X1` is not active after 1 s\n"), std::string::npos)
             << run.err;
         EXPECT_EQ(run.err.find(":5:"), std::string::npos) << run.err;
@@ -60,7 +60,8 @@ TEST(Script, UndoRestoresWhatWaitUntilExamines) {
     EXPECT_EQ(run.code, 0) << run.err;
 }
 
-/// An urgent edge and a timed edge leave `idle` at once: the urgent one is taken, the timed one is an alternative.
+/// An urgent edge and a timed edge leave `idle` simultaneously: the urgent one is taken, the timed one is an
+/// alternative.
 TEST(Script, AnUrgentEdgeIsTakenAlthoughATimedOneIsPossible) {
     const std::string model =
         "grafcet c { input AT_TOP; output UP; initial step 0; step 1 { UP; } step 2;\n"

@@ -41,11 +41,11 @@ TEST(Watch, NoticesWhatAnEditorDoesToAFile) {
         EXPECT_FALSE(watch.changed());
     };
     look_again();
-    folder.write("a.grafcet", "two");  // in place, as long as before
+    folder.write("a.grafcet", "two");  // in place, with the same length
     EXPECT_TRUE(watch.changed());
     look_again();
     folder.write("a.new", "two");
-    fs::rename(folder.file("a.new"), file);  // another file of its name
+    fs::rename(folder.file("a.new"), file);  // another file of the same name
     EXPECT_TRUE(watch.changed());
     look_again();
     fs::remove(file);
@@ -79,7 +79,7 @@ TEST(Watch, NoticesAChangeBetweenTwoReadings) {
     EXPECT_TRUE(watch.changed());
 }
 
-/// A bench on `file`, and its states as they come.
+/// A bench on `file`, with its states in order of arrival.
 class Bystander {
 public:
     explicit Bystander(const std::string& file, std::optional<std::uint64_t> patience_ms = {}) {
@@ -88,7 +88,7 @@ public:
         bench_.emplace(options_, [] {});
     }
 
-    /// The first state from now on that is as wanted.
+    /// The first state from now on that satisfies the condition.
     Json wait_for(const std::function<bool(const Json&)>& wanted) {
         for (int tries = 0; tries < 2000; ++tries) {
             if (const auto newer = bench_->newer(known_)) {
@@ -219,7 +219,7 @@ TEST(ServeBench, FollowsWhatIsIncludedEvenBeforeItIsThere) {
 
 TEST(ServeBench, GivesUpTheProofsOfAnEarlierSave) {
     const Folder folder;
-    // Six buttons, each with a clock of its own, that never fit together: more states than anybody waits for.
+    // Six buttons, each with a clock, with incommensurable times: too many states to wait for.
     std::string hard =
         "grafcet panel { input A, B, C, D, E, F; output O; initial step 0; step 1 { O; }\n"
         "transition t: 0 -> 1 when A && B && C && D && E && F; transition u: 1 -> 0 when !A; }\n"
@@ -283,7 +283,7 @@ TEST(Play, DrawsMovesThatAScriptTakes) {
     }
 }
 
-/// The steps that are active in the end.
+/// The active steps at the end.
 std::string situation(const Json& answer) { return answer["rows"].back()["situation"].get<std::string>(); }
 
 TEST(Trial, AStepIsForcedByHandAndAllThatFollowsIsCalledATrial) {
@@ -340,7 +340,7 @@ TEST(Trial, TheRulesOfHierarchyHaveTheLastWord) {
         Bystander bystander(file.string());
         bystander.wait_for([](const Json& state) { return state["readable"] == true; });
         const Json answer = bystander.play({{"chart", c.element}, {"moves", c.moves}});
-        std::string forced;  // what the rules make of it is told behind
+        std::string forced;  // followed by the interpreter's result
         for (const Json& row : answer["rows"])
             if (row["what"].get<std::string>().starts_with("TRIAL")) forced = row["situation"];
         EXPECT_EQ(forced, c.situation);
@@ -348,7 +348,7 @@ TEST(Trial, TheRulesOfHierarchyHaveTheLastWord) {
     }
 }
 
-/// By the rules in the chart alone, by the network in its loop.
+/// By the interpreter for the chart alone, by the network for its loop.
 TEST(Trial, AChartAloneAndItsLoopGoOnAlike) {
     std::mt19937_64 random(12);
     std::size_t made = 0, refused = 0;

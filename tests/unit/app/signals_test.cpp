@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What signals do to the program while other programs run: it ends as by Ctrl-C, and nothing of theirs is left.
+// Signals while external programs run: the program ends as by Ctrl-C, and all their processes are gone.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 using std::chrono::steady_clock;
 
-/// Notes its process and those it starts in `pids`, out of its group and its session, and never ends.
+/// Writes its process id and those of its children to `pids`, leaves its group and session, and never ends.
 std::string endless(const std::string& pids) {
     return "note() { echo $$ >> '" + pids +
            "'; }; note\n"
@@ -49,7 +49,7 @@ struct Outcome {
     std::string out = {};
 };
 
-/// The program, ended by `signal` once three processes have noted themselves.
+/// Runs the program, which `signal` ends once three processes have written their ids.
 Outcome ended_by(int signal, std::vector<std::string> arguments, const Folder& folder) {
     const Descriptor out(::open(folder.file("out").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
     arguments.insert(arguments.begin(), GRAFVERIF_PROGRAM);
@@ -211,7 +211,7 @@ TEST(TemporaryFolder, ThoseOfKilledRunsAreRemovedAndNoOthers) {
         EXPECT_TRUE(fs::exists(folder.file(name))) << name;
 }
 
-/// A folder whose name is none that a command line or a script would take as one word.
+/// A folder whose name must be quoted in command lines and scripts.
 const std::vector<std::string> odd_names = {"a b",        "it's", "\"",       "$HOME;*", "back\\slash",
                                             "line\nfeed", "-o",   "\xC3\xBC", "#"};
 

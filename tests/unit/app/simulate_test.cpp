@@ -12,7 +12,7 @@ namespace {
 
 const std::string blinker = (root / "samples/blinker/blinker.grafcet").string();
 
-/// The output without the columns' blanks.
+/// The output without the padding of columns.
 std::string squeezed(const std::string& text) {
     std::string result;
     for (const char c : text)
@@ -285,7 +285,7 @@ TEST(Simulate, SavesWhatWasDoneAsAScriptThatExpectsWhatWasSeen) {
     EXPECT_EQ(grafverif({"simulate", blinker, "--script", folder.write("s.txt", "save x\n")}).code, ExitCode::Input);
 }
 
-/// Whatever a session was, its script does the same again.
+/// For any session, its script repeats it.
 TEST(Simulate, ASavedWalkIsWalkedAgain) {
     for (const char* of : {"blinker", "tanks", "oven_door"})
         for (unsigned seed = 1; seed <= 6; ++seed) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every model of one loop starts as the loop starts; every verb that takes a chart without its loop runs it in the mode
-// that the loop says.
+// Every model of one loop has the same initial state; every command that reads a chart without its loop executes it in
+// the mode of the loop.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -17,7 +17,7 @@ Words operator+(Words left, const Words& right) {
     return left;
 }
 
-/// The options of each model that a loop has, that of the sequencers last.
+/// The options of each model of a loop, that of the sequencers last.
 const std::vector<Words>& models() {
     static const std::vector<Words> all = [] {
         std::vector<Words> made{{"--grain", "atomic"},
@@ -70,7 +70,7 @@ TEST(Start, EveryModelHasTheStateInWhichOutputsAreStillFalse) {
             SCOPED_TRACE(mode + (" " + told(model)));
             const Result result = grafverif(Words{"check", file, "--mode", mode, "--format", "json"} + model);
             EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
-            if (model == models().back()) continue;  // it judges no state before the controllers are done
+            if (model == models().back()) continue;  // it checks no state before the controllers have finished
             const nlohmann::json found = verdicts(result);
             EXPECT_EQ(found["p"], "violated");
             EXPECT_EQ(found["q"], "violated");
@@ -142,7 +142,7 @@ TEST(Untimely, ARunThatNoClockGivesIsToldAsOne) {
     EXPECT_EQ(grafverif({"check", file("5s/X0 && !(3s/X0)"), "--time", "discrete", "--untimed"}).code, ExitCode::Done);
 }
 
-/// Each verb, in the words that make it tell the two modes apart; FILE stands for the file.
+/// Each command, with arguments whose output distinguishes the two modes; FILE is a placeholder.
 TEST(Mode, OfAChartWithoutItsLoopIsTheOneThatTheLoopSaysInEveryVerb) {
     const std::string text =
         "grafcet c { input a; output L; initial step 0; step 1 { L; } step 2;\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `supervise`: conditions on charts, the text with them, and what is said where there are none.
+// `supervise`: conditions on charts, the text with them, and messages if there are none.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `check --untimed`: verdicts of the symbolic engine, what they rest on, traces without time, and other engines.
+// `check --untimed`: verdicts of the symbolic engine, their assumptions, traces without time, and other engines.
 #include "pipeline/untimed.hpp"
 
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ TEST(CheckUntimed, TimesThatPropertiesReadAreFreeWithoutAPlant) {
         EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
         EXPECT_NE(result.out.find("over: violated"), std::string::npos) << result.out;
         EXPECT_NE(result.out.find("late: violated"), std::string::npos)
-            << result.out;  // times are free, each by itself
+            << result.out;  // times are free and independent
         EXPECT_EQ(result.out.find("apart: violated"), std::string::npos) << result.out;
     }
     const Result timed = grafverif({"check", file});
@@ -98,7 +98,7 @@ TEST(CheckUntimed, TracesNameTheInputsThatTimersWatch) {
     }
 }
 
-/// Whether `out` says so of the verdict on `property`: at its head for all, or for the group that names it.
+/// True if `out` has this text for the verdict on `property`: at the beginning for all, or for the group that names it.
 bool says_of(const std::string& property, const std::string& carries, const std::string& out) {
     std::string head = out.substr(0, out.find("\n\n")) + '\n';
     for (std::size_t at = 0; (at = head.find("\n        ")) != std::string::npos;) head.replace(at, 9, " ");
@@ -211,7 +211,7 @@ TEST(CheckUntimed, AProgramThatIsNotThereIsNamedWithTheWayOut) {
     EXPECT_NE(result.err.find("--engine symbolic"), std::string::npos) << result.err;
 }
 
-/// A program called NuSMV that answers the first property with `answer`, and nothing else.
+/// A stand-in for NuSMV that prints `answer` for the first property only.
 std::string install_nusmv(const Folder& folder, const std::string& answer) {
     fs::permissions(folder.write("NuSMV",
                                  "#!/bin/sh\n"
@@ -317,7 +317,7 @@ std::string counter(const std::string& step, const std::string& properties) {
            properties + " }\n";
 }
 
-/// NuSMV and UPPAAL compute with 32 bits, and would say that N * 500000000 never exceeds 2100000000.
+/// NuSMV and UPPAAL compute with 32 bits, and would report that N * 500000000 never exceeds 2100000000.
 TEST(Models, APropertyThatNeedsMoreThan32BitsIsLeftOutAndDecidedByUs) {
     const Folder folder;
     const std::string file =
@@ -350,7 +350,7 @@ TEST(Models, WhatNeedsMoreThan32BitsIsRefusedWhereItStands) {
         EXPECT_NE(refused.err.find("[beyond-32-bits]"), std::string::npos);
         EXPECT_EQ(refused.out, "");
     }
-    // A term of constants is computed by UPPAAL as it stands, and by us where a model is made of an instance.
+    // UPPAAL evaluates a constant term directly; grafverif evaluates it when an instance is translated to a model.
     std::string text = counter("", "");
     text.replace(text.find("mover(S = A)"), 12, "mover(S = A, K = 50000)");
     const std::string plant = folder.write("plant.grafcet", text);

@@ -22,7 +22,7 @@ std::string never_two(const std::string& properties) {
 
 struct Form {
     std::string text = {};
-    std::string note = {};  ///< why it is vacuous; empty: it is not
+    std::string note = {};  ///< the reason why it is vacuous; empty: it is not
 };
 
 const std::string premise = "the premise is never true", response = "the response is never needed",
@@ -51,7 +51,8 @@ const std::vector<Form>& forms() {
             {"A precedes X1", ""},
             {"always !X2", ""},
         };
-        // In the scopes: `never opened`, `never closed` and `no such state in it`; then what is not vacuous.
+        // In the scopes: `never opened`, `never closed` and `no such state in it`; then properties that are not
+        // vacuous.
         for (const std::string never : {"never M", "always !M", "inevitable M"}) {
             made.push_back({never + " before X2", closes});
             for (const char* scope : {" after X2", " between X2 and X0", " after X2 until X0"})
@@ -152,7 +153,7 @@ TEST(Vacuity, IsInEveryOutput) {
               std::string::npos)
         << folder.read("junit.xml");
     const VacuityJson log = VacuityJson::parse(folder.read("log.sarif"))["runs"][0];
-    VacuityJson vacuous = VacuityJson::array();  // beside the warning about step 2
+    VacuityJson vacuous = VacuityJson::array();  // in addition to the warning about step 2
     for (const VacuityJson& each : log["results"])
         if (each["ruleId"] == "property-vacuous") vacuous.push_back(each);
     ASSERT_EQ(vacuous.size(), 1U);
@@ -181,7 +182,7 @@ TEST(Vacuity, MutateTellsWhatHoldsVacuously) {
     EXPECT_TRUE(becomes) << json["mutants"].dump(1);
 }
 
-/// A program called verifyta to which no state with the premise is reachable: `E<>` of it is not satisfied.
+/// A stand-in for verifyta for which the premise is unreachable: its `E<>` is not satisfied.
 TEST(Vacuity, ExternalProgramsAreAskedForIt) {
     const Folder folder;
     fs::permissions(folder.write("verifyta",

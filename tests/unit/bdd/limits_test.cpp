@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a space promises about memory, time, depth and its neighbours.
+// Guarantees of a space about memory, time, depth and independence of other spaces.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -24,7 +24,7 @@ Bdd neighbours(const BddSpace& space, std::uint32_t pairs) {
     return result;
 }
 
-/// Takes the neighbours apart. One operation, and of n pairs it makes more than 2^n nodes.
+/// Separates the neighbours: one operation that creates more than 2^n nodes for n pairs.
 struct TakenApart {
     explicit TakenApart(std::uint32_t pairs) : renaming(moves(pairs)) {}
 
@@ -40,7 +40,7 @@ struct TakenApart {
     BddRenaming renaming;
 };
 
-constexpr std::uint32_t many = 30;  // 2^30 nodes: as good as endless
+constexpr std::uint32_t many = 30;  // 2^30 nodes: practically endless
 
 BddExhausted::Cause cause_of(const std::function<void()>& work) {
     try {
@@ -81,7 +81,7 @@ TEST(BddLimits, ASpaceWithoutAnyMemorySaysSo) {
 }
 
 #if !defined(__SANITIZE_ADDRESS__)
-/// The address space of this process, in bytes.
+/// The size of the address space of this process, in bytes.
 rlim_t address_space() {
     std::ifstream pages("/proc/self/statm");
     rlim_t count = 0;
@@ -126,7 +126,7 @@ TEST(BddLimits, OneLongOperationStopsWhenSomebodyElseAsks) {
     space.add_variables(2 * many);
     const Bdd f = neighbours(space, many);
     const TakenApart apart(many);
-    for (const int wait : {1, 10, 40, 160}) {  // in growth, in collection, among nodes
+    for (const int wait : {1, 10, 40, 160}) {  // during growth, during collection, during node creation
         std::thread other([&] {
             std::this_thread::sleep_for(std::chrono::milliseconds(wait));
             stop = true;
@@ -153,7 +153,7 @@ TEST(BddLimits, StoppingAtAnyPointLeavesTheSpaceWhole) {
         try {
             for (;;) {
                 try {
-                    (void)apart.renaming(f);  // 2^20 nodes do not fit: collections abound
+                    (void)apart.renaming(f);  // 2^20 nodes do not fit: there are many collections
                 } catch (const BddExhausted& exhausted) {
                     if (exhausted.cause() == BddExhausted::Cause::Stopped) throw;
                 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images, origins and rings under random steps, against steps made one by one.
+// Images, preimages and rings under random steps, compared with steps executed one by one.
 #include "bdd/relation.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace grafverif::bdd {
 namespace {
 
-/// Bits of a state at 0, 2, 4, ..., with what they become right after them; below them choices.
+/// Bits of a state at 0, 2, 4, ..., each followed by its next value; choices below them.
 struct RandomSteps {
     static constexpr std::uint32_t bits = 4, choices = 2, choice = 2 * bits;
     BddSpace space = BddSpace();
@@ -72,7 +72,7 @@ TEST(Relation, LeadsWhereStepsLeadOneByOne) {
             if (evaluate(from & steps.offered, values)) led[steps.after(values)] = true;
         });
         const Bdd image = relation.image(from, relation.quantified(steps.before)), preimage = relation.preimage(to);
-        const Relation kept(steps.space, steps.next);  // what is chosen is kept
+        const Relation kept(steps.space, steps.next);  // the choice is kept
         const Bdd chosen = kept.image(from & steps.offered, kept.quantified(steps.before));
         std::vector<bool> leads(1U << RandomSteps::bits);
         steps.for_each([&](std::uint32_t state, std::uint32_t, const std::vector<bool>& values) {
@@ -82,7 +82,7 @@ TEST(Relation, LeadsWhereStepsLeadOneByOne) {
         steps.for_each([&](std::uint32_t state, std::uint32_t choice, const std::vector<bool>& values) {
             EXPECT_EQ(evaluate(image, values), led[state]) << "seed " << seed;
             EXPECT_EQ(evaluate(preimage, values), leads[state]) << "seed " << seed;
-            bool chosen_leads = false;  // by that choice alone
+            bool chosen_leads = false;  // only by that choice
             for (std::uint32_t origin = 0; origin < 1U << RandomSteps::bits; ++origin) {
                 const std::vector<bool> there = steps.assignment(origin, choice);
                 chosen_leads = chosen_leads || (evaluate(from & steps.offered, there) && steps.after(there) == state);
@@ -92,7 +92,7 @@ TEST(Relation, LeadsWhereStepsLeadOneByOne) {
     }
 }
 
-/// Distances from `first`, by states; -1: out of reach.
+/// Distances from `first`, by state; -1: unreachable.
 std::vector<int> distances(const RandomSteps& steps, std::uint32_t first) {
     std::vector<int> distance(1U << RandomSteps::bits, -1);
     distance[first] = 0;

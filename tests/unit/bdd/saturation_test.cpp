@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What random kinds of steps lead to, against steps made one by one.
+// Saturation with random event clusters, compared with steps executed one by one.
 #include "bdd/saturation.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::uint32_t bits = 6;
 
-/// A kind that may change one bit or two, under a condition on two or three and a choice, which lies below all bits.
+/// A cluster that may change one or two bits, under a condition on two or three bits and a choice, which is below all
+/// bits.
 struct Kind {
     std::vector<NextBit> next = {};
     Bdd condition = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Terms as Boolean functions, against `evaluate` under every assignment.
+// Terms as Boolean functions, compared with `evaluate` under every assignment.
 #include "bdd/terms.hpp"
 
 #include <gtest/gtest.h>
@@ -95,7 +95,7 @@ TEST(BddTerms, ResultsOutside64BitsAreUndefined) {
     World world;
     Id<Expr> power = world.exprs.leaf(Op::Variable, 3);                              // 0 to 5
     for (int i = 0; i < 4; ++i) power = world.exprs.apply(Op::Times, power, power);  // to the 16th
-    const Id<Expr> more = world.exprs.apply(Op::Times, power, power);                // to the 32nd: 5 is too much
+    const Id<Expr> more = world.exprs.apply(Op::Times, power, power);                // to the 32nd: 5 is too large
     BddTerms terms(world.exprs, [&](const Expr& node) { return world.leaf(node); });
     expect_same(world, more, terms(more));
     EXPECT_FALSE(terms(more).undefined.is_false());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cells of a line, local networks by hand, and what a search by cells says.
+// Fragments of a line, hand-written abstractions, and results of searches by localization.
 #include "check/cells/cells.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 Network line() { return expand(read_sample("transfer_line/transfer_line.grafcet").network); }
 
-/// Without a look at the whole that would be enough.
+/// Without the first search of the complete network, which would be enough.
 TimedResult by_cells(const Network& network, TimedOptions options = {}) {
     options.max_states = 100'000;
     return check_timed_by_cells(network, options, {.whole = 10, .local = 100'000});
@@ -71,7 +71,7 @@ TEST(Cells, WhatHoldsByANeighbourAloneTakesTheNeighbour) {
     Sketch s;
     const auto x = s.boolean("x"), y = s.boolean("y");
     const auto a = s.process("A", 2, 1), b = s.process("B", 1), c = s.process("C", 1, 1);
-    s.edge(a, {.to = 1, .when = {{0, Op::GreaterEqual, 1}}});  // writes x nowhere that is reached
+    s.edge(a, {.to = 1, .when = {{0, Op::GreaterEqual, 1}}});  // writes x at no reachable location
     s.edge(a, {.from = 1, .guard = s.network.exprs.constant(false), .set = {{x, s.yes()}}});
     s.edge(b, {.guard = s.is(x), .set = {{y, s.yes()}}});
     s.edge(c, {.when = {{0, Op::Equal, 1}}, .reset = {0}});
@@ -151,7 +151,7 @@ TEST(Cells, AGuardThatKeepsAValueInRangeIsSeen) {
     const auto a = s.process("A", 1);
     s.edge(a, {.guard = s.op(Op::Less, s.is(n), s.number(2)), .set = {{n, s.op(Op::Plus, s.is(n), s.number(1))}}});
     EXPECT_TRUE(cells_that_may_err(expand(s.network), cells_of(expand(s.network))).empty());
-    s.edge(a, {.guard = s.op(Op::Less, s.is(m), s.number(2)),  // of no use once m is assigned
+    s.edge(a, {.guard = s.op(Op::Less, s.is(m), s.number(2)),  // useless after m is assigned
                .set = {{m, s.number(2)}, {n, s.is(m)}, {m, s.op(Op::Plus, s.is(m), s.number(1))}}});
     EXPECT_EQ(cells_that_may_err(expand(s.network), cells_of(expand(s.network))).size(), 1U);
     EXPECT_TRUE(terms_have_values(expand(s.network)));
@@ -159,7 +159,7 @@ TEST(Cells, AGuardThatKeepsAValueInRangeIsSeen) {
     EXPECT_FALSE(terms_have_values(expand(s.network)));
 }
 
-/// Three clocks that beat; what `b` sets races where `by_b` says so, nothing else does. Asked whether it does.
+/// Three periodic clocks; the variable that `b` sets races if and only if `by_b` is set. Asks for the race.
 Network may_race(bool by_b) {
     Sketch s;
     const auto race = s.boolean("race"), x = s.boolean("x");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The claims of CEP13 and ETFA12 about the method, each beside the failure that returns when its cure is left out.
+// The claims of CEP13 and ETFA12 about the method, each with the failure that returns without its correction.
 #include <gtest/gtest.h>
 
 #include <algorithm>

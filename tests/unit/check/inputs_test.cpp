@@ -107,7 +107,7 @@ TEST(InputAbstraction, RejectsAnInstanceThatLeavesItsRange) {
     EXPECT_TRUE(autonomous_instances(network).empty());
 }
 
-/// Inputs I1..In, each a free one.
+/// Inputs I1..In, each of them free.
 std::string free_inputs(int count, const std::function<std::string(const std::string&)>& term) {
     std::string names, panel, condition;
     for (int i = 1; i <= count; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small networks by hand, one template per process, for the tests of the timed engine.
+// Hand-written small networks, one template per process, for tests of the timed engine.
 #pragma once
 
 #include <initializer_list>
@@ -50,17 +50,17 @@ public:
     Network network = {};
 };
 
-/// The result, after the network and every run in the result were tested: runs replay, on the network and to a state
-/// where the property is violated or witnessed.
+/// The result, after verifying the network and replaying every run: each replays on the network to a state where the
+/// property is violated or witnessed.
 TimedResult checked(const Network& network, const TimedOptions& options = {});
-/// The run of the verdict replays, to where it shows what the verdict says.
+/// Checks that the run of the verdict replays to a state that shows the verdict.
 void confirm(const Network& network, const Property& property, const Verdict& verdict);
 /// The verdict on one property.
 const Verdict& verdict(const TimedResult& result, const std::string& property);
-/// `holds`, `violated`, `unknown (inexact)`, with `, vacuous` where it is.
+/// `holds`, `violated`, `unknown (inexact)`, followed by `, vacuous` if it is vacuous.
 std::string told(const TimedResult& result, const std::string& property);
 
-/// The same network with a time unit that is `factor` times as fine.
+/// The same network with a time unit that is finer by `factor`.
 Network refined(Network network, std::int64_t factor);
 
 }  // namespace grafverif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sub-loops judged apart: what ties processes together, what each verdict leaves out, and the neighbours for whose sake
-// the whole is searched.
+// Compositional checking: dependences between processes, the subsystems that each verdict omits, and the neighbours
+// that require a search of the complete network.
 #include "check/parts/parts.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace grafverif {
 namespace {
 
-/// A lamp that goes on after two units and off after one; `on` is its location l1.
+/// A lamp that switches on after two units and off after one; `on` is its location l1.
 struct Pulse {
     explicit Pulse(Sketch& s, const std::string& name = "lamp") {
         process = s.process(name, 2, 1);
@@ -24,7 +24,7 @@ struct Pulse {
     Id<Network::Process> process = {};
 };
 
-/// What every test asks of the lamp.
+/// The properties of the lamp in every test.
 void ask_of(Sketch& s, const Pulse& lamp) {
     s.property("on", Pattern::LeadsTo, {s.at(lamp.process, 0), s.at(lamp.process, 1)});
     s.property("seen", Pattern::Reachable, {s.at(lamp.process, 1)});
@@ -32,7 +32,7 @@ void ask_of(Sketch& s, const Pulse& lamp) {
     s.property("one", Pattern::ExactlyOneOf, {s.at(lamp.process, 0), s.at(lamp.process, 1)});
 }
 
-/// The verdicts with and without parts agree, runs included.
+/// The verdicts with and without decomposition agree, including runs.
 TimedResult agreed_apart(const Network& network) {
     const TimedResult apart = check_timed_by_parts(network), whole = check_timed(network);
     for (const Verdict& given : apart.verdicts) {
@@ -187,7 +187,7 @@ TEST(Parts, AnErrorOfOneLeavesWhatAddsNoState) {
     EXPECT_EQ(told(result, "on"), "unknown (faulty)");
 }
 
-/// The way to `dark` leads over a unit of time in which the breaking part is not settled.
+/// The path to `dark` needs a unit of time in which the faulty part is not quiescent.
 TEST(Parts, AnErrorOfOneLeavesNothingThatIsSaidOfSettledStates) {
     Sketch s;
     const auto brief = s.process("brief", 3, 1), breaking = s.process("breaking", 3, 1);
@@ -279,7 +279,7 @@ TEST(Parts, ARunInWhichOthersMoveTooOftenIsNotShown) {
               std::vector<std::string>{"no run is shown: with the other sub-loops it has too many moves"});
 }
 
-/// The end of time of one, and another that counts for very long within that instant.
+/// One part stops time, and another one counts for very long within that instant.
 TEST(Parts, ARunThatEndsBesideOneThatGoesOnForTooManyMovesIsNotShown) {
     Sketch s;
     const auto brief = s.process("brief", 2, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The states found: what goes in comes out, and is found again.
+// The state store: stored states are read back unchanged, and found again.
 #include "check/timed/store.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace grafverif::timed {
 namespace {
 
-/// Numbers of up to `bits` bits that look random.
+/// Pseudorandom numbers of up to `bits` bits.
 std::uint32_t some(std::uint64_t seed, unsigned bits) {
     seed = (seed + 1) * 0x9E3779B97F4A7C15U;
     return static_cast<std::uint32_t>((seed ^ seed >> 29U) * 0xBF58476D1CE4E5B9U >> (64U - bits));
@@ -46,7 +46,7 @@ TEST(Pairs, AppendedAreFoundOnceTheyAreIndexed) {
         for (unsigned member = 0; member < 3; ++member) pairs.make_room(more / 2, {member, 3});  // less than needed
         for (std::uint32_t i = 0; i < more; ++i) ASSERT_EQ(pairs.append(made++ * 0x10001), first + i);
         ASSERT_EQ(pairs.find((made - 1) * 0x10001), Pairs::none);
-        for (unsigned member = 0; member < 3; ++member)  // each those of its shards, backwards
+        for (unsigned member = 0; member < 3; ++member)  // each those of its shards, in reverse order
             for (std::uint32_t number = first + more; number-- != first;)
                 if (pairs.shard_of(pairs[number]) % 3 == member) pairs.index(pairs[number], number);
         for (std::uint64_t i = 0; i < made; ++i) ASSERT_EQ(pairs.find(i * 0x10001), i);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One small network per kind of property, and per thing that can keep a verdict from being given.
+// One small network per kind of property, and per reason for an unknown verdict.
 #include "check/timed/timed.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ Fire fire(std::uint32_t process, std::uint32_t edge) { return {{process}, {edge}
 
 std::optional<Run> shown(Moves moves, std::optional<std::size_t> loop = {}) { return Run{std::move(moves), loop}; }
 
-/// A switch that may be thrown every two units, and a lamp that follows it at once.
+/// A switch that may be operated every two units, and a lamp that follows it immediately.
 struct Lamp {
     Sketch s = {};
     Id<Network::Variable> on = s.boolean("on"), lit = s.boolean("lit");
@@ -80,7 +80,7 @@ TEST(TimedEngine, PrefersOneLongDelayToManyMoves) {
     Sketch s;
     const auto late = s.boolean("late");
     const auto p = s.process("p", 4, 1);
-    // Four edges lead there at once, waiting fifty units and one edge does too.
+    // Four urgent edges lead there; waiting fifty units and one edge leads there too.
     s.edge(p, {.from = 0, .to = 1});
     s.edge(p, {.from = 1, .to = 2});
     s.edge(p, {.from = 2, .to = 3});
@@ -114,7 +114,7 @@ TEST(TimedEngine, CountsStayingForEverAsARun) {
               (Moves{Delay{1}}));
 }
 
-/// l0 is left within two units, l1 too: back and forth for ever.
+/// l0 is left within two units, and so is l1: back and forth forever.
 Sketch pendulum() {
     Sketch s;
     const auto p = s.process("p", 2, 1);
@@ -202,7 +202,7 @@ TEST(TimedEngine, DoesNotSayThatHoldsWhatATimeLockBetweenTheTicksBreaks) {
     EXPECT_EQ(told(result, "no_timelock"), "unknown (inexact)");
     EXPECT_EQ(told(result, "reach"), "holds");
     EXPECT_NE(verdict(result, "on").reason.find("`p.l1`"), std::string::npos) << verdict(result, "on").reason;
-    // In half units the lock lies on a tick.
+    // In half units the timelock is at a tick.
     EXPECT_EQ(told(checked(refined(s.network, 2)), "on"), "violated");
 }
 
@@ -222,7 +222,7 @@ TEST(TimedEngine, GivesNoLivenessVerdictOnOperandsWithoutAValue) {
 }
 
 TEST(TimedEngine, WantsMoreOfABoundForTimeThanForRuns) {
-    // At its bound the stay ends, but the clock is bounded again without a reset: no run ends, time does.
+    // At its bound the stay ends, but the clock is bounded again without a reset: no run ends, but time stops.
     Sketch s;
     const auto p = s.process("p", 2, 2);
     s.invariant(p, 0, {0, Op::LessEqual, 2});
@@ -239,7 +239,7 @@ TEST(TimedEngine, WantsMoreOfABoundForTimeThanForRuns) {
 }
 
 TEST(TimedEngine, AsksThatUrgentEdgesAloneLeadToWhereTimePasses) {
-    // Only the edge that may wait for ever leads out of the urgent loop; at integers that is enough.
+    // The only exit of the urgent loop is an edge that may wait forever; with integer time that is enough.
     Sketch s;
     const auto p = s.process("p", 2);
     s.edge(p, {.from = 0, .to = 0, .urgent = true});
@@ -441,7 +441,7 @@ TEST(TimedEngine, MarksWhatIsJudgedInNoState) {
     EXPECT_EQ(told(checked(lamp.s.network), "stable"), "holds, vacuous");
 }
 
-/// Bits that rise at once in any order.
+/// Bits that become true within one instant in any order.
 Sketch rising(std::uint32_t bits) {
     Sketch s;
     std::vector<Id<Expr>> all;
@@ -475,7 +475,7 @@ TEST(TimedEngine, GivesTheSameVerdictsWithAndWithoutItsLinks) {
 }
 
 TEST(TimedEngine, EvaluatesTermsFarLargerThanTheirSharedForm) {
-    // Each level reads the one below twice: two to the thirtieth leaves.
+    // Each level reads the one below twice: 2^30 leaves.
     Sketch s;
     const auto a = s.boolean("a"), b = s.boolean("b"), parity = s.boolean("parity");
     Id<Expr> term = s.is(a);

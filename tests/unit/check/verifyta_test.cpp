@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What verifyta prints, read into verdicts. No text here was printed by the real program, whose licence keeps it out of
-// automated tests: it has the documented form of the verdict lines, with such lines around them as may be there.
+// Converts the output of verifyta to verdicts. The texts were not printed by the real program, whose licence forbids
+// automated tests: they have verdict lines of the documented form, and possible lines around them.
 #include "check/external/verifyta.hpp"
 
 #include <gtest/gtest.h>
@@ -74,7 +74,7 @@ TEST(Verifyta, AProgramThatWasEndedGaveNoVerdict) {
     }
 }
 
-/// A network with three properties, and what a stand-in for verifyta says of each formula.
+/// A network with three properties, and the output of a stand-in for verifyta for each formula.
 struct Asked {
     Sketch s = {};
     std::vector<ExternalQuestion> questions = {};

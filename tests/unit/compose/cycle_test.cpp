@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The structure that compose builds: CEP13 Fig. 33a and Fig. 33b with our repairs, the procedures, the flags.
+// The structure that compose builds: CEP13 Fig. 33a and Fig. 33b with corrections, the procedures, the flags.
 #include <gtest/gtest.h>
 
 #include "hand_chart.hpp"
@@ -21,7 +21,7 @@ HandChart small_chart() {
     return hand;
 }
 
-/// What stands in `text` from the line that begins with `from` up to the line that begins with `to`.
+/// The part of `text` from the line that begins with `from` up to the line that begins with `to`.
 std::string between(const std::string& text, const std::string& from, const std::string& to) {
     const std::size_t begin = text.find("\n" + from);
     const std::size_t end = text.find("\n" + to, begin + 1);
@@ -145,7 +145,7 @@ TEST(Cycle, LateInputsAreSampledInThePhasedGrainOnly) {
 }
 
 TEST(Cycle, AStoredActionReadsTheInputAsTheTransitionSawIt) {
-    // The plant may move between the phases: the value stored is that of fire(), not that of evolve().
+    // The plant may move between the phases: the stored value is that of fire(), not that of evolve().
     HandChart hand = small_chart();
     const auto memory = hand.variable("memory", Chart::VariableKind::Internal);
     hand.on_activation({1}, memory, hand.leaf({0}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Charts written in C++, for tests that want one step more or less, and the loop of one controller composed.
+// Charts built in C++, for tests that vary the number of steps, and the composed loop of one controller.
 #pragma once
 
 #include <gtest/gtest.h>

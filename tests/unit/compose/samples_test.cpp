@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The published systems of CEP13 and ETFA12 through the reference semantics, and each cure of the method taken away.
+// The published systems of CEP13 and ETFA12 in the reference semantics, complete and without each correction of the
+// method.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 namespace grafverif {
 namespace {
 
-/// The horizontal axis of the testing station, out and back at the push of a button.
+/// The horizontal axis of the testing station, moved out and back by a push button.
 constexpr const char* axis = R"(
     grafcet axis {
         input START, H_IN, H_MID, H_OUT;
@@ -32,7 +33,7 @@ constexpr const char* axis = R"(
         property safe: never H_G_OUT && H_G_IN;
     })";
 
-/// Every reachable state of a loop, with the questions that tests ask.
+/// Every reachable state of a loop, with the queries of the tests.
 struct Explored {
     Network network;
     NaiveTadd tadd;
@@ -48,7 +49,7 @@ struct Explored {
     }
     std::int64_t value(const TaddState& state, const char* name) const { return tadd.variable(state, name); }
 
-    /// `never` and `always` of a property, over all states.
+    /// `never` and `always`, evaluated in all states.
     bool holds(const std::string& name) const {
         for (const Property& property : network.properties) {
             if (property.name != name) continue;
@@ -111,7 +112,7 @@ TEST(Flags, WithThemTimePassesInSomeStateAfterEveryState) {
     }
 }
 
-/// Step 0 is active, START is pressed, and the controller has no reason to look: CEP13 section 6.3.
+/// Step 0 is active, START is pressed, and the controller has no event that wakes it: CEP13 section 6.3.
 std::size_t sleeping(const Explored& loop) {
     return loop.count([&](const TaddState& state) {
         return loop.value(state, "X_0") == 1 && loop.value(state, "START") == 1 && loop.value(state, "EVOL_PL") == 0 &&

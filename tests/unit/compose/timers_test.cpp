@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Timers under transients: the pulse chart, and what the timers as published make of it.
+// Timers under transients: the pulse chart, and its behaviour with timers as published.
 #include <gtest/gtest.h>
 
 #include "hand_chart.hpp"
@@ -8,7 +8,7 @@
 namespace grafverif {
 namespace {
 
-/// 1 -> 2 when 5s/X1; 2 -> 1 when true. One pulse each 5 s.
+/// 1 -> 2 when 5s/X1; 2 -> 1 when true. One pulse every 5 s.
 Model pulse() {
     HandChart hand("pulse");
     const auto one = hand.step("1", true), two = hand.step("2");
@@ -22,8 +22,8 @@ struct History {
     int units = 0;  ///< of time that passed
 };
 
-/// Runs the network, edges before time, until `units` have passed or `most_edges` are fired; counts the activations
-/// of 2.
+/// Runs the network, edges before time, until `units` have passed or `most_edges` are taken; counts the activations of
+/// 2.
 History run(const Network& network, int units, int most_edges) {
     const NaiveTadd tadd(network);
     TaddState state = tadd.initial();

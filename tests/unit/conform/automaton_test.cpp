@@ -185,7 +185,7 @@ TEST(LocationAutomaton, OfTimersOfOneStepNoneEndsBeforeAShorterOne) {
         "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when 3s/X2 && !b; transition t2: 2 -> 4 when 5s/X2 && "
         "3s/X2;"
         "transition t3: 3 -> 1 when !a; transition t4: 4 -> 1 when !a;");
-    bool seen = false;  // 5s/X2 says it all
+    bool seen = false;  // 5s/X2 suffices
     for (const LocationAutomaton::Evolution& evolution : found.evolutions)
         seen = seen || condition_text(found, evolution.condition) == "a and b and 5s/X2";
     EXPECT_TRUE(seen) << told(found);
@@ -251,7 +251,7 @@ TEST(LocationAutomaton, EndsAtItsLimits) {
 }
 
 TEST(LocationAutomaton, ForgetsNoInstabilityThatStartsLate) {
-    // {1} is stable without a; with a the chart goes 1 -> 2 -> 3 -> 2 -> ... for ever.
+    // {1} is stable without a; with a the chart cycles 1 -> 2 -> 3 -> 2 -> ... forever.
     const LocationAutomaton found = automaton(
         "input a, b; output O; initial step 1; step 2 { O; } step 3;"
         "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when a && b; transition t2: 3 -> 2 when b;");

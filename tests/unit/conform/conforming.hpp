@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Charts taken to automata, machines and sequences, and told in words.
+// Converts charts to automata, machines and sequences, and these to text.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ inline TestSequence test_of(const MealyMachine& machine, TestCover cover = TestC
     return std::move(*found);
 }
 
-/// The message of location_automaton for a chart that it refuses, with its code.
+/// The message of location_automaton for a chart that it rejects, with its code.
 inline std::string refusal(const std::string& text, AutomatonOptions options = {}) {
     Diagnostics diagnostics;
     if (location_automaton(equations(text), options, diagnostics)) return "no error";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scaling families, whose counts an implementation of the published method gives as well.
+// Scaling families, with the counts that an implementation of the published method also gives.
 #include "families.hpp"
 
 #include "unit/conform/conforming.hpp"
@@ -7,7 +7,7 @@
 namespace grafverif {
 namespace {
 
-/// The declarations of the one chart of `text`, its frame left out.
+/// The declarations of the only chart of `text`, without its frame.
 std::string body(const std::string& text) {
     return text.substr(text.find('{') + 1, text.rfind('}') - text.find('{') - 1);
 }

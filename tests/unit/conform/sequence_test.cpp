@@ -68,7 +68,7 @@ TEST(TestSequenceOfTanks, AppliesNoInputsThatAConstraintExcludes) {
         }
 }
 
-/// The pairs of a state and inputs that the steps of `test` cross, told by the machine's own conditions.
+/// The pairs of a state and inputs covered by the steps of `test`, according to the machine's conditions.
 std::size_t crossed(const MealyMachine& machine, const TestSequence& test) {
     std::set<std::pair<std::uint32_t, std::vector<std::int64_t>>> pairs;
     for (const TestSequence::Sequence& sequence : test.sequences) {
@@ -132,7 +132,7 @@ TEST(TestSequence, OfAMachineWithoutWayBackStartsAnewFromPowerOn) {
     const std::string words = summary(test), traps = words.substr(std::min(words.size(), words.find("; nothing")));
     EXPECT_TRUE(traps == "; nothing leads back from {2} and {3}" || traps == "; nothing leads back from {3} and {2}")
         << words;
-    EXPECT_EQ(step_count(test), 9U);  // 12 pairs, 3 of which the arrivals hold
+    EXPECT_EQ(step_count(test), 9U);  // 12 pairs, 3 of which are covered on arrival
     EXPECT_TRUE(test.proven_least);
     EXPECT_EQ(disagreement(chart(text), test), std::nullopt);
 }
@@ -142,7 +142,7 @@ TEST(TestSequence, WaitsForTimersWithTheInputsHeld) {
         "input a; output O; initial step 1; step 2 { O; }"
         "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when 3s/X2 && !a;";
     const MealyMachine found = machine(automaton(text));
-    ASSERT_EQ(found.states.size(), 3U);  // {1}, {2} before the timer ends, {2} after it
+    ASSERT_EQ(found.states.size(), 3U);  // {1}, {2} before the timer expires, {2} after that
     const TestSequence test = test_of(found);
     EXPECT_EQ(disagreement(chart(text), test), std::nullopt);
     bool waits = false;
@@ -174,7 +174,7 @@ TEST(TestSequence, OfAFallTimeSeesItRunAndEnd) {
               "1,1,,2,1,1,{1}\n"
               "1,2,,2,0,1,{1}\n"
               "1,3,,2,1,1,{1}\n"
-              "1,4,2s,2,1,1,{1}\n"  // a lasts longer than the fall time that ran
+              "1,4,2s,2,1,1,{1}\n"  // a lasts longer than the running fall time
               "1,5,,2,0,1,{1}\n"
               "1,6,,2,1,1,{1}\n"
               "1,7,,2,0,1,{1}\n"
@@ -220,7 +220,7 @@ TEST(MealyMachine, IsMinimisedWithinItsBounds) {
 }
 
 TEST(TestSequence, OfALeastMachineHoldsInputsOnlyWhereTheAnswerStaysTheSame) {
-    // {1} answers what {1,2} does in the cycle after it: one state, which is entered with another answer.
+    // {1} has the outputs of {1,2} in the following cycle: one state, which is entered with another output.
     const std::string text =
         "input a; output O, P; initial step 2 { O; } initial step 1 { P; } transition t0: 2 -> 1 when true;"
         "step 3; transition t1: 3 -> when fall(a);";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What equations remember: previous values, levels, timers.
+// Values that equations remember: previous values, levels, timers.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -92,7 +92,8 @@ P_a = a
 )");
 }
 
-/// `S first, V_b after`: what is kept, in order; `first`: it has a value of its own after the first evolution.
+/// `S first, V_b after`: the remembered variables, in order; `first`: it has a separate value after the first
+/// evolution.
 std::string kept_in(const Equations& equations) {
     std::string text;
     for (const Kept& each : kept(equations))

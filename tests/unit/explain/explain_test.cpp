@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Why a property fails, as a report tells it.
+// Explanations of violated properties in reports.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ Report report_of(const std::string& chart, const std::string& properties, Grain 
     return report.value_or(Report{});
 }
 
-/// The same of the chart with free inputs.
+/// The report for the chart with free inputs.
 Report untimed_report_of(const std::string& chart, const std::string& properties,
                          PlantApproach plant = PlantApproach::None) {
     Reading reading = read_string(
@@ -155,7 +155,7 @@ TEST(Explain, BehindThePointOfNoReturnTheTransitionsAreNamedThatAreNeverClearedA
     const Report report =
         report_of(trap, "property again: always possible X1; property other: always possible X0 || X3;");
     EXPECT_EQ(answer(report, "again").verdict.outcome, Outcome::Violated);
-    // At its end `trap` is about to be cleared, and step 0 is active still.
+    // At its end `trap` is about to be cleared, and step 0 is still active.
     EXPECT_EQ(notes(report, "again"),
               "from the end of this run on these transitions are never cleared again: go, back (X1 stays false), on "
               "(X1 stays "
@@ -197,7 +197,7 @@ TEST(Explain, WhereInputsAreFreeTheirChangesThatCouldHaveBeenLeftOutAreNamedOneB
         std::string::npos)
         << text;
     EXPECT_NE(json_of(report).find(R"("left_out_values": [)"), std::string::npos);
-    // The end of a time is told where it is over.
+    // A timer expiry is shown when it has occurred.
     const ChartRun& late = answer(report, "short").trace.value();
     ASSERT_EQ(late.left_out_values.size(), 1U);
     EXPECT_TRUE(late.left_out_values[0].timer.valid());
@@ -286,7 +286,7 @@ TEST(Explain, TheChangeThatAChartAloneBecomesStableWithoutIsNamed) {
     EXPECT_NE(text_of(*report).find("the property holds along the run\n"), std::string::npos) << text_of(*report);
 }
 
-/// What the property fails without.
+/// Omitted moves without which the property holds.
 std::string needing(const Why& why, const std::string& property) {
     std::string text;
     for (const Why::Thing& thing : why.things)
@@ -315,7 +315,7 @@ TEST(Explain, WhatNoAssumptionIsNeededForRestsOnNothing) {
     EXPECT_TRUE(std::ranges::all_of(why.things, [](const Why::Thing& thing) { return thing.open.empty(); }));
 }
 
-/// What is said of a chart beside a button and a lift, whose door is watched.
+/// The explanations for a chart with a button and a lift, whose door is monitored.
 Why why_of_lift(const std::string& chart, const std::string& properties, Reading& reading) {
     reading = read_string(chart + R"(
 component lift(input UP; output TOP; TRAVEL = 2s) {
@@ -389,7 +389,8 @@ closed_loop asked {
     const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
     const Why why = why_it_holds(*reading.model, {0}, {}, {}, report.value());
     ASSERT_EQ(why.grounds.size(), 2U);
-    EXPECT_EQ(needing(why, "full"), "term a of t0; edge here -> here of Low; ");  // without it the chart never settles
+    EXPECT_EQ(needing(why, "full"), "term a of t0; edge here -> here of Low; ");  // without it the chart never becomes
+                                                                                  // stable
     EXPECT_EQ(needing(why, "filled"), "guard here -> here of Low; ");
 }
 
@@ -407,7 +408,7 @@ TEST(Explain, WhereTheTimeIsOverNothingIsSaidOfWhatWasNotTried) {
     EXPECT_EQ(why.grounds[0].open, std::vector<std::string>{"all other parts"});
     EXPECT_FALSE(why.things.empty());
     for (const Why::Thing& thing : why.things) {
-        // Without an edge that need not be taken nothing new happens: nobody has to look.
+        // Without an edge that is not forced there is no new behaviour, so no search is needed.
         if (thing.kind == Why::Kind::Edge) EXPECT_EQ(thing.open, std::vector<std::string>{}) << thing.name;
         else EXPECT_EQ(thing.open, std::vector<std::string>{"apart"}) << thing.name;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// verify finds what breaks a chart, a component, a closed loop.
+// verify detects malformed charts, components and closed loops.
 #include <gtest/gtest.h>
 
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reference semantics on the small examples of CEP13 section 2: it is what everything else is compared with.
+// The reference semantics on the small examples of CEP13 section 2; all other components are compared with it.
 #include "support/naive_tadd.hpp"
 
 #include <gtest/gtest.h>

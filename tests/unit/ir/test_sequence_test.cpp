@@ -10,7 +10,7 @@
 namespace grafverif {
 namespace {
 
-/// A button, a lamp, two steps of which the second waits.
+/// A button, a lamp, and two steps, the second of which waits.
 TestSequence lamp() {
     TestSequence test;
     test.chart = "lamp";

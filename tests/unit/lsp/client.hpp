@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A client of the language server in the same process: what it says, cut as one likes, and what it is answered.
+// A client of the language server in the same process: sends messages in arbitrary pieces and receives the responses.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace grafverif::lsp {
 
 using Json = nlohmann::json;
 
-/// Of a text that is nowhere on the disk.
+/// The address of a text that is not on disk.
 inline constexpr const char* address = "file:///nowhere/a.grafcet";
 
 class Client {
@@ -53,7 +53,7 @@ public:
         gone_ = true;
         wake_.notify_all();
     }
-    /// Waits for the end.
+    /// Waits for the end of the stream.
     Ending ending() {
         std::unique_lock hold(door_);
         wake_.wait_for(hold, patience, [this] { return ending_.has_value(); });
@@ -70,7 +70,7 @@ public:
         send({{"jsonrpc", "2.0"}, {"id", ++last_}, {"method", method}, {"params", params}});
         return last_;
     }
-    /// The answer to the request of that number, whole.
+    /// The complete response to the request of that id.
     Json answer(const Json& id) {
         return wait([&](const Json& message) {
             return !message.contains("method") && message.contains("id") && message["id"] == id;
@@ -81,14 +81,14 @@ public:
         EXPECT_TRUE(whole.contains("result")) << method << ' ' << whole;
         return whole.value("result", Json());
     }
-    /// The next notification of that kind for which `that` holds; those before it are dropped.
+    /// The next notification of that kind that satisfies `that`; discards the ones before it.
     template <class That>
     Json next(const std::string& method, That that) {
         return wait([&](const Json& message) {
             return message.value("method", "") == method && that(message["params"]);
         })["params"];
     }
-    /// The next request of the server of that kind, whole.
+    /// The next complete request of that kind from the server.
     Json request(const std::string& method) {
         return wait(
             [&](const Json& message) { return message.value("method", "") == method && message.contains("id"); });
@@ -98,7 +98,7 @@ public:
         return arrived_.size();
     }
 
-    // -- a session
+    // -- sessions
     Json begin(const Json& capabilities = Json::object(), const std::string& folder = "") {
         Json params = {{"processId", nullptr}, {"rootUri", nullptr}, {"capabilities", capabilities}};
         if (!folder.empty()) params["workspaceFolders"] = Json::array({{{"uri", uri_of_path(folder)}, {"name", "w"}}});
@@ -110,12 +110,12 @@ public:
         notify("textDocument/didOpen",
                {{"textDocument", {{"uri", uri}, {"languageId", "grafcet"}, {"version", 1}, {"text", text}}}});
     }
-    /// All of the text anew.
+    /// Replaces the complete text.
     void retype(const std::string& uri, int version, const std::string& text) {
         notify("textDocument/didChange", {{"textDocument", {{"uri", uri}, {"version", version}}},
                                           {"contentChanges", Json::array({{{"text", text}}})}});
     }
-    /// What is told next about `uri`, of that version or any.
+    /// The next diagnostics of `uri`, of that version or any.
     Json diagnostics(const std::string& uri, int version = 0) {
         return next("textDocument/publishDiagnostics", [&](const Json& params) {
             return params["uri"] == uri && (version == 0 || params.value("version", 0) == version);
@@ -168,7 +168,7 @@ private:
     std::thread server_ = {};
 };
 
-/// A folder that is there for one test.
+/// A temporary folder for one test.
 class Folder {
 public:
     Folder() {

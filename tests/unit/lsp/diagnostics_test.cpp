@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with texts while they are typed, and how it is mended.
+// Diagnostics while a text is edited, and their quick fixes.
 #include "unit/lsp/client.hpp"
 
 namespace grafverif::lsp {
@@ -19,7 +19,7 @@ TEST(LspText, CountsUnitsOfUtf16) {
     EXPECT_EQ(text.lines(), 4U);
     EXPECT_EQ(text.position(7), (Position{0, 4}));
     EXPECT_EQ(text.offset({0, 4}), 7U);
-    EXPECT_EQ(text.offset({0, 3}), 3U);  // in the midst of a character: its beginning
+    EXPECT_EQ(text.offset({0, 3}), 3U);  // inside a character: its beginning
     EXPECT_EQ(text.offset({0, 99}), 8U);
     EXPECT_EQ(text.offset({1, 0}), 10U);
     EXPECT_EQ(text.position(12), (Position{2, 0}));
@@ -55,7 +55,7 @@ TEST(LspText, CountsAlikeInLongLines) {
 TEST(LspText, IsChangedInPlaces) {
     EXPECT_EQ(changed(Text("one\ntwo\n"), {Range{{1, 0}, {1, 3}}, "drei"}), "one\ndrei\n");
     EXPECT_EQ(changed(Text("one"), {Range{{5, 0}, {9, 9}}, "!"}), "one!");
-    EXPECT_EQ(changed(Text("one"), {Range{{0, 2}, {0, 1}}, "-"}), "on-e");  // the wrong way round: nothing is taken
+    EXPECT_EQ(changed(Text("one"), {Range{{0, 2}, {0, 1}}, "-"}), "on-e");  // reversed range: no effect
     EXPECT_EQ(changed(Text("one"), {{}, "two"}), "two");
 }
 
@@ -146,7 +146,7 @@ TEST(LspDiagnostics, AreToldOfAllFilesThatIncludeWhatIsOpen) {
     client.retype(folder.uri("part.grafcet"), 2, "component lever(output OUT) {\n    initial location off;\n}\n");
     EXPECT_EQ(client.diagnostics(folder.uri("main.grafcet")), Json::array());
 
-    // What is on the disk is read again when it changes; the open text stays what it is.
+    // Files on disk are read again when they change; the open text is unchanged.
     folder.write("part.grafcet", "nonsense");
     folder.write("main.grafcet", "include \"part.grafcet\";\ngrafcet g {\n}\n");
     EXPECT_EQ(codes(client.diagnostics(folder.uri("main.grafcet"))), Codes{"empty-chart"});
@@ -168,7 +168,7 @@ TEST(LspDiagnostics, LiveThroughHalfAndDamagedTexts) {
         damaged.erase(at, 4);
         client.retype(address, ++version, damaged);
     }
-    // What was said already is not said again, so the last text is told apart by what is wrong with it.
+    // Repeated diagnostics are not sent again, so the last text is recognized by its diagnostics.
     client.retype(address, ++version, "grafcet a {\n    initial step 0;\n    transition last: 0 -> 99 when true;\n}\n");
     EXPECT_EQ(client.diagnostics(address, version).size(), 1U);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Documents and folders that cannot be read: the server goes on, and a failure is a diagnostic of its document.
+// Unreadable documents and folders: the server continues, and a failure is a diagnostic of its document.
 #include "unit/lsp/client.hpp"
 
 namespace grafverif::lsp {

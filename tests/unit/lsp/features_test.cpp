@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Names and places: what an editor asks about a text, whole or half.
+// Requests about names and locations in complete and incomplete texts.
 #include "unit/lsp/client.hpp"
 
 namespace grafverif::lsp {
 namespace {
 
-// `@` in a text is where the cursor is; it is no part of it.
+// `@` marks the cursor in a text and is removed.
 struct Marked {
     std::string text = {};
     Json position = {};
@@ -47,7 +47,7 @@ public:
                      folder.path());
     }
     void open(const std::string& name, const std::string& text) { client.open(folder.uri(name), text); }
-    /// Asks at the cursor in `text`, which `name` is made to hold.
+    /// Sends a request at the cursor in `text`, which becomes the content of `name`.
     Json at(const std::string& method, const std::string& name, const std::string& text, Json more = Json::object()) {
         const Marked here = marked(text);
         open(name, here.text);
@@ -178,7 +178,7 @@ TEST(LspNames, HaveTheirDeclarationCommentAndEquationShown) {
     EXPECT_NE(shown("loop.grafcet", with(loop, "(ON = MOVE", "(O@N = MOVE")).find("input"), std::string::npos);
 }
 
-/// A loop with constants, of which each place that may read one does.
+/// A loop with a constant in every place that may contain one.
 const std::string steady =
     "include \"press.grafcet\";\n"
     "closed_loop steady {\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is proved in the background, and how it is told.
+// Background checks, and how their results are reported.
 #include <sstream>
 
 #include "grafverif/grafverif.hpp"
@@ -60,7 +60,7 @@ TEST(LspProofs, TellWhatIsViolatedWithTheStepsThatLeadThere) {
     EXPECT_EQ(verdict["verdict"], "holds");
     EXPECT_NE(verdict["text"].get<std::string>().find("timed engine"), std::string::npos) << verdict["text"];
 
-    // A change makes all of it unknown again.
+    // A change discards all results.
     client.retype(address, 2, blinking + "\n");
     EXPECT_EQ(client.diagnostics(address, 2), Json::array());
     EXPECT_EQ(titles(client.result("textDocument/codeLens", document)).back(), "not checked: check");
@@ -116,7 +116,7 @@ TEST(LspProofs, TellWhatOnlyTheModelShows) {
 }
 
 TEST(LspProofs, AreGivenUpWithTheNextChange) {
-    // A search that takes long: many timers, each at any moment.
+    // A long search: many timers, each at an arbitrary time.
     std::string chart = "grafcet long {\n    input A", steps, environment;
     for (int k = 0; k < 12; ++k) {
         chart += ", I" + std::to_string(k);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The life of a session, and messages that are none.
+// The life cycle of a session, and invalid messages.
 #include <random>
 
 #include "unit/lsp/client.hpp"
@@ -158,7 +158,7 @@ TEST(LspServer, LivesThroughDamagedStreams) {
         client.write(bytes + "\n\n" + std::string(400, ' ') + "\n");
         client.write(framed(R"({"id": "alive", "method": "no/such"})"));
         client.write(framed(R"({"id": "alive", "method": "no/such"})"));
-        client.hang_up();  // where a damaged header swallows the rest, it ends nevertheless
+        client.hang_up();  // if a damaged header swallows the rest, it ends nevertheless
         EXPECT_EQ(client.ending(), Ending::Gone) << round;
     }
 }

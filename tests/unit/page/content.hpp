@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page of a text, made by the front door as `report` makes it, and what stands in it.
+// The page of a text, generated through the public API as `report` does, and parts of it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,14 +14,14 @@
 
 namespace grafverif {
 
-/// What was read outlives the page.
+/// The parse result outlives the page.
 struct Made {
     Reading reading = {};
     std::string page = {};
     nlohmann::json data = {};
 };
 
-/// What stands between `begin` and `end` in `text`, the first time.
+/// The part of `text` between the first `begin` and the next `end`.
 inline std::string between(const std::string& text, const std::string& begin, const std::string& end) {
     const std::size_t from = text.find(begin);
     if (from == std::string::npos) return {};
@@ -66,7 +66,7 @@ inline Made page_of_text(const std::string& text, const std::string& name = "tes
     return made;
 }
 
-/// A button starts a motor; pressed again too late, the motor is said never to run.
+/// A button starts a motor; a violated property states that after a second press the motor never runs.
 inline const std::string press = R"(
 grafcet press {
     input START, DONE;

@@ -14,7 +14,7 @@
 namespace grafverif {
 namespace {
 
-/// In hexadecimal, by the program that made the page's own hashes.
+/// In hexadecimal, by an independent program.
 std::string sha256(const std::string& text) {
     const auto file = std::filesystem::temp_directory_path() / ("grafverif-page-" + std::to_string(::getpid()));
     std::ofstream(file, std::ios::binary) << text;

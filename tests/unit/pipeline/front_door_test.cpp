@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The front door of the library, used as somebody does who has its header alone.
+// The public API of the library, used with its header alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -170,7 +170,7 @@ TEST(FrontDoor, CounterexamplesTellTheWordsOfTheirSentence) {
         one.properties = {property};
         const auto report = check(*reading.model, Id<ClosedLoop>{0}, {}, one, diagnostics);
         ASSERT_TRUE(report);
-        ASSERT_EQ(report->answers.size(), 2U);  // and whether time can stop
+        ASSERT_EQ(report->answers.size(), 2U);  // and the search for timelocks
         ASSERT_FALSE(report->answers[0].verdict.notes.empty());
         EXPECT_EQ(report->answers[0].verdict.notes[0], words);
         EXPECT_EQ(report->answers[1].verdict.property, "no_timelock");

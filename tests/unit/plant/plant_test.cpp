@@ -16,7 +16,7 @@ namespace {
 using ParameterKind = Component::ParameterKind;
 using ValueKind = Component::ValueKind;
 
-/// Moves X out by D each STEP while G stands; the last step is clamped. Counts its strokes.
+/// Moves X out by D every STEP while G is true; the last step is limited. Counts its strokes.
 Component cylinder() {
     ComponentBuilder build{{.name = "cylinder"}};
     Exprs& exprs = build.component.exprs;
@@ -192,7 +192,7 @@ TEST(Plant, TheDurationThatMakesTheUnitFineIsFound) {
         EXPECT_EQ(found->duration_ms, c.duration);
         EXPECT_EQ(found->coarser_ms, c.coarser);
         EXPECT_EQ(found->unit_ms, station.build().value().time_unit_ms);
-        // the claim itself: without it the unit is the coarser one
+        // the constraint itself: without it the unit is the coarser one
         for (const std::uint32_t cylinder : {0U, 1U})
             if (std::get<std::int64_t>(station[cylinder].arguments[4]) == c.duration)
                 station[cylinder].arguments[4] = c.coarser;

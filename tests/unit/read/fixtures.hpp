@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small charts in the formats of others, written for these tests.
+// Small charts in other formats, written for these tests.
 #pragma once
 
 #include <string>

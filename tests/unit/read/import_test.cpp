@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Charts of other formats: what becomes of them, as text, and that the text is the same chart.
+// Charts of other formats: their translation as text, and its equivalence to the original chart.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -18,7 +18,7 @@ struct Imported {
     std::string text = {}, said = {};
 };
 
-/// The text of what is imported; checks that it reads back as the same model.
+/// The text of an imported chart; checks that it is read back as the same model.
 Imported imported(const std::string& written, bool lossy = false) {
     Sources sources;
     Diagnostics diagnostics;

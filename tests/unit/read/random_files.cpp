@@ -27,7 +27,7 @@ struct Dice {
 
 std::string number(std::size_t n) { return std::to_string(n); }
 
-/// Comments in which a careless writer would let the chart go on.
+/// Comments whose careless translation would contain chart elements.
 constexpr std::array comments = {"plain", "two\nlines", "a return\rgrafcet intruder {", "*/ } // grafcet", "\xC3\xBC",
                                  "",      " \t "};
 
@@ -201,7 +201,7 @@ private:
 // -- Sequential Function Charts
 // -----------------------------------------------------------------------------------------
 
-/// What the textual form and PLCopen XML share.
+/// Common parts of the textual form and PLCopen XML.
 class SfcParts {
 public:
     explicit SfcParts(FileRandom& random) : dice{random} {}

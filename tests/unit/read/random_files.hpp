@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random files of other formats, most of them charts, some of them with a fault that authors make: for the laws of
+// Random files of other formats, most of them charts, some with an error that authors make: for the randomized tests of
 // import.
 #pragma once
 
@@ -18,7 +18,8 @@ std::string random_sfc(FileRandom& random);
 /// The same kind of chart in PLCopen XML.
 std::string random_plcopen(FileRandom& random);
 
-/// `text` with some lines dropped, doubled or exchanged, values of attributes and words taken from other places of it.
+/// `text` with some lines removed, duplicated or exchanged, and with values of attributes and words from other
+/// positions.
 std::string mutated(const std::string& text, FileRandom& random);
 
 }  // namespace grafverif

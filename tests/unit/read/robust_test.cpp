@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Damaged texts: cut anywhere, bytes changed anywhere. Nothing crashes, and what is rejected comes with an error. And
-// charts that nobody wrote: what is printed of them reads back as itself.
+// Damaged texts: truncated or with changed bytes at any position. The reader never crashes, and a rejected text has an
+// error. Generated charts: their printed text is read back unchanged.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,14 +43,14 @@ std::vector<std::string> texts() {
     return found;
 }
 
-/// Reads `text`; where that works, formatting it must too.
+/// Reads `text`; if it is valid, formatting it must succeed too.
 void check(const std::string& text) {
     Sources sources;
     Diagnostics diagnostics;
     const auto model = read_text(sources.add({"damaged.grafcet", text}), sources, {}, diagnostics);
     ASSERT_EQ(model.has_value(), !diagnostics.has_errors()) << text;
     std::ostringstream said;
-    render_text(diagnostics.all(), sources, Colour::Plain, said);  // every place can be shown
+    render_text(diagnostics.all(), sources, Colour::Plain, said);  // every location can be shown
     if (!model) return;
     ASSERT_EQ(verify(*model), std::vector<std::string>{}) << text;
     Diagnostics none;
@@ -95,7 +95,7 @@ TEST(PrintModel, PrintsRandomChartsSoThatTheyReadBackAsThemselves) {
         Sources sources;
         Diagnostics diagnostics;
         const auto model = read_text(sources.add({"printed.grafcet", once.str()}), sources, {}, diagnostics);
-        if (!model) {  // the language refuses some charts for what they are
+        if (!model) {  // the language rejects some charts for semantic reasons
             for (const Diagnostic& diagnostic : diagnostics.all())
                 ASSERT_TRUE(diagnostic.code == "unreachable-step" || diagnostic.code == "no-initial-step")
                     << "seed " << seed << ' ' << diagnostic.code << '\n'

@@ -81,7 +81,7 @@ TEST(ReadChart, NamesTransitionsByPosition) {
     const Chart chart = *model(lamp).charts.begin();
     std::vector<std::string> names;
     for (const Chart::Transition& transition : chart.transitions) names.push_back(transition.name);
-    EXPECT_EQ(names, (std::vector<std::string>{"t1_2", "t1", "t3"}));  // t1 is taken
+    EXPECT_EQ(names, (std::vector<std::string>{"t1_2", "t1", "t3"}));  // t1 is already declared
 }
 
 TEST(ReadChart, SharesEqualTimeConditions) {
@@ -166,25 +166,25 @@ TEST(ReadChart, ActivatesWhatForcingEnclosingAndMacroStepsActivate) {
 
 TEST(ReadErrors, AreReportedTogetherAndOnce) {
     const std::vector<std::pair<std::string, std::vector<std::string>>> cases = {
-        // every use of a misspelt name, nothing that follows from it
+        // every use of a misspelt name, but no consequential errors
         {"grafcet g {\n input a;\n initial step 0;\n step 1;\n transition t: 0 -> 1 when b;\n transition u: 1 -> 0 "
          "when b && !b;\n}\n",
          {"unknown-variable", "unknown-variable", "unknown-variable"}},
-        // a chart in error says nothing of the loop that names it
+        // a chart with an error causes no errors in the loop that names it
         {"grafcet g {\n input a;\n initial step 0 { O; }\n}\nclosed_loop l {\n controller g;\n property p: always "
          "X0;\n}\n",
          {"unknown-variable"}},
         // nor does one with a syntax error
         {"grafcet g {\n input a\n initial step 0;\n}\nclosed_loop l {\n controller g;\n property p: always X0;\n}\n",
          {"missing-semicolon"}},
-        // errors of both kinds in different charts
+        // errors of both sorts in different charts
         {"grafcet g {\n input a\n initial step 0;\n}\ngrafcet h {\n initial step 0 { O; }\n}\n",
          {"missing-semicolon", "unknown-variable"}},
-        // an instance in error drives what it binds
+        // an instance with an error still drives the variables that it binds
         {lamp + "closed_loop l {\n controller lamp;\n environment b = button(OUT = BUTTON, GAPP = 1s);\n property p: "
                 "never BUTTON && PP;\n}\n",
          {"unknown-parameter", "unknown-variable"}},
-        // a missing file may hold anything
+        // a missing file may contain anything
         {"include \"x.grafcet\";\nclosed_loop l {\n controller g;\n}\n", {"cannot-include"}},
     };
     for (const auto& [text, codes] : cases) {
@@ -237,7 +237,7 @@ TEST(ReadComponent, PartsClocksFromData) {
                                      .components.begin();
     const Component::Edge& edge = component.edges[{0}];
     ASSERT_EQ(edge.constraint.size(), 2u);
-    EXPECT_EQ(edge.constraint[0].relation, Op::GreaterEqual);  // turned round
+    EXPECT_EQ(edge.constraint[0].relation, Op::GreaterEqual);  // reversed
     EXPECT_EQ(edge.constraint[1].relation, Op::Equal);
     EXPECT_EQ(component.exprs.operands(edge.guard).size(), 2u);
     EXPECT_EQ(edge.resets.size(), 1u);

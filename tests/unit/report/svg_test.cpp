@@ -51,7 +51,7 @@ std::vector<pugi::xml_node> of_class(const Drawn& drawn, const std::string& name
     return found;
 }
 
-/// What stands below the rows, however it is broken into lines.
+/// The text below the rows, regardless of line breaks.
 std::string foot_of(const Drawn& drawn) {
     std::string words;
     for (const pugi::xml_node line : of_class(drawn, "foot")) words += std::string(" ") + line.text().get();

@@ -16,12 +16,12 @@
 namespace grafverif {
 namespace {
 
-/// A run made move by move, by the names of processes.
+/// A run built move by move, with processes by name.
 class Driver {
 public:
     explicit Driver(const Network& network) : network_(network), state_(initial_state(network)) {}
 
-    /// Fires the first edge of `process` that can fire; `to` picks it by its target.
+    /// Takes the first enabled edge of `process`; `to` selects it by its target.
     void fire(const std::string& process, const std::string& to = "") {
         for (const Fire& move : enabled(network_, state_)) {
             const Network::Process& owner = network_.processes[move.process];
@@ -32,7 +32,7 @@ public:
         }
         ADD_FAILURE() << process << " cannot move";
     }
-    /// Fires edges of `process` as long as it can.
+    /// Takes edges of `process` as long as one is enabled.
     void exhaust(const std::string& process) {
         const auto can = [&] {
             for (const Fire& move : enabled(network_, state_))
@@ -132,7 +132,7 @@ TEST(Tell, SplitsACycleWhereThePlantMovesInItsMidst) {
     drive.fire("Go");
     drive.fire("PLC", "P0");
     drive.fire("PLC", "P1");
-    drive.fire("Go");  // takes GO back, too late
+    drive.fire("Go");  // resets GO, too late
     drive.fire("PLC", "P2");
     drive.fire("Go");  // between the evolution and the outputs
     drive.exhaust("PLC");
@@ -160,7 +160,7 @@ TEST(Tell, MarksTheLoop) {
 }
 
 TEST(Tell, TellsALoopInWhichNothingCanBeSeen) {
-    // The cycle of CEP13 Fig. 17, without flags: it goes on for ever and no time passes.
+    // The cycle of CEP13 Fig. 17, without flags: it runs forever, and no time passes.
     const LoopUnderTest loop = read_sample("blinker/blinker.grafcet", {.ablations = {.cycle_always = true}});
     Driver drive(loop.network);
     for (int i = 0; i < 4; ++i) drive.fire("PLC");
@@ -228,7 +228,7 @@ TEST(TellLaw, EveryWalkThroughARandomLoopIsToldWell) {
     EXPECT_GT(rows, law_size(1000));
 }
 
-/// Whatever is told, the last step is where the run is.
+/// The last row always shows the current state of the run.
 TEST(TellLaw, TheStepsOfATraceEndWhereTheRunEnds) {
     for (const char* sample :
          {"oven_door/oven_door.grafcet", "tanks/tanks.grafcet", "testing_station/faulty.grafcet"}) {

@@ -24,7 +24,7 @@ std::string text(const Report& report, bool verbose = false) {
     return out.str();
 }
 
-/// Finishes within the time limit of a test only if the work grows in step with the number of properties.
+/// Finishes within the time limit of a test only if the work is linear in the number of properties.
 TEST(Terminal, ReportsOfVeryManyPropertiesArePrinted) {
     constexpr std::size_t many = 100'000;
     Report report{"wide", {}};
@@ -77,7 +77,7 @@ TEST(Terminal, FitsAHundredColumnsWhateverTheNames) {
     int count = 0;
     for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 100u) << line;
     EXPECT_GT(count, 20);
-    // Nothing is lost by wrapping.
+    // Wrapping preserves the text.
     const std::string whole = table(run);
     EXPECT_EQ(std::count(whole.begin(), whole.end(), 'n') >= 300, true);
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A small run by hand, and a report around it.
+// A hand-written run, with a report.
 #pragma once
 
 #include "report/report.hpp"
 
 namespace grafverif {
 
-/// A press of a button starts a motor that moves a slide; the rows from 3 on repeat for ever.
+/// A press of a button starts a motor that moves a slide; the rows from 3 on repeat forever.
 inline ChartRun sample_run() {
     using Kind = ChartRun::Kind;
     using Role = ChartRun::Role;

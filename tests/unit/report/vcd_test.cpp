@@ -12,7 +12,7 @@
 namespace grafverif {
 namespace {
 
-/// A reader of what IEEE 1364-2005, 18.2 allows, as far as we write it.
+/// A reader of IEEE 1364-2005, 18.2, for the part that grafverif writes.
 struct Waves {
     std::map<std::string, std::string> codes = {};  ///< by hierarchical name
     std::map<std::string, std::string> types = {};

@@ -54,7 +54,7 @@ TEST(Edges, OfATermCompareItsValueAsAWhole) {
         "transition t1: 1 -> 1 when rise(a || b) do N := N + 1;");
     run(chart);
     run(chart, "a");
-    run(chart, "b");  // no edge: a or b was true and is
+    run(chart, "b");  // the edge that activates the step does not occur while it is active
     run(chart);
     run(chart, "a b");
     EXPECT_EQ(value(chart, "N"), 2);
@@ -65,7 +65,7 @@ TEST(Events, RunTheirActionOncePerEdgeWhileTheStepIsActive) {
         "input a, b; internal N: int 0..9 = 0; initial step 1; step 2 { N := N + 1 on event rise(a); }"
         "transition t1: 1 -> 2 when rise(a); transition t2: 2 -> 1 when rise(b);");
     run(chart);
-    run(chart, "a");  // the edge that activates the step is not one that occurs while it is active
+    run(chart, "a");  // the step is active when the edge occurs, although it is deactivated
     EXPECT_EQ(value(chart, "N"), 0);
     run(chart);
     run(chart, "a");

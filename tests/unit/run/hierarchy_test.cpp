@@ -36,7 +36,7 @@ TEST(MacroSteps, StayActiveWhileTheirExpansionIs) {
     run(chart, "a");
     run(chart);
     EXPECT_EQ(situation(chart), "1 M 11");
-    run(chart, "a");  // 12 is left while 10 is entered anew
+    run(chart, "a");  // 12 is left while 10 is entered again
     EXPECT_EQ(situation(chart), "1 M 10");
     EXPECT_EQ(value(chart, "N"), 1);
 }
@@ -65,7 +65,7 @@ constexpr const char* enclosure =
 
 TEST(EnclosingSteps, ActivateTheirLinksAndNotTheInitialSteps) {
     Play chart = play(enclosure);
-    EXPECT_EQ(situation(chart), "1");  // 20 is no initial step of the situation at power-on: 6 is inactive
+    EXPECT_EQ(situation(chart), "1");  // 20 is not an initial step of the situation at power-on: 6 is inactive
     run(chart);
     run(chart, "a");
     EXPECT_EQ(situation(chart), "6 21");
@@ -101,7 +101,7 @@ TEST(EnclosingSteps, Nest) {
     EXPECT_EQ(situation(chart), "1");
 }
 
-/// The steps of `forced` after `order` came into force.
+/// The steps of `forced` after `order` became active.
 std::string forced_to(const std::string& order, std::string* afterwards = nullptr) {
     Play chart = play("input a, b; initial step 1; step 2 { force G := {" + order +
                       "}; }"
@@ -126,7 +126,7 @@ TEST(ForcingOrders, OfTheFourKindsForceAndHold) {
     EXPECT_EQ(forced_to("INIT"), "2 20");
     EXPECT_EQ(forced_to("22, 20"), "2 20 22");
     EXPECT_EQ(forced_to("*", &afterwards), "2 21");
-    EXPECT_EQ(afterwards, "1 21");  // freed, and the edge is over
+    EXPECT_EQ(afterwards, "1 21");  // released, and the edge is over
 }
 
 TEST(ForcingOrders, ForceInTheEvolutionThatActivatesTheirStep) {

@@ -20,7 +20,7 @@ std::string complaint(const LoopUnderTest& loop, const Run& run) {
     return found ? "move " + std::to_string(found->move) + ", " + found->where + ": " + found->what : "";
 }
 
-/// All four ways a loop can run.
+/// All four execution modes of a loop.
 std::vector<ComposeOptions> all_options() {
     std::vector<ComposeOptions> options;
     for (const Grain grain : {Grain::Phased, Grain::Atomic})
@@ -48,7 +48,7 @@ TEST(Replay, EveryWalkThroughTheSamplesReplays) {
     EXPECT_GT(cleared, 1000);
 }
 
-/// What the walks of the law met, so that a generator gone dull does not pass for a law that holds.
+/// Counts of the situations in the random walks, so that the test fails if the generator no longer produces them.
 struct Met {
     int loops = 0, evolutions = 0, timers = 0, races = 0;
 };
@@ -92,7 +92,7 @@ TEST(ReplayLaw, EveryWalkThroughARandomLoopReplays) {
 }
 
 TEST(ReplayLaw, ADelayMayEndInTheVeryInstantThatItsTermFalls) {
-    // After the inputs were sampled and before the evolution; for the second an older fall still counts then.
+    // After the inputs were sampled and before the evolution; for the second one an older fall still counts then.
     constexpr const char* text = R"(
         grafcet light {
             input PART;
@@ -118,7 +118,7 @@ Network::Template& plc(Network& network) {
     return network.templates[network.processes[network.controllers[{0}].process].automaton];
 }
 
-/// Leaves out each assignment of the PLC's procedures in turn.
+/// Omits each assignment of the PLC's procedures in turn.
 TEST(Replay, CatchesADroppedAssignment) {
     const LoopUnderTest loop = read_sample("oven_door/oven_door.grafcet");
     const Network::Controller& words = loop.network.controllers[{0}];
@@ -139,7 +139,7 @@ TEST(Replay, CatchesADroppedAssignment) {
             caught += seen;
         }
     }
-    // Some variables are needed by no step, some resets only keep states apart.
+    // Some variables are needed by no step; some resets only distinguish states.
     EXPECT_GT(mutants, 20);
     EXPECT_GE(caught * 10, mutants * 6) << caught << " of " << mutants;
 }
@@ -165,8 +165,8 @@ TEST(Replay, RefusesAMoveThatCannotBeMade) {
     EXPECT_EQ(found->what, "the move cannot be made there");
 }
 
-/// CEP13 Fig. 33b as published: the pulse fires for ever after the first 5 s. The evolutions themselves are by the
-/// rules, so it is the timer that has to be caught, and is left alone, for it is an ablation.
+/// CEP13 Fig. 33b as published: after the first 5 s the pulse is repeated continuously. The evolutions follow the
+/// rules, so the replay has to detect the timer. It is accepted because it is an ablation.
 TEST(Replay, ChecksTimersAgainstTheAgesOfSteps) {
     const std::string pulse = R"(
         grafcet pulse {
@@ -180,7 +180,7 @@ TEST(Replay, ChecksTimersAgainstTheAgesOfSteps) {
     LoopUnderTest loop = read_loop(pulse);
     Random random(3);
     EXPECT_EQ(complaint(loop, random_walk(loop.network, random, 300)), "");
-    // A timer of 4 s stands in for one of 5 s.
+    // A timer of 4 s replaces one of 5 s.
     for (Network::Process& process : loop.network.processes)
         if (process.kind == Network::ProcessKind::Timer)
             process.arguments[0] = std::int64_t{4} * 1000 / loop.network.time_unit_ms;

@@ -42,7 +42,7 @@ TEST(TimeOfAnInput, EndsAtOnceWithoutAFallTime) {
     Play chart = play("input a; output O; initial step 1 { O if 3s/a; } step 2; transition t1: 1 -> 2 when 3s/a;");
     run(chart, "a");
     EXPECT_EQ(later(chart, 3000), "");
-    EXPECT_EQ(situation(chart), "1");  // the moment at which both are over is not one of 3s/a
+    EXPECT_EQ(situation(chart), "1");  // when both expire, 3s/a is not true
 }
 
 TEST(TimeOfAnInput, StartsAtOnceWithoutARiseTime) {
@@ -88,7 +88,7 @@ TEST(DelayedActions, BeginWhenTheirStepHasBeenActiveForTheDelay) {
     run(chart);
     EXPECT_EQ(later(chart, 2999), "");
     EXPECT_EQ(later(chart, 1), "O");
-    EXPECT_EQ(later(chart, 0, "a"), "O");  // total instability with a: nothing is written
+    EXPECT_EQ(later(chart, 0, "a"), "O");  // total instability with a: no output is written
 }
 
 TEST(TimeLimitedActions, EndAfterTheirLimitAndBeginAnewWithTheStep) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Single controllers as transition systems, stepped by hand.
+// Single controllers as transition systems, executed step by step.
 #include "schedule/controller.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace grafverif {
 namespace {
 
-/// A system that is stepped with named inputs; all others are false or the least of their range.
+/// A system with named inputs for each step; all others are false or the least of their range.
 struct Stepper {
     TransitionSystem system = {};
     SystemState state = {};

@@ -14,7 +14,7 @@
 namespace grafverif {
 namespace {
 
-/// The system of the one loop of `text`; fails the test with the rendered diagnostics where it does not read.
+/// The system of the only loop of `text`; fails the test with the rendered diagnostics if it is invalid.
 TransitionSystem scheduled(const std::string& text, const ScheduleOptions& options = {}) {
     Diagnostics diagnostics;
     Sources sources;
@@ -171,7 +171,7 @@ TEST(ScheduleControllers, CallsTheSystemSettledWhenEachControllerIs) {
     EXPECT_EQ(value_of(system, state, system.settled), 0);
 }
 
-/// DESDES06 section 6.1 writes the controller of its assembly station so, X_1 being X1 and CF_t1 being CC1.
+/// DESDES06 section 6.1 writes the controller of its assembly station in this way, X_1 being X1 and CF_t1 being CC1.
 TEST(ScheduleControllers, WritesTheAssemblyStationAsThePaperDoes) {
     const std::string text = emitted(scheduled(
         "component toggle(output OUT) { initial location l; timed l -> l do OUT := !OUT; }\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The three approaches and the three schedules: where they agree, and the cases in which they differ.
+// The three approaches and the three schedules: common results, and cases in which they differ.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -78,7 +78,7 @@ TEST(Schedules, ConstraintsMayLeaveOneOfVeryManyCombinationsOfInputs) {
                  std::invalid_argument);
 }
 
-/// WODES06 III.E, the cylinders and sensor of Fig. 3 alone: L1C comes in while L2C is out.
+/// WODES06 III.E, the cylinders and sensor of Fig. 3 alone: L1C retracts while L2C is out.
 const char* const two_cylinders = R"(
 grafcet moves {
     input s0, s2, go;
@@ -117,7 +117,7 @@ TEST(Schedules, ThePlantSequencerHidesTheSituationThatTheSensorHasNotSeenYet) {
     EXPECT_EQ(verdicts(untimed_text(text, with(Schedule::Synchronous)))["unstable"], Outcome::Holds);
 }
 
-/// WODES06 III.E on the whole machine.
+/// WODES06 III.E on the complete machine.
 TEST(PickAndPlace, ShowsTheUnstableSituationWithoutTheSequencer) {
     const SymbolicResult result =
         check_symbolic(untimed_sample("pick_and_place/pick_and_place.grafcet", with(Schedule::Synchronous)));
@@ -194,7 +194,7 @@ closed_loop line {
     }
 }
 
-/// Both charts have an internal variable `n`; replay looks each up in its own chart.
+/// Both charts have an internal variable `n`; replay resolves each in its own chart.
 TEST(Schedules, VariablesOfSeveralControllersGoByTheNamesOfTheirCharts) {
     const std::string text = R"(
 grafcet first {

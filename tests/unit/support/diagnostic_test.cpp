@@ -99,11 +99,11 @@ TEST(RenderText, FitsTheLineIntoTheTerminalAroundWhatIsMarked) {
              Case{many, "X", many, 24, "…bbbbbbbbbbX" + std::string(7, 'b') + "…", std::string(11, ' ') + "^"},
              Case{many, "XXXXXXXXXX", many, 24, "…bbbbbbbbbbXXXXXXXX…", std::string(11, ' ') + "^^^^^^^^"},
              Case{many, "X", many, 3, "…bbbbbbbbbbX" + std::string(7, 'b') + "…", std::string(11, ' ') + "^"},
-             // Two columns each: ten are before the mark of 40, and the one that does not fit whole is cut.
+             // Two columns each: ten are before the mark of 40, and the one that does not fit completely is removed.
              Case{"字字字字字字字字字字字字字字字字字字字字", "字", "x字字字字字", 24, "…字字字字字字x字字…",
                   "           ^^"},
              Case{"字字字字字字字字字字字字字字字字字字字字", "X", "", 24, "…字字字字字X", "           ^"},
-             // What stands on another character goes with it.
+             // A combining character is removed together with its base.
              Case{std::string(40, 'b') + "e\xCC\x81" + std::string(9, 'b'), "X", "", 24,
                   "…e\xCC\x81" + std::string(9, 'b') + "X", std::string(11, ' ') + "^"},
              Case{std::string(40, 'b') + "e\xCC\x81" + std::string(10, 'b'), "X", "", 24,

@@ -52,7 +52,7 @@ TEST(FormatCondition, UsesOneSpellingAndTheBracketsThatHelp) {
         {"not (a implies b) && Gate in open", "!(a => b) && Gate in open"},
         {"!Gate in 3", "!Gate in 3"},
         {"(a) && (b == c)", "a && b == c"},
-        {"(a && b) || c", "(a && b) || c"},  // kept: tells the mixture apart
+        {"(a && b) || c", "(a && b) || c"},  // kept: disambiguates the mixture
         {"a && b || c", "a && b || c"},
         {"(a || b) && c", "(a || b) && c"},
         {"(a && b) && c", "a && b && c"},
@@ -249,7 +249,7 @@ TEST(Format, ChangesNothingTheSecondTime) {
         SCOPED_TRACE(text);
         const std::string once = formatted_text(text);
         EXPECT_EQ(formatted_text(once), once);
-        for (const char* mark : {"/*", "//"}) {  // no comment is lost
+        for (const char* mark : {"/*", "//"}) {  // all comments are kept
             const auto count = [&](const std::string& in) {
                 std::size_t found = 0;
                 for (std::size_t at = in.find(mark); at != std::string::npos; at = in.find(mark, at + 2)) ++found;

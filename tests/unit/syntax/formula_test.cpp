@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is a formula of NuSMV or UPPAAL, and where a text that is none goes wrong.
+// Recognition of NuSMV and UPPAAL formulas, and error locations in other texts.
 #include "syntax/print/formula.hpp"
 
 #include <gtest/gtest.h>

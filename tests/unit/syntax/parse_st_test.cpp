@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Structured Text and textual Sequential Function Charts: what is written is what stands in the tree.
+// Structured Text and textual Sequential Function Charts: the tree represents the text.
 #include "syntax/st/parse_st.hpp"
 
 #include <gtest/gtest.h>

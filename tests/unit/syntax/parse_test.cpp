@@ -12,7 +12,7 @@
 namespace grafverif {
 namespace {
 
-/// A term with every operator in brackets: what the grammar made of it.
+/// A term with every operator in parentheses, according to the grammar.
 std::string shape(const tree::File& file, Id<tree::Expr> id) {
     const tree::Expr& node = file.exprs[id];
     if (!node.first.valid()) return formatted(file, id);
@@ -41,7 +41,7 @@ Id<tree::Expr> only_condition(const tree::File& file) {
     return std::get<tree::Transition>(std::get<tree::Chart>(file.declarations.front()).items.back()).condition;
 }
 
-/// The place and code of each error, one a line.
+/// The location and code of each error, one per line.
 std::string errors(const Diagnostics& diagnostics, const Sources& sources) {
     std::ostringstream out;
     for (const Diagnostic& diagnostic : diagnostics.all()) {
@@ -223,7 +223,7 @@ TEST(ParseFile, RefusesBytesThatAreNoText) {
     EXPECT_EQ(errors_of("// \xC0\xAF\n"), "1:4 invalid-utf8\n");          // overlong
     EXPECT_EQ(errors_of("// \xED\xA0\x80\n"), "1:4 invalid-utf8\n");      // surrogate
     EXPECT_EQ(errors_of("// \xF4\x90\x80\x80\n"), "1:4 invalid-utf8\n");  // beyond U+10FFFF
-    EXPECT_EQ(errors_of("// \xE2\x86"), "1:4 invalid-utf8\n");            // cut
+    EXPECT_EQ(errors_of("// \xE2\x86"), "1:4 invalid-utf8\n");            // truncated
     EXPECT_EQ(errors_of("grafcet a {\n    input a\0b;\n}\n"s), "2:12 control-character\n2:12 unexpected-character\n");
     EXPECT_EQ(errors_of("// ünïcödé and ↑ in comments\ngrafcet a {\n    initial step 1;\n}\n"), "");
 }

@@ -9,7 +9,7 @@
 namespace grafverif {
 namespace {
 
-/// A lone component with some inputs true from the start, all in the same instant.
+/// A single component with some inputs true from the start, all in the same instant.
 Bench bench_ordered(const std::string& name, const std::map<std::string, std::int64_t>& constants,
                     const std::vector<std::string>& orders) {
     Network network = lone_component(library_component(name), constants);

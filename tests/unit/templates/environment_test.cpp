@@ -11,8 +11,8 @@ namespace {
 
 using Values = std::set<std::int64_t>;
 
-/// The least and the greatest time, in units, that `variable` keeps the value `from` between two changes, over all
-/// runs. Times are cut off at `horizon`: a greatest one of that length stands for any longer one.
+/// The least and the greatest time, in units, for which `variable` has the value `from` between two changes, over all
+/// runs. Times are limited to `horizon`: a greatest time of that length represents any longer one.
 struct Pace {
     std::int64_t least = 1000;
     std::int64_t greatest = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The components of templates/, each on a test bench of its own.
+// The components of templates/, each on a separate test bench.
 #pragma once
 
 #include <map>
@@ -21,12 +21,12 @@ Component library_component(const std::string& name);
 Bench bench(const std::string& name, const std::map<std::string, std::int64_t>& constants = {},
             const std::string& initially = "");
 
-/// A lone component of Boolean ports whose time unit is a second, whatever its durations.
+/// A single component with Boolean ports whose time unit is a second, regardless of its durations.
 Network component_in_seconds(const std::string& name, const std::map<std::string, std::int64_t>& constants = {});
 
-/// The one value that a variable can have; fails the test where there are several.
+/// The only possible value of a variable; fails the test if there are several.
 std::int64_t only(const Bench& bench, const std::string& variable);
-/// The one location that the instance can be in.
+/// The only possible location of the instance.
 std::string place_of(const Bench& bench);
 
 }  // namespace grafverif

@@ -9,7 +9,7 @@ namespace {
 
 using Values = std::set<std::int64_t>;
 
-/// The values that `outputs` have together, over all reachable states.
+/// The combinations of values of `outputs`, over all reachable states.
 std::set<std::vector<std::int64_t>> joint_values(const Network& network, const std::vector<std::string>& outputs) {
     const NaiveTadd tadd(network);
     const Reachable all = reachable(network, 100000);
@@ -23,7 +23,7 @@ std::set<std::vector<std::int64_t>> joint_values(const Network& network, const s
     return found;
 }
 
-/// The reachable states of a lone component, each with the time, in units up to `horizon`, for which `variable` has
+/// The reachable states of a single component, each with the time, in units up to `horizon`, for which `variable` has
 /// had the value `value` (-1: it has another).
 std::set<std::pair<TaddState, int>> aged(const Network& network, const std::string& variable, std::int64_t value,
                                          int horizon) {
@@ -161,7 +161,7 @@ TEST(EmergencyStop, LatchesAndIsPressedAtAnyTime) {
         for (const TaddMove& move : tadd.successors(state))
             if (tadd.variable(state, "OUT") == 1 && tadd.variable(move.next, "OUT") == 0) held.insert(age);
     EXPECT_EQ(*held.begin(), 3);
-    EXPECT_EQ(*held.rbegin(), 9);  // the horizon: it may stay pressed
+    EXPECT_EQ(*held.rbegin(), 9);  // the horizon: it may remain pressed
 }
 
 TEST(EmergencyStop, OpensItsNormallyClosedContactWithThePress) {
@@ -182,7 +182,7 @@ TEST(GuardDoor, StaysClosedWhileTheBoltIsIn) {
 }
 
 TEST(GuardDoor, OpensOnlyAfterTheBoltIsOut) {
-    Bench door = bench("guard_door", {{"BOLT", 2000}, {"GAP", 9000}});  // too short a time to open the door before
+    Bench door = bench("guard_door", {{"BOLT", 2000}, {"GAP", 9000}});  // too short to open the door before
     door.set("LOCK", 1);
     door.wait(2);
     EXPECT_EQ(place_of(door), "locked");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Automata as SVG, read back: the laws hold of what is on the page, and all of the diagram is there.
+// Automata as SVG, read back: the layout rules hold for the elements on the page, and the diagram is complete.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,8 +21,8 @@ using layout::Box;
 struct Shown {
     Scene scene = {};
     std::vector<Box> nodes = {};
-    std::string names = {}, labels = {};  ///< all text, blanks for line ends
-    std::size_t arrows = 0;               ///< lines, those that lead nowhere too
+    std::string names = {}, labels = {};  ///< all text, with blanks for line ends
+    std::size_t arrows = 0;               ///< lines, including those without a target
 };
 
 Box rectangle(pugi::xml_node node) {
@@ -30,7 +30,7 @@ Box rectangle(pugi::xml_node node) {
             {node.attribute("width").as_int(), node.attribute("height").as_int()}};
 }
 
-/// As wide as a font with characters of equal width makes it.
+/// The width in a font with characters of equal width.
 Box room_of(pugi::xml_node text) {
     std::size_t characters = 0;
     for (const char c : std::string_view(text.text().get())) characters += (c & 0xC0) != 0x80 ? 1 : 0;
@@ -54,7 +54,7 @@ bool is_within(const Box& inner, const Box& outer) {
            inner.at.y + inner.size.height <= outer.at.y + outer.size.height;
 }
 
-/// Fails where a law of the page is broken.
+/// Fails if a layout rule is violated.
 Shown shown(const Diagram& diagram) {
     std::ostringstream out;
     emit_svg(diagram, out);
@@ -131,7 +131,7 @@ TEST(DiagramSvg, AutomataAndMachinesOfTheSamplesAreDrawn) {
         for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
             SCOPED_TRACE(entry.path());
             ConformOptions options{.mode = mode};
-            options.limits.states = 200;  // of some there are many thousands
+            options.limits.states = 200;  // there may be many thousands of these
             const auto automaton = automaton_of(*reading.model, {0}, options, reading.diagnostics);
             const auto machine = mealy_of(*reading.model, {0}, options, reading.diagnostics);
             if (automaton) shown(diagram(*automaton));

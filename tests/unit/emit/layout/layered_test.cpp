@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The laws of layered drawings, on graphs of every kind and in both ways of direction.
+// Rules of layered drawings, on graphs of every kind and in both directions.
 #include "emit/layout/layered.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using layout::Layered;
 using layout::Point;
 using layout::States;
 
-/// Chains, trees, near-complete graphs, with loops, arrows that end, arrows side by side and nodes that none reaches.
+/// Chains, trees, nearly complete graphs, with loops, arrows without target, parallel arrows and unreachable nodes.
 States random_states(std::mt19937& random) {
     const auto below = [&random](std::size_t limit) { return random() % limit; };
     States states;
@@ -46,7 +46,7 @@ bool is_on_rim(const Box& box, Point at) {
 
 Scene scene_of(const States& states, const Layered& drawing) {
     Scene scene{.boxes = drawing.nodes, .lines = {}, .page = {{0, 0}, drawing.size}};
-    std::map<std::pair<int, int>, std::size_t> nets;  // by where their lines end
+    std::map<std::pair<int, int>, std::size_t> nets;  // by the end points of their lines
     for (std::size_t k = 0; k < states.arrows.size(); ++k) {
         const std::vector<Point>& points = drawing.arrows[k].points;
         if (states.arrows[k].label.width > 0) scene.boxes.push_back(drawing.arrows[k].label);
@@ -78,7 +78,7 @@ TEST(LayeredLaw, NothingOverlapsAndEveryArrowJoinsItsNodes) {
     }
 }
 
-/// Each label lies beside the first stretch of its own line, closer to it than to any other.
+/// Each label is next to the first stretch of its line, closer to it than to any other line.
 TEST(LayeredLaw, ALabelLiesBesideItsLine) {
     for (int seed = 1; seed <= law_size(100); ++seed) {
         SCOPED_TRACE(seed);
@@ -124,7 +124,7 @@ TEST(Layered, ALayerHoldsWhatIsEquallyFarFromTheFirstNode) {
     EXPECT_LT(drawing.nodes[0].at.y, drawing.nodes[1].at.y);
 }
 
-/// Lines that come together have one arrow head, and a mark where they do.
+/// Lines that join have one arrow head, and a dot at the junction.
 TEST(Layered, ArrowsToOneNodeMeet) {
     States states{.nodes = {{40, 30}, {40, 30}, {40, 30}, {40, 30}},
                   .arrows = {{0, 1, {50, 14}}, {0, 2, {50, 14}}, {1, 3, {50, 14}}, {2, 3, {50, 14}}},

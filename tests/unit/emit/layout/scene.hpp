@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands on a page, and what is wrong with it.
+// The elements on a page, and violations of its layout rules.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ struct Scene {
     std::vector<layout::Box> boxes = {};  ///< of nodes and labels
     struct Line {
         std::vector<layout::Point> points = {};
-        std::size_t net = 0;  ///< lines of one net may lie on each other
+        std::size_t net = 0;  ///< lines of one net may overlap
     };
     std::vector<Line> lines = {};
     layout::Box page = {};
@@ -47,7 +47,7 @@ inline bool lie_on_each_other(const Stretch& a, const Stretch& b) {
 
 inline std::string text_of(layout::Point at) { return std::to_string(at.x) + "," + std::to_string(at.y); }
 
-/// The laws of a page, but for those about what it shows.
+/// The layout rules of a page, except for those about its content.
 inline std::vector<std::string> faults(const Scene& scene) {
     std::vector<std::string> found;
     for (std::size_t a = 0; a < scene.boxes.size(); ++a) {

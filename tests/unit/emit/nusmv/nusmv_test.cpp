@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The text of NuSMV models: its parts and its specifications. That it says what the system says is a law of its own.
+// The text of NuSMV models: its parts and its specifications. A randomized test checks its equivalence to the system.
 #include "emit/nusmv/nusmv.hpp"
 
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ std::string emitted(const System& system) {
     return out.str();
 }
 
-/// The lines of `text` from the one that is `first`, as many as `expected` has.
+/// The lines of `text` from the line `first` on, as many as `expected` has.
 void expect_lines(const std::string& text, const std::string& expected) {
     EXPECT_NE(("\n" + text).find("\n" + expected), std::string::npos) << "in:\n" << text;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The C files compiled and searched by a small explorer that knows nothing but the interface, beside the timed engine.
+// Compiles the C files and explores them with a small explorer that uses only the interface; compares the results with
+// the timed engine.
 #include "emit/pins/pins.hpp"
 
 #include <gtest/gtest.h>
@@ -68,7 +69,7 @@ protected:
         return result;
     }
 
-    /// Whether the network is small enough to compare.
+    /// True if the network is small enough to compare.
     bool compare(const Network& network) {
         const TimedResult expected = check_timed(network, {.max_states = most_states});
         if (!expected.complete) return false;
@@ -124,7 +125,7 @@ TEST_F(Pins, RandomClosedLoopsHaveTheStatesOfTheTimedEngine) {
             compared +=
                 compare(composed_loop(model, {.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased}).network) ? 1 : 0;
         } catch (const std::invalid_argument&) {
-            continue;  // a loop that compose refuses
+            continue;  // a loop that compose rejects
         }
     }
     EXPECT_GT(compared, 0);

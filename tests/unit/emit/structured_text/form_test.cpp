@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The forms of a controller: what stands in the PLCopen XML, which names it uses, and what is refused.
+// The forms of a controller: the content of the PLCopen XML, the names that it uses, and rejected charts.
 #include <gtest/gtest.h>
 
 #include <pugixml.hpp>

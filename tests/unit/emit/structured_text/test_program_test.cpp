@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The test program passes the controller of the chart it was made of, and finds the row in which another one differs.
+// The test program passes with the controller of its chart, and finds the row in which another controller differs.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -38,7 +38,7 @@ std::vector<std::int64_t> values_of(const Chart& chart, Chart::VariableKind kind
     return picked;
 }
 
-/// A random walk of the chart as a sequence; shorter where the chart cannot go on.
+/// A random walk of the chart as a sequence; shorter if the chart cannot continue.
 TestSequence::Sequence walk(const Chart& chart, ExecutionMode mode, Random& random) {
     TestSequence::Sequence sequence;
     State state = power_on(chart);
@@ -68,7 +68,7 @@ std::string text_of(const TestSequence& test, Form form) {
     return form == Form::Text ? std::move(out).str() : units_of_plcopen(std::move(out).str());
 }
 
-/// Runs the test to its end; time passes in calls that wait only.
+/// Runs the test to its end; time passes only in calls that wait.
 void run(SmallPlc& plc) {
     std::int64_t now = 0;
     for (int calls = 0; plc.value("done") == 0; ++calls) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Timers of the controller in the cases that go wrong most easily.
+// Timers of the controller in cases that are prone to errors.
 #include <gtest/gtest.h>
 
 #include <sstream>

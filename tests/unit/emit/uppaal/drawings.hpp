@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether the things drawn in a UPPAAL project overlap. A character is 8 pixels wide, a line 16 high, a location a
-// circle of radius 12.
+// Checks that elements of the drawing of a UPPAAL project do not overlap. A character is 8 pixels wide, a line 16 high,
+// a location a circle of radius 12.
 #pragma once
 
 #include <string>

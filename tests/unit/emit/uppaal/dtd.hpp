@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a UPPAAL project keeps to the document type that it names.
+// Checks that a UPPAAL project is valid for its document type.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace grafverif::test {
 
 bool has_xmllint();
 
-/// Whether xmllint finds the document valid; what it says otherwise goes to standard output.
+/// True if xmllint finds the document valid; otherwise its messages go to standard output.
 bool is_valid(const std::string& xml);
 
 }  // namespace grafverif::test

@@ -114,7 +114,7 @@ Template button(Hand& h) {
     return automaton;
 }
 
-/// CEP13 Fig. 33b, with the restart of a timer whose step is activated anew.
+/// CEP13 Fig. 33b, with the restart of a timer whose step is activated again.
 Template timer(Hand& h) {
     Template automaton{.name = "timer"};
     const Parameter duration = automaton.parameters.add({"D", Kind::Constant, integer_type(-32768, 32767)});
@@ -144,7 +144,7 @@ Template timer(Hand& h) {
     return automaton;
 }
 
-/// What the chart of `station` and its plant share.
+/// The variables that the chart of `station` and its plant share.
 struct Wires {
     Variable start = {}, is_in = {}, is_out = {}, go_in = {}, go_out = {}, lock = {}, count = {}, x0 = {}, x1 = {},
              cf0 = {}, cf1 = {}, sample = {}, image = {}, old = {}, end = {}, pending = {}, evol_pl = {}, evol_ti = {},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Networks written by hand for the tests of the UPPAAL emitter: small ones, with one of everything.
+// Hand-written networks for the tests of the UPPAAL emitter: small, with one element of each kind.
 #pragma once
 
 #include <initializer_list>
@@ -10,7 +10,7 @@
 
 namespace grafverif::test {
 
-/// Short words for the terms and entities of one network.
+/// Short functions for the terms and entities of one network.
 struct Hand {
     Network network = {};
 
@@ -44,11 +44,11 @@ struct Hand {
     }
 };
 
-/// A cylinder with two position sensors that start at different ends, a push button, a chart of two steps with a timer
-/// and a stored action in the phased grain, and one property of each pattern.
+/// A cylinder with two position sensors that start at different ends, a push button, and a chart of two steps with a
+/// timer and a stored action in the phased grain. It has one property of each pattern.
 Network station();
 
-/// Two templates and three processes whose every name is a word that UPPAAL reserves or that another entity has.
+/// Two templates and three processes whose names are all UPPAAL keywords or names of other entities.
 Network awkward_names();
 
 /// One location with many loops, and a complete graph of five locations, all with long labels.

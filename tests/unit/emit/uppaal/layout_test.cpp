@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The drawings of a project: no location, name or label lies on another.
+// The drawings of a project: locations, names and labels do not overlap.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -31,7 +31,7 @@ TEST(UppaalLayout, HasNoTwoThingsInOnePlaceInAnyNetwork) {
     }
 }
 
-// The check of this test is no better than its eyes.
+// Tests the overlap check itself.
 TEST(UppaalLayout, OverlapsAreSeenByTheTest) {
     const std::string project =
         "<nta><template><name>a</name><location id='i' x='0' y='0'><name x='20' y='0'>w</name></location>"
@@ -93,7 +93,7 @@ Network wheel(std::uint32_t locations) {
     return h.network;
 }
 
-/// A template of a hub and `leaves` locations that are linked with it alone.
+/// A template of a hub and `leaves` locations that are connected only to it.
 Network star(std::uint32_t leaves) {
     test::Hand h;
     h.network.name = "star";

@@ -11,7 +11,7 @@
 namespace grafverif {
 namespace {
 
-/// The text of the template called `name` from `tag` on, entities replaced.
+/// The text of the template called `name` from `tag` on, with entities replaced.
 std::string template_text(const std::string& xml, const std::string& name, const char* tag) {
     pugi::xml_document document;
     EXPECT_TRUE(document.load_string(xml.c_str()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A project read back is the network that was emitted: nothing is lost on the way, and names can be traced back.
+// A project that is read back equals the emitted network: it is complete, and names can be traced back.
 #include <gtest/gtest.h>
 
 #include <sstream>
