@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The analysis against a search that knows nothing of equations and decision diagrams: all points of a random chart, one
-// by one, by the interpreter of the rules. Time is in both what it is in the search: an end that may come between two
-// instants, in order on one step.
+// The analysis compared with an explicit search that uses neither equations nor decision diagrams: it visits all points
+// of a random chart by the interpreter. Both model time in the same way: between two instants a timer may expire, on
+// one step in the order of durations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,10 +24,10 @@ namespace {
 
 constexpr std::size_t most_points = 4000;
 
-/// Every statement an analysis can make, as `code subject`, with the first instant in which it comes about; what never
-/// happens has none.
+/// Every possible statement of an analysis, as `code subject`, with the first instant in which its event occurs; none
+/// if it never occurs.
 using Facts = std::map<std::string, std::size_t>;
-using Rest = std::pair<State, std::vector<bool>>;  ///< with the ends of the time conditions
+using Rest = std::pair<State, std::vector<bool>>;  ///< with the outputs of the time conditions
 
 struct RestOrder {
     static auto key(const Rest& rest) {
@@ -38,12 +38,12 @@ struct RestOrder {
     bool operator()(const Rest& left, const Rest& right) const { return key(left) < key(right); }
 };
 
-/// What comes about at the points of a chart and at the rests between its instants, and where they lead.
+/// The events at the points of a chart and at the rests between its instants, and the successors.
 struct Ways {
     struct Node {
         std::set<std::string> comes = {};
         std::vector<std::size_t> next = {};
-        bool unknown = false;                  ///< it breaks off, or its instant does not end
+        bool unknown = false;                  ///< it aborts, or its instant does not end
         std::optional<std::size_t> ends = {};  ///< a rest: the first instant that ends in it
     };
     std::vector<Node> nodes = {};
@@ -68,7 +68,7 @@ struct Ways {
     std::vector<bool> leading_to(const std::string& what) const {
         return leading_to([&](std::size_t k) { return nodes[k].comes.contains(what); });
     }
-    /// Per rest from which it never comes again. `broken`: what nobody looks at may lead back.
+    /// Per rest from which it never occurs again. `broken`: unexplored points may lead back.
     std::vector<bool> gone(const std::string& what, bool broken) const {
         std::vector<bool> found =
             leading_to([&](std::size_t k) { return nodes[k].comes.contains(what) || (broken && nodes[k].unknown); });
@@ -82,7 +82,7 @@ struct Ways {
                 if (node.comes.contains(what) && back[next] && !(step && nodes[next].comes.contains(what))) return true;
         return false;
     }
-    /// Sets of nodes that nothing leaves, each with its rests; those from which something breaks off are none.
+    /// Terminal sets of nodes, each with its rests; nodes from which a run can abort belong to none.
     std::vector<std::vector<bool>> regions() const {
         std::vector<bool> done = leading_to([&](std::size_t k) { return nodes[k].unknown; });
         std::vector<std::vector<bool>> found;
@@ -117,7 +117,7 @@ public:
 
     const Ways& ways() const { return ways_; }
 
-    /// Empty: there are too many points, or a condition has no value somewhere.
+    /// Empty: there are too many points, or a condition is undefined somewhere.
     std::optional<Facts> facts() {
         for_each_input([&](const std::vector<std::int64_t>& inputs) {
             begin({power_on(chart_), std::vector<bool>(elements_.size())}, inputs, add_node());
@@ -164,7 +164,7 @@ private:
         }
     }
 
-    /// What element k watches: a step, or some other term.
+    /// The term that element k watches: a step, or another term.
     std::pair<bool, std::size_t> watched(std::size_t k) const {
         const TimedElement& element = elements_[k];
         if (element.step.valid()) return {true, element.step.index};
@@ -175,7 +175,7 @@ private:
 
     static bool level(const State& state, std::size_t k) { return state.timing[k].risen >= 0; }
 
-    /// Ends on one watched term: shorter ones first, equal ones together.
+    /// Timer outputs of one watched term: shorter durations first, equal ones together.
     bool in_order(const Rest& rest) const {
         for (std::size_t i = 0; i < elements_.size(); ++i)
             for (std::size_t j = 0; j < elements_.size(); ++j) {
@@ -219,7 +219,7 @@ private:
                 comes.insert(chart_.variables[id].name);
     }
 
-    /// One instant, from a node on.
+    /// Explores one instant from a node.
     void begin(Rest at, const std::vector<std::int64_t>& inputs, std::size_t node) {
         std::set<Rest, RestOrder> seen;
         for (std::size_t next = node; !lost_; node = next) {
@@ -245,7 +245,7 @@ private:
                 if (elements_[k].fall_ms == 0) at.second[k] = at.second[k] && level(at.first, k);
                 if (elements_[k].rise_ms == 0) at.second[k] = at.second[k] || level(at.first, k);
             }
-            // A stable evolution changes levels that timers watch.
+            // A stable evolution may change levels that timers watch.
             if (ends || mode_ == ExecutionMode::EveryCycle) return rest(at, node);
             next = add_node();
             ways_.nodes[node].next.push_back(next);
@@ -302,7 +302,7 @@ private:
     std::set<std::string> fired_ = {}, always_ = {};
     std::map<Rest, std::size_t, RestOrder> known_ = {};  ///< with their nodes
     Ways ways_ = {};
-    std::deque<std::pair<Rest, std::size_t>> open_ = {};  ///< with their instant: the nearest first
+    std::deque<std::pair<Rest, std::size_t>> open_ = {};  ///< with their instant, by distance
     std::size_t instant_ = 1;
     std::size_t points_ = 0;
     bool lost_ = false;
@@ -314,16 +314,16 @@ bool is_compared(const std::string& code) {
            code != "action-conflict" && code != "comes-once" && !is_trap(code) && !code.starts_with("forc");
 }
 
-/// The interpreter names one race, and one value that does not fit, of an evolution that may have several.
+/// If an evolution has several races or values out of range, the interpreter names one.
 bool masked(const std::string& fact, const Facts& expected) {
     const std::string code = fact.substr(0, fact.find(' ') + 1);
     return (code == "action-race " || code == "out-of-range ") &&
            std::ranges::any_of(expected, [&](const auto& other) { return other.first.starts_with(code); });
 }
 
-/// How much of a chart is looked at.
+/// The part of a chart that is analysed.
 struct Bounds {
-    int looks = -1;  ///< the analysis is stopped after so many instants of its parts; negative: never
+    int looks = -1;  ///< stops the analysis after this number of instants of its parts; negative: never
     std::int64_t longest_count = 256;
 };
 
@@ -331,8 +331,8 @@ std::string fact_of(const std::string& code, const std::string& subject) {
     return code + (subject.empty() ? "" : " " + subject);
 }
 
-/// What open questions say that is not so: what comes about in instants that were looked at was found.
-/// Several questions may be about one subject: that of a fact that was found may be another one.
+/// Wrong statements about open queries: every event in an instant that was searched must have been found. Several
+/// queries may have one subject: that of a known event may be another one.
 std::string wrongly_open(const Analysis& analysis, const Facts& expected, const std::set<std::string>& found) {
     std::string text;
     for (const OpenQuestion& question : analysis.open) {
@@ -346,7 +346,8 @@ std::string wrongly_open(const Analysis& analysis, const Facts& expected, const 
     return text;
 }
 
-/// The instants of the first rests from which none of `lost` ever comes again; per region, of those that lead to it.
+/// The instants of the first rests from which none of `lost` ever occurs again; per region, of the rests that lead to
+/// it.
 std::set<std::size_t> first_without(const Ways& ways, const std::vector<std::string>& lost, bool broken) {
     std::vector<bool> all(ways.nodes.size(), true);
     for (const std::string& each : lost) {
@@ -368,11 +369,11 @@ std::set<std::size_t> first_without(const Ways& ways, const std::vector<std::str
     return result;
 }
 
-/// What the two routes do not agree on about what never comes again.
+/// Differences of the two results about events that never occur again.
 std::string disagreement_on_ways(const Chart& chart, const Equations& equations, const Ways& ways,
                                  const Analysis& analysis, const Bounds& bounds) {
     std::string text;
-    // What a counter's range or another part breaks off is not seen, so that it does not lead back.
+    // Runs aborted by a counter's range or another part are not seen, so that they do not lead back.
     const bool one_part = analysis::cones(equations).size() == 1;
     const bool cut = bounds.longest_count < 256 || !one_part;
     std::map<std::string, Finding::Level> found;
@@ -384,18 +385,18 @@ std::string disagreement_on_ways(const Chart& chart, const Equations& equations,
         sure = sure && finding.timing != Finding::Timing::Unconfirmed;
         for (const std::string& each : finding.lost) {
             found[each] = finding.level;
-            if (finding.timing == Finding::Timing::Unconfirmed) unconfirmed.insert(each);  // it may be none
+            if (finding.timing == Finding::Timing::Unconfirmed) unconfirmed.insert(each);  // it may not be one
         }
         if (finding.lost.empty() || finding.timing == Finding::Timing::Unconfirmed) continue;
-        const bool once = finding.code == "comes-once";  // its way is one to where the first of them is lost
+        const bool once = finding.code == "comes-once";  // its path leads to a point where the first of them is dead
         const auto first = first_without(ways, once ? std::vector{finding.lost.front()} : finding.lost, !cut);
         const std::size_t way = finding.evidence ? finding.evidence->rows.size() - 1 : 0;
-        const bool cyclic = analysis.mode == ExecutionMode::EveryCycle;  // lost when an instant begins, or when it ends
+        const bool cyclic = analysis.mode == ExecutionMode::EveryCycle;  // dead when an instant begins, or at its end
         if (first.empty()) text += "not lost: " + finding.message + '\n';
         else if (!first.contains(way) && !(cyclic && first.contains(way - 1)) && one_part)
             text += "not shortest: " + finding.message + ", " + std::to_string(way) + " instants\n";
     }
-    const bool timeless = timed_elements(chart).empty();  // else a way back may take an order of ends that is none
+    const bool timeless = timed_elements(chart).empty();  // else a path may need impossible expiries
     std::set<std::string> open, steps;
     for (const OpenQuestion& question : analysis.open)
         if (is_trap(question.code)) open.insert(question.subject);
@@ -419,7 +420,7 @@ std::string disagreement_on_ways(const Chart& chart, const Equations& equations,
     const auto regions = ways.regions();
     if (region && one_part && sure && regions.size() < 2) {
         std::vector<bool> inside = regions.empty() ? std::vector<bool>(ways.nodes.size()) : regions.front();
-        bool any = false;  // of what is outside of the only region, whether a transition comes again and again
+        bool any = false;  // outside the only region: true if a transition occurs infinitely often
         for (const Id<Chart::Transition> id : chart.transitions.ids()) {
             const std::string& fired = chart.transitions[id].name;
             for (std::size_t k = 0; k < inside.size(); ++k) {
@@ -441,7 +442,7 @@ std::string disagreement_on_ways(const Chart& chart, const Equations& equations,
     return text;
 }
 
-/// What the two routes do not agree on; empty: nothing. Empty optional: the chart is too large for this.
+/// Differences of the two results; empty: none. Empty optional: the chart is too large for the comparison.
 std::optional<std::string> disagreement(const Chart& chart, ExecutionMode mode, const Bounds& bounds = {}) {
     if (chart.steps.empty()) return {};
     ExplicitSearch search(chart, mode);
@@ -467,7 +468,8 @@ std::optional<std::string> disagreement(const Chart& chart, ExecutionMode mode, 
             .insert(fact_of(finding.code, finding.subject));
     }
     for (const OpenQuestion& question : analysis.open) open.insert(fact_of(question.code, question.subject));
-    // Timers end in orders that no times have: what happens then may be none, and keeps it from being said to be never.
+    // Timers may expire in orders that no times realize: an event that occurs only then is not reported as never
+    // occurring.
     for (const auto& [fact, instant] : *expected)
         if (!found.contains(fact) && !unconfirmed.contains(fact) && !open.contains(fact) && unconfirmed.empty())
             text += "not found: " + fact + '\n';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Law: the location automaton of a chart, made for all inputs at once, says of any run of the interpreter where it is, what
-// it emits and that it never stabilises; and tests made of it pass on the interpreter.
+// Randomized test: the location automaton of a chart, computed for all inputs together, predicts location, outputs and
+// total instability of every run of the interpreter; and tests generated from it pass on the interpreter.
 #include <algorithm>
 #include <optional>
 #include <sstream>
@@ -15,13 +15,13 @@ namespace {
 
 constexpr int runs_per_chart = 3, cycles_per_run = 12;
 
-/// What the runs met, so that a generator gone dull does not pass for a law that holds.
+/// Counts of the situations in the random runs, so that the test fails if the generator no longer produces them.
 struct Walked {
     int refused = 0, evolutions = 0, stays = 0, unstable = 0, conditional = 0, timed = 0, watched = 0, tests = 0,
         several = 0, waiting = 0, merged = 0, constrained = 0;
 };
 
-/// Per timer of the equations: which timed element of the chart it is.
+/// Per timer of the equations: the corresponding timed element of the chart.
 std::vector<std::size_t> elements_of(const Chart& chart, const Equations& equations) {
     const std::vector<TimedElement> elements = timed_elements(chart);
     std::vector<std::size_t> result(equations.timers.size());
@@ -38,7 +38,7 @@ std::vector<std::size_t> elements_of(const Chart& chart, const Equations& equati
     return result;
 }
 
-/// A chart and its automaton, side by side.
+/// A chart and its automaton, executed in lockstep.
 class Walk {
 public:
     Walk(const Chart& chart, const Equations& equations, const LocationAutomaton& automaton, Walked& walked)
@@ -49,7 +49,7 @@ public:
           state_(power_on(chart)),
           location_(automaton.init) {}
 
-    /// One cycle; what differs, or nothing. `ended`: the run cannot go on.
+    /// Executes one cycle; returns a difference, or nothing. `ended`: the run cannot continue.
     std::string cycle_with(const std::vector<std::int64_t>& inputs, bool& ended) {
         read_inputs(inputs);
         const Cycle run = cycle(chart_, state_, inputs, automaton_.mode);
@@ -72,7 +72,7 @@ public:
         if (taken != nullptr) location_ = taken->to;
         ended = false;
         state_ = run.state;
-        read_inputs(inputs);  // ends of timers as the outputs meet them
+        read_inputs(inputs);  // timer outputs as seen by the outputs
         return compared();
     }
 
@@ -128,7 +128,7 @@ private:
     std::vector<std::int64_t> inputs_ = {};  ///< per input of the automaton
 };
 
-/// Forbids two of the Boolean inputs to be true together, where there are so many.
+/// Excludes that two of the Boolean inputs are true together, if there are so many.
 void constrain(Chart& chart, Random& random) {
     std::vector<Id<Expr>> inputs;
     for (const Id<Chart::Variable> id : chart.variables.ids())
@@ -165,7 +165,7 @@ std::string walk(const Chart& chart, const Equations& equations, const LocationA
     return {};
 }
 
-/// Tests of every cover, replayed.
+/// Tests of every coverage criterion, replayed.
 std::string tested(const Chart& chart, const MealyMachine& machine, Walked& walked) {
     Diagnostics diagnostics;
     for (const TestCover cover : {TestCover::Transitions, TestCover::Evolutions, TestCover::Locations})
@@ -187,7 +187,7 @@ std::string tested(const Chart& chart, const MealyMachine& machine, Walked& walk
     return {};
 }
 
-/// Tests of the machine and of the least one.
+/// Tests of the machine and of the minimized one.
 std::string tested(const Chart& chart, const LocationAutomaton& automaton, Walked& walked) {
     Diagnostics diagnostics;
     const auto machine = mealy_machine(automaton, {.max_states = 300}, diagnostics);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every operation on random functions against tables of truth, with collections and new orders in between and the
-// invariants of the space looked at after each.
+// Every operation on random functions compared with truth tables, with collections and reorderings in between and the
+// invariants of the space checked after each.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ public:
         for (int i = 0; i < 12; ++i) pool_.push_back(variable());
     }
 
-    /// One operation on some functions of the pool; its result takes the place of one of them.
+    /// One operation on some functions of the pool; its result replaces one of them.
     void step() {
         Tabled result = made();
         expect_same(result);
@@ -151,7 +151,7 @@ private:
                 })};
     }
 
-    /// What only looks at a function, and its simplification, which is free outside the care set.
+    /// Operations that only read a function, and its simplification, which is arbitrary outside the care set.
     Tabled looked_at(const Tabled& f, const Tabled& care) {
         std::vector<std::uint32_t> all(variables_), used;
         std::iota(all.begin(), all.end(), 0U);
@@ -202,7 +202,7 @@ TEST(BddLaw, OperationsAgreeWithTablesOfTruthWhereMemoryIsScarce) {
     for (int seed = 0; seed < worlds; ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
-        RandomSpace world(random, {.memory = 135'000});  // some thousand nodes: collections come within operations
+        RandomSpace world(random, {.memory = 135'000});  // some thousand nodes: collections occur within operations
         for (int i = 0; i < 100 && !testing::Test::HasFailure(); ++i) try {
                 world.step();
             } catch (const BddExhausted& failure) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Verdicts found by cells against those of the whole, on random networks and loops whose cells read each other; and each
-// premise left out once, so that it is seen to be needed.
+// Verdicts of localization compared with those of the complete network, on random networks and loops whose fragments
+// read each other; and each premise omitted once, to show that the comparison detects it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,12 +24,12 @@ namespace {
 
 constexpr std::uint64_t whole_limit = 20'000;
 
-/// What cells decide of the network, where the whole is hardly looked at.
+/// The verdicts of localization, with a minimal first search of the complete network.
 TimedResult by_cells(const Network& network, const LocalAblations& ablations = {}) {
     return check_timed_by_cells(network, {.max_states = whole_limit}, {.whole = 3, .local = whole_limit}, ablations);
 }
 
-/// How many verdicts of cells are not those of the whole.
+/// The number of verdicts of localization that differ from those of the complete network.
 int differing(const Network& network, const TimedResult& whole, const TimedResult& cells, bool expected,
               std::map<std::string, int>& seen) {
     int wrong = 0;
@@ -109,9 +109,9 @@ TEST(CellsLaw, CellsGiveTheVerdictsOfTheWhole) {
     EXPECT_GT(seen["by invariants"], law_size(2));
 }
 
-/// A line of two or three cells, a partial chart each in one PLC or a PLC each; with a button, a cylinder or a lamp, a
-/// time, a counter that may leave its range, stored actions that may race; with links between neighbours, and steps that
-/// the next chart reads.
+/// A line of two or three fragments, each a partial chart in a common PLC, or each with a separate PLC. Each has a
+/// button, a cylinder or a lamp, a time, a counter that may leave its range, and stored actions that may race.
+/// Neighbours are linked, and steps are read by the next chart.
 std::string loop_of_cells(Random& random) {
     const auto pick = [&](const std::vector<std::string>& from) {
         return from[static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(from.size()) - 1))];
@@ -197,7 +197,8 @@ TEST(CellsLaw, CellsOfLoopsGiveTheVerdictsOfTheWhole) {
     EXPECT_GT(seen["by cells: holds"], law_size(20));
 }
 
-/// What cells decide of an untimed model, hardly looking at the whole, against the symbolic engine.
+/// Verdicts of localization on an untimed model, with a minimal search of the complete one, compared with the symbolic
+/// engine.
 void compare_untimed(const SystemToCheck& check, std::map<std::string, int>& seen) {
     const std::vector<Verdict> decided = decided_by_cells(check, {.jobs = 1}, {.whole = 50, .local = whole_limit});
     if (decided.empty()) return;

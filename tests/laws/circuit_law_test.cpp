@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A circuit, the AIGER text of it and the BTOR2 text beside it, read back by other readers, make the steps of the system that they are of: what
-// they take for possible is a run of the system, what is asked holds where the terms do, and every state is reached.
+// A circuit, its AIGER text and its BTOR2 text, read back by independent readers, compared with their system: their
+// possible runs are runs of the system, properties hold exactly where the terms do, and every state is reached.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,12 +29,12 @@ struct Seen {
     std::size_t systems = 0, steps = 0, targets = 0, hits = 0, starts = 0;
 };
 
-/// A random run of the circuit: inputs are tried until the state at hand is one, and left by a step.
+/// A random run of the circuit: tries inputs until the current state is possible, then makes a step.
 class Walk {
 public:
     Walk(const Circuit& circuit, Random& random) : circuit_(circuit), random_(random), values_(circuit.gates.size()) {}
 
-    /// Whether there is a state here, with inputs drawn at random.
+    /// True if a possible state was found, with random inputs.
     bool look() {
         for (int tries = 0; tries < 200; ++tries) {
             given_.assign(circuit_.inputs.size(), false);
@@ -63,7 +63,7 @@ private:
     std::vector<bool> given_ = {};
 };
 
-/// What `circuit` says of one state, against the terms.
+/// Compares the functions of `circuit` in one state with the terms.
 void expect_targets(const System& system, FlatSystem& flat, const Circuit& circuit, const NodeValues& values,
                     const std::vector<std::int64_t>& state, Seen& seen) {
     const auto value = [&](Id<Expr> term) {
@@ -85,7 +85,7 @@ void expect_targets(const System& system, FlatSystem& flat, const Circuit& circu
     }
 }
 
-/// The text says the same as the circuit, in every step.
+/// The text is equivalent to the circuit in every step.
 void expect_same_text(const Circuit& circuit, const aiger::Written& written, const std::vector<aiger::Question>& asked,
                       const std::vector<std::vector<bool>>& inputs) {
     const AigerFile file = read_aiger(written.text);
@@ -116,7 +116,7 @@ void expect_same_text(const Circuit& circuit, const aiger::Written& written, con
     }
 }
 
-/// Its words say of every state what the circuit's bits say.
+/// The words of the text represent the bits of the circuit in every state.
 void expect_same_words(const System& system, const FlatSystem& flat, const Circuit& circuit,
                        const std::vector<std::vector<bool>>& inputs) {
     const btor2::Written written = btor2::written(system);
@@ -209,7 +209,7 @@ TEST(CircuitLaw, MakesTheStepsOfRandomLoops) {
     EXPECT_GT(seen.steps, 0u);
 }
 
-/// How values are coded shows in no value.
+/// The encoding of values does not affect any value.
 TEST(CircuitLaw, WordsHoldTheValuesOfTheirRanges) {
     for (const Type type : {integer_type(-3, 4), integer_type(-4, 3), integer_type(0, 5), integer_type(7, 7),
                             integer_type(5, 9), integer_type(1000, 1003), integer_type(-9, -8), Type{}}) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The law of claims. What is said beside a verdict about other models (`so with every plant`, `so in the timed loop`) is
-// tried against those models, on random loops: of each approach, schedule, grain and mode. So is what a verdict is said
-// to be vacuous for, and every run that shows a verdict is one of the rules.
+// Statements of verdicts about other models (`so with every plant`, `so in the timed loop`) compared with those models,
+// on random loops: each approach, schedule, grain and mode. Also compares the reasons for vacuous verdicts, and replays
+// every run of a verdict by the interpreter.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ namespace {
 
 using Verdicts = std::map<std::string, Verdict>;
 
-/// A model and what its engine says.
+/// A model and the verdicts of its engine.
 struct Untimed {
     std::string name = {};
     ScheduleOptions options = {};
@@ -66,7 +66,7 @@ bool is_liveness(const Verdict& verdict) {
     return verdict.pattern == Pattern::Inevitable || verdict.pattern == Pattern::LeadsTo;
 }
 
-/// Whether some controller could go on throughout the loop of the run, and never does.
+/// True if some controller could continue throughout the loop of the run, and never does.
 bool starves_a_controller(const Network& network, const Run& run) {
     const auto states = replay(network, run);
     if (!run.loop || !states) return false;
@@ -81,12 +81,12 @@ bool starves_a_controller(const Network& network, const Run& run) {
     });
 }
 
-/// What one loop may cost: some have models that take for ever, and what is not decided in time is not tried.
+/// Limits for one loop: some models would take forever; properties that are undecided in time are not compared.
 constexpr std::size_t most_bits = 70;
 constexpr std::uint64_t most_memory = std::uint64_t{16} << 20U;
 constexpr std::chrono::milliseconds patience{100};
 
-/// Of a state of the network.
+/// In a state of the network.
 std::size_t bits(const Network& network) {
     std::size_t count = 0;
     for (const Network::Variable& variable : network.variables)
@@ -102,7 +102,7 @@ class Trial {
 public:
     Trial(Model model, std::optional<ExecutionMode> mode) : model_(std::move(model)), mode_(mode) { add_companions(); }
 
-    /// False where the loop has no models.
+    /// False if the loop has no models.
     bool run() {
         for (const Grain grain : {Grain::Atomic, Grain::Phased})
             if (!check_timed_loop(grain)) return false;
@@ -114,7 +114,7 @@ public:
         return true;
     }
 
-    /// Per sentence: how often the model it speaks of said the same, and the opposite.
+    /// Per statement: how often the other model had the same verdict, and the opposite one.
     using Tally = std::map<std::string, std::pair<int, int>>;
     static Tally tally;
     static int replayed;
@@ -127,7 +127,7 @@ private:
             {.name = std::move(name), .pattern = pattern, .operands = std::move(operands), .at_stable = at_stable});
     }
 
-    /// Properties that tell whether a verdict is vacuous, and whether the constraints hold.
+    /// Properties that determine whether a verdict is vacuous, and whether the constraints hold.
     void add_companions() {
         const Table<Property> properties = loop().properties;
         for (const Property& property : properties)
@@ -173,7 +173,7 @@ private:
         return true;
     }
 
-    /// Whether a controller leaves the range of a variable, or divides by zero.
+    /// True if a controller leaves the range of a variable, or divides by zero.
     static bool is_range(const Network& network, const ModelError& error) {
         return error.kind != ModelError::Kind::ActionRace &&
                std::ranges::any_of(network.controllers, [&](const Network::Controller& controller) {
@@ -211,7 +211,7 @@ private:
         return found == verdicts.end() ? Outcome::Unknown : found->second.outcome;
     }
 
-    /// What a verdict is said to be vacuous for.
+    /// The reported reasons why a verdict is vacuous.
     static void try_notes(const Verdict& verdict, const Verdicts& all) {
         for (const std::string& note : verdict.notes) {
             const bool left = has(note, "the premise is never true"), settled = has(note, "no state is ever settled");
@@ -228,7 +228,7 @@ private:
         }
     }
 
-    /// `words` are said of `verdict`: the verdict of the model they speak of must be the same, or unknown.
+    /// Checks the statement `words` of `verdict`: the other model must have the same verdict, or an unknown one.
     static void agree(const std::string& words, const Verdict& verdict, const Verdicts& there,
                       const Network* network = nullptr) {
         const auto found = there.find(verdict.property);
@@ -241,7 +241,7 @@ private:
         EXPECT_TRUE(same) << verdict.property << " " << word(verdict.outcome) << ": " << words;
     }
 
-    /// What may be so or not: it is counted only.
+    /// Statements that may be true or false: only counted.
     static void count(const std::string& words, const Verdict& verdict, const Verdicts& there) {
         const Outcome found = outcome(there, verdict.property);
         if (found == Outcome::Unknown) return;
@@ -272,7 +272,7 @@ private:
                 return !has(words, "keeps the constraints") || outcome(there, "kept_constraint_1") == Outcome::Holds;
             };
             if (kept(atomic_.verdicts)) agree(words, verdict, atomic_.verdicts, &atomic_.loop->network);
-            // Without time the controllers may be kept waiting for ever.
+            // Without time the controllers may be delayed forever.
             for (const Untimed& other : untimed_)
                 if (other.grain == Grain::Atomic && other.options.schedule == Schedule::Interleaved &&
                     kept(other.verdicts) &&
@@ -291,7 +291,7 @@ private:
         }
     }
 
-    /// docs/checking.md: what is violated of always and never in atomic is so in phased, and what is reachable.
+    /// docs/checking.md: a violated always or never, and a reachable state, in atomic grain are so in phased grain too.
     void try_grains() {
         for (const auto& [name, verdict] : atomic_.verdicts) {
             const bool of_states = verdict.pattern == Pattern::Always || verdict.pattern == Pattern::Never ||

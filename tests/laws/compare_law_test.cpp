@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Law: charts that `compare` calls equal answer random scans alike on the rules of IEC 60848, and what tells different ones
-// apart does so on the rules, in the last scan and not before; no random scans do it in fewer where it says that none do. Charts
-// and their mutants, in both modes, timed ones too. And: a mistake of `mutate` reads back as it is written, and its chart is
-// another in one place, which `compare` knows.
+// Randomized test: charts that `compare` reports as equal have equal outputs in random scans of the interpreter. A
+// distinguishing sequence distinguishes charts by the interpreter in its last scan and not before; no random scans do
+// so in fewer if it is reported as shortest. Uses charts and their mutants, in both modes, timed ones too. Also: a
+// mutant of `mutate` is read back as written, and its chart differs in one location, which `compare` detects.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -22,19 +22,19 @@
 namespace grafverif {
 namespace {
 
-constexpr std::size_t most_steps = 6;  ///< of charts that are looked at
+constexpr std::size_t most_steps = 6;  ///< number of charts that are compared
 
-/// What the law met.
+/// Counts of the situations in the random charts.
 struct Met {
     int equal = 0, different = 0, timed = 0, stops = 0, long_ones = 0, shortest = 0, unknown = 0;
 };
 
-/// One chart, scan by scan; written anew for this law.
+/// One chart, scan by scan; written independently for this test.
 class Plc {
 public:
     Plc(const Chart& chart, ExecutionMode mode) : chart_(chart), mode_(mode), state_(power_on(chart)) {}
 
-    /// Outputs by name, or nothing where it stops. `inputs` in the order of the chart's inputs.
+    /// Outputs by name, or nothing if it stops. `inputs` in the order of the chart's inputs.
     std::optional<std::vector<std::pair<std::string, std::int64_t>>> scan(std::int64_t wait,
                                                                           const std::vector<std::int64_t>& inputs) {
         if (state_.started) state_ = pass_time(state_, wait);
@@ -58,7 +58,7 @@ private:
     State state_;
 };
 
-/// The first scan that both answer differently.
+/// The first scan with different outputs.
 std::optional<std::size_t> difference(const Chart& a, const Chart& b, ExecutionMode mode,
                                       const std::vector<Comparison::Scan>& scans) {
     Plc one(a, mode), other(b, mode);
@@ -85,7 +85,7 @@ std::vector<Comparison::Scan> random_scans(const Comparison& about, Random& rand
     return scans;
 }
 
-/// A chart with one thing changed; it may be refused.
+/// A chart with one element changed; it may be rejected.
 Chart mutant(Chart chart, Random& random) {
     const auto any = [&](auto& table) -> auto& {
         return table[*(table.ids().begin() + random_number(random, 0, static_cast<std::int64_t>(table.size()) - 1))];
@@ -136,7 +136,7 @@ Model model_of(const Chart& chart) {
     return model;
 }
 
-/// What is wrong with the verdict on both; nothing: all is well, or one of them is refused.
+/// The error in the verdict on both; nothing: it is right, or one of them is rejected.
 std::string violation(const Chart& a, const Chart& b, ExecutionMode mode, Random random, Met& met) {
     Diagnostics diagnostics;
     if (!derive(a, diagnostics) || !derive(b, diagnostics)) return {};
@@ -206,13 +206,13 @@ TEST(CompareLaw, AChartWithOtherNamesForItsStepsIsTheSame) {
     EXPECT_GT(met.equal, 0);
 }
 
-/// What is wrong with the place of a mistake; nothing: the charts differ there, and nowhere else.
+/// The error in the location of a mutation; nothing: the charts differ only there.
 std::string misplaced(const Mutant& mutant, const Chart& a, const Chart& b) {
     std::set<std::string> subjects;
     for (const ChartChange& change : difference(a, b)) {
         std::string subject = change.subject;
         if (subject.starts_with("action of ")) subject.erase(0, std::string("action of ").size());
-        const std::size_t partial = subject.rfind('.');  // `step G1.11` is `step 11` where it is written
+        const std::size_t partial = subject.rfind('.');  // `step G1.11` is `step 11` in its partial chart
         if (subject.starts_with("step ") && partial != subject.npos) subject = "step " + subject.substr(partial + 1);
         subjects.insert(subject);
     }
@@ -223,7 +223,7 @@ std::string misplaced(const Mutant& mutant, const Chart& a, const Chart& b) {
 
 TEST(CompareLaw, AMistakeIsInOnePlaceAndOneThatIsProvedToBeNoneIsSeenByNobody) {
     Met met;
-    constexpr std::size_t most = 4;  // that are compared
+    constexpr std::size_t most = 4;  // number of compared charts
     int read = 0, refused = 0;
     std::set<std::string> kinds;
     for (int seed = 1; seed <= law_size(8); ++seed) {

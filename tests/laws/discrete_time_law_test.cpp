@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Law: a closed loop with clocks that count has the states of the timed engine and its verdicts.
+// Randomized test: a closed loop with discrete time in a transition system has the states and verdicts of the timed
+// engine.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -22,7 +23,7 @@ struct Tally {
     std::size_t verdicts = 0, loops = 0, left_out = 0;
 };
 
-/// Each clock counts on its own, and diagrams of many that do take for ever.
+/// The clocks are independent, and diagrams of many independent clocks take forever.
 constexpr std::size_t most_clocks = 6;
 
 std::size_t clock_count(const Network& network) {
@@ -32,7 +33,7 @@ std::size_t clock_count(const Network& network) {
     return count;
 }
 
-/// Compares the two engines on `network` unless it has more than `limit` states or breaks off somewhere.
+/// Compares the two engines on `network` unless it has more than `limit` states or a model error.
 void compare(const Model& model, const Network& network, std::uint64_t limit, Tally& tally) {
     const TimedResult timed = check_timed(network, {.max_states = limit});
     if (!timed.complete || !timed.errors.empty()) return;

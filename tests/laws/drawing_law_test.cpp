@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Laws of drawings: nothing lies on anything else, and what is drawn is the chart, once and whole.
+// Randomized test of drawings: no elements overlap, and the drawing contains each element of the chart once.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace grafverif {
 namespace {
 
-/// Steps and transitions joined in any way: what no engineer would draw.
+/// Steps and transitions connected arbitrarily, unlike any practical chart.
 Chart tangle(Random& random) {
     Chart chart{.name = "tangle"};
     const auto partial = chart.partial_charts.add({});
@@ -40,7 +40,7 @@ Chart tangle(Random& random) {
     return chart;
 }
 
-/// A ring of `steps` with, here and there, a way back and a way past some of them.
+/// A ring of `steps` with some links back, and some links that skip steps.
 Chart long_ring(std::uint32_t steps, Random& random) {
     Chart chart{.name = "ring"};
     const auto partial = chart.partial_charts.add({});
@@ -68,7 +68,7 @@ std::string svg_of(const Drawing& drawing) {
     return std::move(out).str();
 }
 
-/// The ids and the links of a chart, each as often as it must be drawn.
+/// The ids and links of a chart, each as often as it must be drawn.
 struct Content {
     std::multiset<std::string> ids = {};
     std::multiset<std::pair<std::string, std::string>> links = {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The law of compose: the network of a controller, run by the reference semantics, does what its equations say, cycle
-// by cycle and timer by timer, in both grains and both modes. The controller stands alone; the test plays its plant.
+// Randomized test of compose: the network of a controller, executed by the reference semantics, agrees with its
+// equations, cycle by cycle and timer by timer, in both grains and both modes. The test drives the inputs of the
+// controller.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,9 +18,9 @@
 namespace grafverif {
 namespace {
 
-constexpr int many_edges = 600;  // a controller that needs more for one instant never stabilises
+constexpr int many_edges = 600;  // a controller that needs more cycles for one instant never stabilizes
 
-/// The network and the equations of one controller, side by side.
+/// The network and the equations of one controller, executed in lockstep.
 struct Pair {
     const Equations& equations;
     const Network& network;
@@ -41,8 +42,8 @@ struct Pair {
         for (const Equations::Variable& variable : of.variables) inputs.push_back(variable.initial);
     }
 
-    /// Fires edges until time can pass: ends of timers first, for the equations see those of one instant together.
-    /// False where the model is faulty or never settles.
+    /// Takes edges until time can pass: first timer expiries, since the equations see those of one instant together.
+    /// False if the model is faulty or never becomes quiescent.
     bool settle() {
         for (int count = 0; count < many_edges; ++count) {
             std::vector<TaddMove> moves = tadd.successors(state);
@@ -88,7 +89,7 @@ struct Pair {
         state.variables[tadd.variable_id("EVOL_PL").index] = 1;
     }
 
-    /// One unit of time; true where a timer ends.
+    /// One unit of time; true if a timer expires.
     bool pass_unit() {
         state = std::move(tadd.successors(state).back().next);
         const EquationsState before = expected;
@@ -112,7 +113,7 @@ struct Pair {
     }
 };
 
-/// Runs both; false where the run ends early because the chart is faulty or unstable.
+/// Runs both; false if the run ends early because the chart is faulty or unstable.
 bool run_both(Pair& pair) {
     const auto agree = [&](bool something_happened) {
         if (something_happened && !pair.run_cycles()) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Laws of what is said about counterexamples.
+// Randomized tests of explanations of counterexamples.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@
 namespace grafverif {
 namespace {
 
-/// The network of a random loop; nothing where its charts cannot be derived.
+/// The network of a random loop; nothing if equations cannot be derived from its charts.
 std::optional<Network> network_for(const Model& model, const ModelOptions& how = {}) {
     Diagnostics diagnostics;
     return network_of(model, {0}, how, diagnostics);
@@ -47,7 +47,7 @@ TimedResult searched(const Network& network) {
     return check_timed(network, options);
 }
 
-/// The properties of these patterns; the memory bounds how long the law takes.
+/// The properties of these patterns; the memory limit bounds the time of the test.
 SymbolicResult searched(const TransitionSystem& system, const std::vector<Pattern>& patterns) {
     SymbolicOptions options;
     options.witnesses = false;
@@ -58,8 +58,8 @@ SymbolicResult searched(const TransitionSystem& system, const std::vector<Patter
     return options.properties.empty() ? SymbolicResult() : check_symbolic(system, options);
 }
 
-/// The other route: the search of `analyse`, on the equations of the chart alone. It knows nothing of inputs that change in
-/// the midst of an instant, hence the atomic grain.
+/// The independent computation: the search of `analyse`, on the equations of the chart alone. It has no inputs that
+/// change during an instant, hence the atomic grain.
 TEST(ExplainLaw, AChartThatIsSaidNeverToSettleIsTotallyUnstableToTheSearchOfAnalyse) {
     int unstable = 0;
     for (int seed = 1; seed <= law_size(120); ++seed) {
@@ -87,11 +87,11 @@ TEST(ExplainLaw, AChartThatIsSaidNeverToSettleIsTotallyUnstableToTheSearchOfAnal
     EXPECT_GT(unstable, 0);
 }
 
-// -- causes ------------------------------------------------------------------------------------------------------------
+// -- causes -----------------------------------------------------------------------------------------------------------
 
 std::size_t below(Random& random, std::size_t bound) { return random() % bound; }
 
-/// A term over the first `variables` variables; some terms come twice.
+/// A term over the first `variables` variables; some terms occur twice.
 Id<Expr> random_term(Random& random, Exprs& exprs, std::size_t variables, int depth) {
     if (depth == 0 || below(random, 4) == 0) {
         const Id<Expr> leaf = exprs.leaf(Op::Variable, static_cast<std::uint32_t>(below(random, variables)));
@@ -105,7 +105,7 @@ Id<Expr> random_term(Random& random, Exprs& exprs, std::size_t variables, int de
 
 using Pair = std::pair<std::uint32_t, std::size_t>;  // a term, a state
 
-/// A run of states that a property fails on, and the definition word by word.
+/// A run of states on which a property fails, with the literal definition of causes.
 class Enumeration {
 public:
     Enumeration(const Network& network, const Property& property, std::vector<NetworkState> states, std::size_t count,
@@ -140,7 +140,7 @@ public:
 private:
     bool responds() const { return property_.pattern == Pattern::LeadsTo; }
 
-    /// The states whose values may be changed: of `leads to` all that come.
+    /// The states whose values may be changed: for `leads to` all following ones.
     std::vector<std::size_t> pairs_of() const {
         std::vector<std::size_t> list = {explained_};
         for (std::size_t k = 0; k < count_ && responds(); ++k)
@@ -177,7 +177,7 @@ private:
                std::ranges::none_of(pairs_of(), [&](std::size_t state) { return holds(p[1], state, changed); });
     }
 
-    /// Each occurrence of a term in what `state` should be, in negation normal form, with the value that it should have.
+    /// Each occurrence of a term in the requirement on `state`, in negation normal form, with its required value.
     std::vector<std::pair<std::uint32_t, bool>> literals(std::size_t state) const {
         std::vector<std::pair<std::uint32_t, bool>> list;
         const auto walk = [&](const auto& self, Id<Expr> term, bool wanted) -> void {
@@ -236,7 +236,7 @@ TEST(ExplainLaw, CausesAreThoseOfTheDefinitionByEnumeration) {
         std::set<Pair> pairs;
         for (const Causes::Pair& pair : found->pairs) EXPECT_TRUE(pairs.insert({pair.term.index, pair.state}).second);
         ASSERT_EQ(pairs, *expected);
-        // The same run of an untimed model: no state of it comes twice.
+        // For a run of an untimed model: no state is repeated.
         TransitionSystem system;
         system.exprs = network.exprs;
         SystemRun untimed{{}, loop};
@@ -250,13 +250,13 @@ TEST(ExplainLaw, CausesAreThoseOfTheDefinitionByEnumeration) {
     EXPECT_EQ(explained.size(), 4U);
 }
 
-// -- the shortest change -------------------------------------------------------------------------------------------------
+// -- the shortest change ----------------------------------------------------------------------------------------------
 
 const Network::Edge& edge_of(const Network& network, const Fire& fire) {
     return network.templates[network.processes[fire.process].automaton].edges[fire.edge];
 }
 
-/// As explain/change.hpp says it, in the order of its sentences.
+/// As defined in explain/change.hpp, in the order of its sentences.
 bool nothing_forces(const Network& network, const Move& move) {
     if (std::holds_alternative<Delay>(move)) return false;
     const Fire& fire = std::get<Fire>(move);
@@ -266,7 +266,7 @@ bool nothing_forces(const Network& network, const Move& move) {
            !edge_of(network, fire).urgent && from.invariant.empty();
 }
 
-/// The states of the run made again; nothing where it is none.
+/// The states of the re-executed run; nothing if it is not a run.
 std::optional<std::vector<NetworkState>> made_again(const Network& network, const Network& timed, const Run& run,
                                                     const std::set<std::size_t>& left_out) {
     std::vector<NetworkState> states = {initial_state(network)};
@@ -294,7 +294,7 @@ std::optional<std::vector<NetworkState>> made_again(const Network& network, cons
     for (int tries = 0; must(true); ++tries)
         if (tries > 500) return {};
     for (const Fire& fire : enabled(network, states.back()))
-        if (edge_of(network, fire).urgent) return {};  // the model breaks off
+        if (edge_of(network, fire).urgent) return {};  // model error
     return states;
 }
 
@@ -302,7 +302,8 @@ struct ChangeCounts {
     int mended = 0, hopeless = 0;
 };
 
-/// Holds the shortest change of a run that shows `property` violated against all sets of free moves. `timed`: `network` with its clocks.
+/// Compares the shortest change of a run that violates `property` with all sets of free moves. `timed`: `network` with
+/// its clocks.
 void expect_smallest(const Network& network, const Network& timed, const Property& property, const grafverif::Run& run,
                      ChangeCounts& counts) {
     const auto good = [&](const NetworkState& state) {
@@ -352,10 +353,11 @@ TEST(ExplainLaw, TheShortestChangeIsTheSmallestSetOfFreeMovesThatMendsTheRun) {
     EXPECT_GT(counts.hopeless, 0);
 }
 
-// -- why it holds ------------------------------------------------------------------------------------------------------
+// -- proof cores
+// -------------------------------------------------------------------------------------------------------
 
-/// The properties about single states that hold, by the reference semantics; nothing where states are too many, or the model
-/// breaks off.
+/// The properties about single states that hold, by the reference semantics; nothing if there are too many states, or a
+/// model error.
 std::optional<std::set<std::string>> hold_naively(const Network& network, std::size_t most = 4000) {
     const NaiveTadd naive(network);
     std::set<TaddState> seen = {naive.initial()};
@@ -383,7 +385,7 @@ std::optional<std::set<std::string>> hold_naively(const Network& network, std::s
     return holding;
 }
 
-/// Of one of them.
+/// For one of them.
 std::optional<bool> holds_naively(const Network& network, const std::string& name) {
     const auto holding = hold_naively(network);
     if (!holding) return {};
@@ -394,7 +396,7 @@ bool is_in(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
 }
 
-/// The network in which everything is left out but `ground.parts`, and `also`.
+/// The network without all processes except `ground.parts` and `also`.
 Network left_open(const Network& network, const Why::Ground& ground, const std::string& also) {
     Network open = network;
     const std::vector<std::string> told = told_names(network);
@@ -476,7 +478,7 @@ TEST(ExplainLaw, ARunOfAnUntimedLoopIsOneOfItsNetworkAndItsShortestChangeTheSmal
     EXPECT_GT(counts.hopeless, 0);
 }
 
-/// What `why_it_holds` leaves out by itself, in its order, each with the kind it is told as.
+/// The elements that `why_it_holds` removes separately, in its order, each with its reported kind.
 std::vector<std::pair<Why::Kind, Model>> left_out_one_by_one(const Model& model) {
     std::vector<std::pair<Why::Kind, Model>> all;
     const auto add = [&](Why::Kind kind, const auto& leave_out) {
@@ -566,7 +568,7 @@ TEST(ExplainLaw, WhatAProofIsSaidToNeedItNeedsByTheReferenceSemantics) {
     }
 }
 
-// The other route: the mutants of the text, of which one kind is without an operand.
+// The independent computation: the mutants of the text, of which one kind omits an operand.
 TEST(ExplainLaw, AConditionWithoutATermIsWhatTheTextWithoutItSays) {
     int same = 0;
     for (int seed = 1; seed <= law_size(25); ++seed) {
@@ -603,7 +605,8 @@ TEST(ExplainLaw, AConditionWithoutATermIsWhatTheTextWithoutItSays) {
     EXPECT_GT(same, law_size(25));
 }
 
-/// The states of `network`, without clocks and without where the processes of `left_out` are; nothing where they are too many.
+/// The states of `network`, without clocks and without the locations of the processes in `left_out`; nothing if there
+/// are too many.
 std::optional<std::set<TaddState>> places_of(const Network& network, Id<Network::Process> left_out = {}) {
     const NaiveTadd naive(network);
     std::set<TaddState> seen = {naive.initial()}, places;
@@ -622,7 +625,7 @@ std::optional<std::set<TaddState>> places_of(const Network& network, Id<Network:
     return places;
 }
 
-// What a proof without an instance or a timing is worth with it rests on this.
+// The premise of proofs without an instance or a timing: removing it only adds states.
 TEST(ExplainLaw, EveryStateOfALoopIsOneOfTheLoopWithoutAnInstanceOrATiming) {
     int instances = 0, timings = 0;
     for (int seed = 1; seed <= law_size(8); ++seed) {
@@ -650,7 +653,7 @@ TEST(ExplainLaw, EveryStateOfALoopIsOneOfTheLoopWithoutAnInstanceOrATiming) {
     EXPECT_GT(timings, law_size(8));
 }
 
-// Likewise of a guard; and an edge that nothing forces adds states only, so that nobody looks for what fails without it.
+// The same for a guard; an edge that is not forced adds states too, so that its removal needs no search.
 TEST(ExplainLaw, EveryStateOfALoopIsOneOfTheLoopWithoutAGuardAndOneWithAnEdgeMoreThatNothingForces) {
     int guards = 0, edges = 0;
     for (int seed = 1; seed <= law_size(6); ++seed) {
@@ -689,7 +692,7 @@ TEST(ExplainLaw, EveryStateOfALoopIsOneOfTheLoopWithoutAGuardAndOneWithAnEdgeMor
     EXPECT_GT(edges, law_size(6) / 2);
 }
 
-/// Where a run ends, by the reference semantics.
+/// The end of a run, by the reference semantics.
 TaddState end_of(const NaiveTadd& naive, const grafverif::Run& run) {
     TaddState state = naive.initial();
     const auto take = [&](const Fire* fire) {
@@ -708,7 +711,7 @@ TaddState end_of(const NaiveTadd& naive, const grafverif::Run& run) {
     return state;
 }
 
-/// The transitions that are cleared in `state`: seen there, or, in grain atomic, in what the PLC leaves when it fires.
+/// The transitions cleared in `state`: visible there or, in grain atomic, in the state after the PLC's edge is taken.
 std::set<std::string> cleared_in(const Network& network, const TaddState& state) {
     const Network::Controller& controller = *network.controllers.begin();
     NetworkState now = initial_state(network);
@@ -736,7 +739,7 @@ struct LostCounts {
     int never = 0, still = 0;
 };
 
-/// Holds `note`, which names what is lost behind the end of the run, against all states that come after it.
+/// Compares `note`, which lists dead transitions after the end of the run, with all states reachable from there.
 void expect_lost(const Network& network, const grafverif::Run& run, const std::string& note, LostCounts& counts) {
     const NaiveTadd naive(network);
     const std::string words = note + ",";
@@ -760,7 +763,7 @@ void expect_lost(const Network& network, const grafverif::Run& run, const std::s
     }
 }
 
-/// The note that names what is lost; empty: there is none.
+/// The note that lists dead transitions; empty if there is none.
 std::string lost_note(const Verdict& verdict) {
     const auto found =
         std::ranges::find_if(verdict.notes, [](const std::string& note) { return note.starts_with(lost_text); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Laws of what is said about counterexamples of untimed models.
+// Randomized tests of explanations of counterexamples in untimed models.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// Nothing where there is no such model.
+/// Nothing if there is no such model.
 std::optional<System> system_for(const Model& model, const ScheduleOptions& options) {
     try {
         return untimed_loop(model, options);
@@ -41,7 +41,7 @@ std::optional<System> system_for(const Model& model, const ScheduleOptions& opti
 
 bool is_possible(const Property& property) { return property.pattern == Pattern::AlwaysPossible; }
 
-/// Those of its properties; the memory bounds how long the law takes.
+/// The properties of these patterns; the memory limit bounds the time of the test.
 SymbolicResult searched(const System& system, bool (*asked)(const Property&)) {
     SymbolicOptions options;
     options.witnesses = false;
@@ -51,9 +51,9 @@ SymbolicResult searched(const System& system, bool (*asked)(const Property&)) {
     return options.properties.empty() ? SymbolicResult() : check_symbolic(system, options);
 }
 
-// -- the shortest change -------------------------------------------------------------------------------------------------
+// -- the shortest change ----------------------------------------------------------------------------------------------
 
-/// What is free in a run of controllers alone, as explain/inputs.hpp says it, in the order of its sentences.
+/// The free variables of a run of controllers alone, as defined in explain/inputs.hpp, in the order of its sentences.
 class Told {
 public:
     struct Event {
@@ -72,7 +72,7 @@ public:
 
     const std::vector<Event>& events() const { return events_; }
 
-    /// Whether the property fails in some state of the run.
+    /// True if the property fails in some state of the run.
     bool fails(const Property& property) const {
         std::size_t at = 0;
         const auto choose = [&](std::string_view path, Type) { return told(std::string(path), at); };
@@ -84,7 +84,7 @@ public:
         return true;
     }
 
-    /// The states without some events, and the one behind which they repeat; nothing where there are none.
+    /// The states without some events, and the state after which they repeat; nothing if there are none.
     std::optional<std::pair<std::vector<SystemState>, std::size_t>> made_again(const std::set<Event>& left_out,
                                                                                const Property& property) const {
         std::map<std::string, std::int64_t> now;
@@ -140,7 +140,7 @@ private:
             if (told(name, state) != 0 && (state == 0 || told(name, state - 1) == 0)) events_.push_back({name, state});
     }
 
-    /// What it is in a state of the run, where it was `before`.
+    /// The value in a state of the run, after the value `before`.
     std::int64_t value(const std::set<Event>& left_out, const std::string& name, std::size_t state,
                        const std::map<std::string, std::int64_t>& before) const {
         const Event* last = nullptr;
@@ -167,7 +167,7 @@ private:
     std::vector<Event> events_ = {};
 };
 
-/// Whether some plant gives the run, as far as it is known.
+/// True if some plant can produce the run, as far as this is decidable.
 bool is_timely(const System& system, const std::pair<std::vector<SystemState>, std::size_t>& made) {
     SystemRun run{{}, made.second};
     for (const SystemState& state : made.first) {
@@ -178,7 +178,7 @@ bool is_timely(const System& system, const std::pair<std::vector<SystemState>, s
     return !untimely(project(system, run));
 }
 
-/// The sets without which the run is good.
+/// The sets of events without which the run is good.
 std::vector<std::set<Told::Event>> sets_that_mend(const System& system, const SystemRun& run, const Told& told,
                                                   const Property& property) {
     const bool any = untimely(project(system, run)).has_value();
@@ -193,7 +193,7 @@ std::vector<std::set<Told::Event>> sets_that_mend(const System& system, const Sy
     return found;
 }
 
-/// A run of controllers alone whose inputs change now and then; nothing where a constraint forbids it.
+/// A run of controllers alone whose inputs change occasionally; nothing if a constraint forbids it.
 std::optional<SystemRun> random_run(const System& system, Random& random) {
     std::map<std::string, std::int64_t> now;
     const auto choose = [&](std::string_view path, Type type) {
@@ -222,7 +222,7 @@ bool is_time(const System& system, Id<System::Symbol> symbol) {
     });
 }
 
-/// Holds what is found of a run on which the property fails somewhere against all sets of what its inputs and times do.
+/// Compares the result for a run on which the property fails with all sets of events of inputs and timers.
 void expect_fewest(const System& system, const std::vector<const Chart*>& charts, const Property& property,
                    const SystemRun& run, std::map<std::string, int>& counts) {
     const Told told(system, run);
@@ -251,7 +251,7 @@ void expect_fewest(const System& system, const std::vector<const Chart*>& charts
     for (std::size_t state = 0; state < again->first.size(); ++state)
         for (const Id<System::Symbol> id : symbols.ids())
             ASSERT_EQ(change.run.states[state][id.index], value_of(system, again->first[state], symbols[id].name));
-    // What comes of it is what the rules make of it.
+    // Its result agrees with the interpreter.
     if (const auto wrong = disagreement(project(system, change.run), charts)) FAIL() << wrong->what;
     ++counts[left_out.size() > 1 ? "several changes" : "one change"];
     ++counts[charts.size() > 1 ? "two controllers" : "one controller"];
@@ -284,9 +284,9 @@ TEST(ExplainUntimedLaw, TheFewestChangesOfInputsAreThoseOfAllSetsMadeAgainByTheR
         EXPECT_GT(counts[what], 0) << what;
 }
 
-// -- the point of no return ------------------------------------------------------------------------------------------------
+// -- the point of no return -------------------------------------------------------------------------------------------
 
-/// The state of a run of controllers alone where it ends, and the one before.
+/// The last state of a run of controllers alone, and the one before.
 std::vector<SystemState> last_two(const System& system, const SystemRun& run) {
     const auto& symbols = system.modules[system.main].symbols;
     std::size_t at = 0;
@@ -365,9 +365,9 @@ TEST(ExplainUntimedLaw, BehindTheFirstStateFromWhichItIsImpossibleNothingIsClear
     EXPECT_GT(counts["cleared again"], 0);
 }
 
-// -- a chart alone ----------------------------------------------------------------------------------------------------------
+// -- a chart alone ----------------------------------------------------------------------------------------------------
 
-/// Whether every instant of the run ends without some of its changes, by evolutions one by one.
+/// True if every instant of the run ends without some of its changes, computed evolution by evolution.
 bool settles_without(const Chart& chart,
                      const std::vector<std::pair<std::int64_t, std::vector<std::int64_t>>>& instants,
                      const std::set<std::pair<std::size_t, std::size_t>>& left_out) {

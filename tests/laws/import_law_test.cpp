@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Law: what is imported is read again as the same chart. Nothing is written that a verb would refuse: of random files
-// and of mutated ones, each is refused with an error, or its text reads back as the same model with the same equations.
+// Randomized test: an imported chart is read back as the same chart, and is accepted by every command. Each of the
+// random and mutated files is rejected with an error, or its text is read back as the same model with the same
+// equations.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -21,7 +22,7 @@
 namespace grafverif {
 namespace {
 
-/// The model as text and what derives from it; empty after an error.
+/// The model as text and its derived equations; empty after an error.
 std::string meaning(const Model& model, Diagnostics& diagnostics) {
     std::ostringstream out;
     print(out, model);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Verdicts found on input abstractions against those of the complete loop, on random loops with panels; and each premise
-// of the abstraction omitted once, to show that the comparison detects it.
+// Verdicts found on input abstractions compared with those of the complete loop, on random loops with panels; and each
+// premise of the abstraction omitted once, to show that the comparison detects it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,10 +31,10 @@ struct Element {
     std::vector<std::string> conditions = {};
 };
 
-/// A chart of three steps behind a panel of two or three elements: push buttons with and without a bound on the time
-/// pressed, a selector, a free input, an integer input; with an actuator of the plant, times and edges of inputs,
-/// conditional, stored and counting actions; perhaps a lamp that reads a button itself, and a second chart that reads
-/// the same panel.
+/// A chart of three steps with a panel of two or three elements: push buttons with and without a bound on the time
+/// pressed, a selector, a free input, an integer input. Further elements are an actuator of the plant, times and edges
+/// of inputs, and conditional, stored and counting actions. In some loops a lamp reads a button itself, or a second
+/// chart reads the same panel.
 std::string panel_loop(Random& random) {
     std::vector<Element> panel{{"environment EA = push_button(OUT = A);", "A", {"A", "rise(A)", "fall(A)", "1s/A"}},
                                {"environment EB = free(OUT = B);", "B", {"B", "rise(B)"}},
@@ -164,7 +164,7 @@ int compare(const Network& loop, const InputAblations& ablations, bool expected,
         TimedOptions options{.max_states = 3, .timelock = false};
         TimedResult inputs = check_timed(network, options);
         if (inputs.complete) continue;
-        inputs.time_passes = complete.time_passes;  // what a longer first search finds
+        inputs.time_passes = complete.time_passes;  // results of a longer first search
         options.max_states = complete_limit;
         decide_by_inputs(loop, observe, options, inputs, {.followed = 20'000}, ablations);
         compared.compare(network, complete, inputs, expected);

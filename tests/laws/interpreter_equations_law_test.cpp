@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Law: the interpreter of the IEC rules, which knows sets of steps and transitions only, and the equations that derive
-// makes of the same chart tell the same story, cycle by cycle, in both execution modes: transitions fired, situation,
-// variables, outputs written, stability, total instability, races, values out of range.
+// Randomized test: the interpreter of the IEC rules agrees with the equations that derive computes from the same chart,
+// cycle by cycle and in both execution modes. The interpreter is based on sets of steps and transitions only. Compared
+// are transitions cleared, situation, variables, outputs written, stability, total instability, races and values out of
+// range.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -18,7 +19,7 @@ namespace {
 
 constexpr int cycles_per_run = 14;
 
-/// What the runs of the law met, so that a generator gone dull does not pass for a law that holds.
+/// Counts of the situations in the random runs, so that the test fails if the generator no longer produces them.
 struct Met {
     int fired = 0, several = 0, transients = 0, endless = 0, races = 0, out_of_range = 0, stored = 0, outputs = 0,
         timed = 0, edges = 0, macros = 0, enclosed = 0, forced = 0, apart = 0;
@@ -39,7 +40,7 @@ std::string disagreement(const Chart& chart, const Equations& equations,
                          const EquationsCycle& algebra) {
     const bool stopped = algebra.no_value || algebra.race || algebra.out_of_range || algebra.conflict;
     if ((run.race || run.fault) != stopped) return "a race, a term without value or a value out of range";
-    // Which of several faults of one evolution is found first is left open.
+    // If an evolution has several faults, the first one found is arbitrary.
     if (algebra.no_value || (run.fault && run.fault->kind == RunFault::Kind::NoValue)) return {};
     const bool apart = run.fault && run.fault->kind == RunFault::Kind::ForcedApart;
     if (apart != algebra.conflict) return "conflict of forcing orders";
@@ -96,7 +97,7 @@ void meet(const Chart& chart, const State& before, const Cycle& run, Met& met) {
         if (run.state.situation[order.step.index] && !before.situation[order.step.index]) ++met.forced;
 }
 
-/// Runs both over the inputs and delays of `seed`; what differs first, or nothing.
+/// Runs both with the inputs and delays of `seed`; returns the first difference, or nothing.
 std::string violation(const Chart& chart, std::uint64_t seed, ExecutionMode mode, Met& met) {
     Diagnostics diagnostics;
     const auto equations = derive(chart, diagnostics);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Laws of plant and compose on random closed loops.
+// Randomized tests of plant and compose on random closed loops.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ bool derivable(const Model& model) {
     return !diagnostics.has_errors();
 }
 
-/// What a person sees of a state: variables that both grains have, and where the plant and the timers are.
+/// The observable part of a state: variables that both grains have, and locations of the plant and the timers.
 std::string visible(const Network& network, const TaddState& state) {
     std::string text;
     std::map<std::string, std::int64_t> values;

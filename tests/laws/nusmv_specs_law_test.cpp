@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The law of the specifications in a NuSMV text: what a model checker says of them, read by their names, is what our
-// engine says of the properties; whatever the approach, the schedule, the number of initial states and the fairness.
+// Randomized test of the specifications in a NuSMV text: a model checker's verdicts on them, by their names, are the
+// engine's verdicts on the properties, for each approach, schedule, number of initial states and fairness.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct Compared {
     std::size_t systems = 0, verdicts = 0, several_starts = 0, nothing_fair = 0;
 };
 
-/// With the engine that users run, or with the explicit search that it is held against elsewhere: it takes its time with
+/// With the engine that users run, or with the explicit search that is its reference elsewhere: the engine is slow on
 /// some small models.
 enum class Ours { Engine, ExplicitSearch };
 
@@ -118,7 +118,7 @@ TEST(NusmvSpecsLaw, ToolsDecideASmallLoopAsOurEngineDoesInEveryApproachAndSchedu
         << "with and without fairness, in two approaches without a plant and six ways with one";
 }
 
-/// One free input, and nothing else.
+/// Only one free input.
 struct OneInput {
     System system = {};
     Id<Expr> input = {};
@@ -142,7 +142,7 @@ struct OneInput {
 TEST(NusmvSpecsLaw, WhatIsReachedFromOneInitialStateOnlyIsReachable) {
     OneInput one;
     auto& symbol = one.system.modules[one.system.main].symbols[{0}];
-    symbol.kind = System::StateSymbol{{}, one.input};  // it stays as it began
+    symbol.kind = System::StateSymbol{{}, one.input};  // it keeps its initial value
     Compared compared;
     expect_agreement(one.system, compared);
     EXPECT_EQ(compared.several_starts, 1u);

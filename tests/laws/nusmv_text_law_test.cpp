@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The law of emit/nusmv: the text, read back with NuSMV's own precedences, says what the transition system says: the
-// same modules, parameters, variables, initial and next values, definitions and specifications, term for term.
+// Randomized test of emit/nusmv: the text, read back with NuSMV's own precedences, is equal to the transition system.
+// It has the same modules, parameters, variables, initial and next values, definitions and specifications, term by
+// term.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// What the text says of one symbol that differs from the system; empty: nothing.
+/// The difference between the text of one symbol and the system; empty: none.
 std::string difference(const System& system, const System::Module& module, const System::Symbol& symbol,
                        NusmvModel& text, NusmvModel::Module& there) {
     const auto same = [&](Id<Expr> term, std::map<std::string, Id<Expr>>& found) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Observers against their sentences: the loop with one beside it has exactly the runs of the loop, and on each of them the
-// observer can fail exactly where the formula of docs/properties.md, read naively on the states of the run, says so.
+// Observers compared with their sentences: a loop with an observer has exactly the runs of the loop. On each of them
+// the observer can fail if and only if the formula of docs/properties.md, evaluated naively on the states of the run,
+// is violated.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +20,8 @@ namespace {
 
 using Truth = std::vector<bool>;
 
-// -- formulas on finite maximal runs: what is to come must come, what is forbidden is so for as long as the run lasts -----
+// -- formulas on finite maximal runs: required events must occur, and prohibitions apply to the end of the run
+// ------------
 
 Truth each(std::size_t size, const std::function<bool(std::size_t)>& value) {
     Truth made(size);
@@ -48,12 +50,13 @@ Truth G(const Truth& a) { return weak(a, Truth(a.size(), false)); }
 
 /// A run as a property sees it.
 struct Seen {
-    std::vector<std::int64_t> begin = {}, end = {};  ///< of each state judged, in time units
-    std::vector<Truth> operands = {};                ///< per operand and state judged
+    std::vector<std::int64_t> begin = {}, end = {};  ///< of each checked state, in time units
+    std::vector<Truth> operands = {};                ///< per operand and checked state
     std::int64_t over = 0;                           ///< the end of the run
 };
 
-/// `p at most count times`, as the authors' catalogue writes it of two: phases without p and with it in turn.
+/// `p at most count times`, generalized from the pattern catalogue's formula for two: alternating phases without and
+/// with p.
 bool holds_counted(const Sentence& watch, const Seen& seen) {
     using enum Sentence::Scope;
     if (seen.begin.empty()) return true;
@@ -109,13 +112,13 @@ bool holds_untimed(const Sentence& watch, const Seen& seen) {
     }
 }
 
-/// States of a run that a scope holds, `to` excluded; `closed`: it ends there, and not with the run.
+/// States of a run within a scope, without `to`; `closed`: the scope ends there, before the run.
 struct Window {
     std::size_t from = 0, to = 0;
     bool closed = false;
 };
 
-/// Every one there is, from each state that opens one; of those that must be closed only these.
+/// Every scope, from each state that opens one; scopes that must be closed only if they are.
 std::vector<Window> windows(Sentence::Scope scope, const Seen& seen, std::size_t operands) {
     using enum Sentence::Scope;
     const std::size_t size = seen.begin.size();
@@ -154,7 +157,7 @@ bool holds_timed(const Sentence& watch, std::int64_t d, const Seen& seen) {
     if (watch.scope != Sentence::Scope::Globally) return holds_within(watch, d, seen);
     const std::size_t size = seen.begin.size();
     const Truth &p = seen.operands[0], &q = seen.operands.back();
-    /// From `time` on a state with `wanted` begins, at `from` or later, within d.
+    /// From `time` on, a state with `wanted` begins at `from` or later, within d.
     const auto comes = [&](std::int64_t time, std::size_t from, const Truth& wanted) {
         if (seen.over <= time + d) return true;
         for (std::size_t j = from; j < size; ++j)
@@ -182,18 +185,19 @@ bool holds_timed(const Sentence& watch, std::int64_t d, const Seen& seen) {
             if (watch.kind == Sentence::Kind::HoldsFor ? j < size && lasted < d : lasted > d) return false;
         }
         return true;
-    default:  // p at most d since q
+    default:  // p at most d after q
         for (std::size_t i = 0; i < size; ++i) {
             if (!p[i] || q[i]) continue;
             std::size_t j = i;
-            while (j > 0 && !q[j - 1]) --j;  // the first state without q behind the last one with it
+            while (j > 0 && !q[j - 1]) --j;  // the first state without q after the last one with it
             if (j == 0 || seen.end[i] - seen.begin[j] > d) return false;
         }
         return true;
     }
 }
 
-// -- both side by side --------------------------------------------------------------------------------------------------
+// -- lockstep execution
+// -------------------------------------------------------------------------------------------------
 
 class Pair {
 public:
@@ -212,7 +216,7 @@ public:
         arrive();
     }
 
-    /// Whether something can happen, the same on both sides.
+    /// True if some event is possible, the same in both networks.
     bool move(Random& random) {
         std::vector<Fire> choices = enabled(plain_, state_), beside = enabled(watched_, beside_);
         std::erase_if(beside, [&](const Fire& fire) { return fire.process.index == observer_; });
@@ -273,7 +277,7 @@ private:
             look_where_spoilt();
         }
     }
-    /// Where its time was over, and it goes on with that: it fails if the scope is closed.
+    /// Its time limit has expired, and it moves because of that: it fails if the scope is closed.
     void look_where_spoilt() {
         for (bool looks = spoilt_beside_.has_value(); looks;) {
             looks = false;
@@ -287,7 +291,7 @@ private:
         }
     }
 
-    /// The observer looks: it cannot help it, no time passes, and nothing else can happen before.
+    /// The observer must check the state: no time can pass, and no other event can occur before.
     void arrive() {
         for (int looks = 0;; ++looks) {
             note_failure();
@@ -335,7 +339,7 @@ private:
 };
 
 TEST(ObserversLaw, SeeEveryStateOfEveryRunAndFailWhereTheirSentencesSaySo) {
-    std::map<std::pair<int, int>, std::pair<int, int>> met;  // by kind and scope: runs that hold, that are violated
+    std::map<std::pair<int, int>, std::pair<int, int>> met;  // by kind and scope: satisfying, violating runs
     for (int seed = 1; seed <= law_size(320); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
@@ -358,7 +362,7 @@ TEST(ObserversLaw, SeeEveryStateOfEveryRunAndFailWhereTheirSentencesSaySo) {
             ++(pair.violated ? violated : hold);
         }
     }
-    // Six kinds in four scopes, `precedes` and `times` alone; five with durations, three of them in four scopes too.
+    // Six kinds in four scopes, `precedes` and `times` without; five with durations, three of them in four scopes too.
     EXPECT_EQ(met.size(), 6U * 4U + 2U + 5U + 3U * 4U);
     std::map<int, std::pair<int, int>> kinds, scopes;
     for (const auto& [of, counts] : met)

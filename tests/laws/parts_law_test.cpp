@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sub-loops judged apart against the whole judged at once, on random networks of two to four parts; and each premise
-// left out once, so that it is seen to be needed.
+// Compositional checking compared with checking the complete network, on random networks of two to four parts; and each
+// premise omitted once, to show that the comparison detects it.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::uint64_t whole_limit = 20'000;
 
-/// Whether some part of the network can never fire an edge again from `state` on, whatever time does.
+/// True if some part of the network can never take an edge again from `state` on, for any passing of time.
 bool some_part_is_dead(const Network& network, NetworkState state) {
     const NetworkParts parts = parts_of(network);
     std::set<std::uint32_t> dead;
@@ -59,7 +59,7 @@ std::string claim(const Property& property, Outcome outcome) {
            std::string(word(outcome));
 }
 
-/// One property, judged both ways.
+/// One property, checked both ways.
 void compare(const Network& network, const Property& property, const Verdict& apart, const Verdict& whole,
              std::map<std::string, int>& seen) {
     SCOPED_TRACE(property.name + ", pattern " + std::to_string(static_cast<int>(property.pattern)) +
@@ -68,7 +68,7 @@ void compare(const Network& network, const Property& property, const Verdict& ap
     const bool judged_apart = !apart.scope.searched.empty();
     ++seen[claim(property, apart.outcome) + (judged_apart ? ", apart" : ", whole")];
     if (apart.run) confirm_run(network, property, apart);
-    if (property.pattern == Pattern::NoDeadlock && !property.at_stable) {  // of each part: more than of the whole
+    if (property.pattern == Pattern::NoDeadlock && !property.at_stable) {  // per part: stronger
         EXPECT_FALSE(apart.outcome == Outcome::Holds && whole.outcome == Outcome::Violated);
         return;
     }
@@ -85,7 +85,7 @@ void compare(const Network& network, const Property& property, const Verdict& ap
     }
 }
 
-/// What the whole leaves open and parts decide holds of the whole in finer time too.
+/// A property that is unknown in the complete network but decided compositionally also holds with a finer time unit.
 void compare_finer(const Network& network, const TimedResult& apart, const TimedResult& whole) {
     for (const std::int64_t factor : {2, 3}) {
         std::optional<TimedResult> finer;
@@ -112,7 +112,7 @@ std::set<Place> places(const Network& network, const std::vector<ModelError>& er
     return all;
 }
 
-/// The network judged both ways; nothing where the whole is too large.
+/// The network checked both ways; nothing if the complete network is too large.
 std::optional<TimedResult> compared(const Network& network, std::map<std::string, int>& seen) {
     const TimedResult whole = check_timed(network, {.max_states = whole_limit});
     if (!whole.complete) return {};
@@ -176,7 +176,7 @@ TEST(PartsLaw, RunsOfClosedLoopsJudgedByPartsReplayOnAllTheirCharts) {
     tell(seen);
 }
 
-/// A part of a network, asked what reads it alone.
+/// A part of a network, with the properties that read only this part.
 struct Alone {
     TimedResult result = {};
     Neighbour as = {};
@@ -201,7 +201,7 @@ Alone alone(const Network& network, const NetworkParts& parts, std::uint32_t par
     return made;
 }
 
-/// A premise, left out: taken for granted of every neighbour.
+/// An omitted premise: assumed for every neighbour.
 struct Premise {
     const char* name = "";
     void (*grant)(Neighbour&) = nullptr;
@@ -214,7 +214,7 @@ const Premise premises[] = {
     {"the others break off nowhere", [](Neighbour& other) { other.faulty = false; }},
 };
 
-/// What is said of the whole by a part of it, where all but one premise hold.
+/// Verdicts of a part for the complete network if all but one premise hold.
 void leave_out(const Network& network, const TimedResult& whole, std::map<std::string, int>& tried,
                std::map<std::string, int>& failed) {
     const NetworkParts parts = parts_of(network);

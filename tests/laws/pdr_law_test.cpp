@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The PDR engine and BMC against an explicit search and the symbolic engine: the same faults and verdicts, and runs that are
-// runs, on random systems and on random loops in every approach and schedule; what is said to be shortest is, and what
-// no run of so many steps is said to reach none reaches. A certificate from which something is taken is none.
+// The PDR engine and BMC compared with an explicit search and the symbolic engine: the same faults and verdicts, and
+// valid runs, on random systems and on random loops in every approach and schedule. Runs reported as shortest are
+// shortest, and lengths that BMC excludes are impossible. A certificate with a removed part is rejected.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ using System = TransitionSystem;
 
 struct Compared {
     std::size_t systems = 0, verdicts = 0, violated = 0, faults = 0, given_up = 0;
-    std::size_t bounded = 0;  ///< verdicts of BMC that its number of steps kept from being given
+    std::size_t bounded = 0;  ///< verdicts that BMC could not give because of its limit of steps
 };
 
 /// Some small models take an engine minutes.
@@ -47,7 +47,7 @@ bool says(const std::vector<std::string>& notes, const char* what) {
     return std::ranges::find(notes, what) != notes.end();
 }
 
-/// Runs of up to that many steps, against those of the symbolic engine, which are shortest.
+/// Runs of up to that many steps, compared with those of the symbolic engine, which are shortest.
 void compare_bounded(const System& system, const SymbolicResult& symbolic, std::size_t steps, Compared& compared) {
     PdrOptions options;
     options.method = PdrOptions::Method::Bmc;
@@ -73,8 +73,8 @@ void compare_bounded(const System& system, const SymbolicResult& symbolic, std::
     }
 }
 
-/// With the symbolic engine, and with `graph` where there is one. The engine looks at no dead end, so a system with one is
-/// compared with the graph alone.
+/// Compares with the symbolic engine, and with `graph` if there is one. The engine does not detect dead ends, so a
+/// system with one is compared with the graph only.
 void compare(const System& system, const std::optional<SystemGraph>& graph, const PdrResult& found,
              Compared& compared) {
     const SymbolicResult symbolic = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + patience});
@@ -237,7 +237,7 @@ TEST(PdrLaw, AnInvariantFromWhichAClauseOrALiteralIsTakenIsCheckedAnew) {
     EXPECT_GT(rejected, 50u);
 }
 
-/// Says what is so, or one of two lies; about what is settled always that it is reached.
+/// Gives the correct result, or one of two wrong ones; for quiescent states always that one is reached.
 decltype(PdrOptions::reach) liar(Random& random) {
     return [&random](const Circuit& circuit, Gates::Literal bad, pdr::Watch& watch) -> pdr::Answer {
         const std::int64_t choice = bad == circuit.settled ? 0 : static_cast<std::int64_t>(random() % 4);

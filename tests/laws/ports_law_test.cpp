@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// An input of an instance that is a term against the same loop written by hand: a component of its own with an input for
-// each variable that the term reads, and the term in its guards. The same states, the same verdicts by the timed and the
-// symbolic engine, and the UPPAAL project is read back as the network.
+// An input of an instance bound to a term, compared with the same loop written by hand: a separate component with an
+// input for each variable that the term reads, and the term in its guards. Both have the same states and the same
+// verdicts by the timed and the symbolic engine, and the UPPAAL project is read back as the network.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -22,7 +22,7 @@
 namespace grafverif {
 namespace {
 
-/// Sees while A holds and X is at least 1; writes what it sees.
+/// True while A holds and X is at least 1; writes this value.
 Component watcher() {
     ComponentBuilder build{{.name = "watcher"}};
     Exprs& exprs = build.component.exprs;
@@ -72,7 +72,8 @@ Id<Expr> number(ClosedLoop& loop, Random& random) {
     return loop.exprs.apply(chance(random, 50) ? Op::Plus : Op::Minus, read(loop, shared), constant);
 }
 
-/// A random loop whose actuators follow terms, with one or two watchers of terms; `read`: properties ask for their ports.
+/// A random loop whose actuators follow terms, with one or two watchers of terms; `read`: properties refer to their
+/// ports.
 Model with_terms(Random& random) {
     Model model = random_loop(random);
     const Id<Component> watchers = model.components.add(watcher());
@@ -96,7 +97,7 @@ Model with_terms(Random& random) {
     return model;
 }
 
-/// The component as an instance has it: no input is a term, each variable that one reads is an input.
+/// The component for an instance: no input is a term; each variable that a term reads is an input.
 Component written_out(const ClosedLoop& loop, ClosedLoop::Instance& instance, const Component& from) {
     Component made{.name = from.name + "_" + instance.name};
     std::map<std::uint32_t, Id<Expr>> reads;  // by shared variable

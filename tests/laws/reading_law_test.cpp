@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Law: a chart that is written down and read again is the same chart: the same text, and the same equations. Charts
-// that the language rejects for what they are (a step that no sequence of transitions reaches, say) are passed over.
+// Randomized test: a chart that is printed and read back is the same chart, with the same text and the same equations.
+// Skips charts that the language rejects for semantic reasons (for example a step that no sequence of transitions
+// reaches).
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The law of schedule: on random charts, the transition system of the controller does, cycle for cycle, what its
-// equations say, in both execution modes; and what it calls settled is settled.
+// Randomized test of schedule: on random charts, the transition system of the controller agrees with its equations,
+// cycle by cycle, in both execution modes; and the states that it marks as quiescent are quiescent.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,14 +25,14 @@ bool reads_timer(const Equations& equations, Id<Expr> term) {
     });
 }
 
-/// The system driven by the same inputs as the equations, its timers kept here.
+/// The system with the same inputs as the equations; its timers are simulated here.
 struct Twin {
     const Equations& equations;
     TransitionSystem system = {};
     SystemState state = {};
     std::vector<EquationsTiming> timing = {};
-    bool ends_moved = false;        ///< some timer's end changed in the last step
-    std::string before_start = {};  ///< what is wrong with power-on
+    bool ends_moved = false;        ///< some timer output changed in the last step
+    std::string before_start = {};  ///< the error at power-on
 
     std::string path(Id<Equations::Variable> variable) const {
         return system.instances[{0}].name + "." + equations.variables[variable].name;
@@ -49,7 +49,7 @@ struct Twin {
             set_value(system, state, equations.variables[equations.timers[k].end].name, end(k));
     }
 
-    /// Power-on and, where it shows, the first evolution.
+    /// Power-on and, if it is observable, the first evolution.
     void start(std::span<const std::int64_t> inputs) {
         state = first_state(system, [](std::string_view, Type type) { return type.low; });
         timing.resize(equations.timers.size());
@@ -64,7 +64,7 @@ struct Twin {
 
     static bool is_kept(Role role) { return role == Role::Step || role == Role::Internal || role == Role::Output; }
 
-    /// The level of each timer after a cycle with `inputs`, its ends as the cycle sampled them.
+    /// The level of each timer after a cycle with `inputs`, with the outputs that the cycle sampled.
     void watch(std::span<const std::int64_t> inputs) {
         const std::vector<EquationsTiming> sampled = timing;
         for (std::size_t k = 0; k < timing.size(); ++k) {
@@ -107,10 +107,10 @@ struct Twin {
     }
 };
 
-/// The first disagreement after a cycle of the equations; empty: none.
+/// The first difference after a cycle of the equations; empty: none.
 std::string disagreement(const Twin& twin, const EquationsCycle& cycle, ExecutionMode mode) {
     const Equations& equations = twin.equations;
-    // A race that is certain may hide that another of its values does not exist.
+    // A certain race may hide that another of its values is undefined.
     const bool faulty = twin.flag("out_of_range") || (cycle.no_value && twin.flag("race"));
     if ((cycle.no_value || cycle.out_of_range) && !faulty) return "out_of_range is not set";
     if ((cycle.race || cycle.conflict) && !twin.flag("race")) return "race is not set";
@@ -121,7 +121,7 @@ std::string disagreement(const Twin& twin, const EquationsCycle& cycle, Executio
         const Equations::Variable& variable = equations.variables[id];
         if (!Twin::is_kept(variable.role)) continue;
         const auto output = std::ranges::find(equations.outputs, id, &Equations::Output::variable);
-        // The ends that an output reads are sampled with the inputs; run_equations reads them after the cycle.
+        // The timer outputs that an output reads are sampled with the inputs; run_equations reads them after the cycle.
         if (mode == ExecutionMode::EveryCycle && twin.ends_moved && output != equations.outputs.end() &&
             reads_timer(equations, output->value))
             continue;
@@ -133,7 +133,7 @@ std::string disagreement(const Twin& twin, const EquationsCycle& cycle, Executio
     return {};
 }
 
-/// Whether one more cycle with the same inputs changes nothing but flags.
+/// True if one more cycle with the same inputs changes only flags.
 std::string settled_disagreement(const Twin& twin, std::span<const std::int64_t> inputs, bool must_be_settled) {
     const bool settled = value_of(twin.system, twin.state, twin.system.settled) != 0;
     if (must_be_settled && !settled) return "not settled after a stable cycle";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Laws of the interpreter alone: what `stable` means, and that a total instability is one.
+// Randomized tests of the interpreter alone: the meaning of `stable`, and that a total instability is genuine.
 #include <gtest/gtest.h>
 
 #include "run/interpreter.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Law: the controller in Structured Text, run by a small PLC that knows nothing of charts, does what the rules of
-// IEC 60848 say, cycle by cycle, in both execution modes and both forms: outputs, situation, and where it stops.
+// Randomized test: the controller in Structured Text, executed by a small PLC simulator without knowledge of charts,
+// agrees with the interpreter cycle by cycle, in both execution modes and both forms: outputs, situation, and the point
+// where it stops.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -18,7 +19,7 @@ namespace {
 
 using structured_text::Form;
 
-/// What the runs met, so that a generator gone dull does not pass for a law that holds.
+/// Counts of the situations in the random runs, so that the test fails if the generator no longer produces them.
 struct Met {
     int refused = 0, transients = 0, endless = 0, races = 0, out_of_range = 0, outputs = 0, timed = 0;
 };
@@ -38,7 +39,7 @@ int fault_of(const Cycle& run) {
 std::string disagreement(const Chart& chart, const Equations& equations, const Cycle& run, const SmallPlc& plc) {
     const int fault = fault_of(run);
     const auto found = plc.value("FAULT");
-    const bool either = fault > 1 && found > 1;  // which of several in one evolution comes first is left open
+    const bool either = fault > 1 && found > 1;  // if several occur in one evolution, their order is arbitrary
     if (found != fault && !either) return "fault " + std::to_string(found) + " instead of " + std::to_string(fault);
     for (const Id<Chart::Variable> id : chart.variables.ids())
         if (chart.variables[id].kind == Chart::VariableKind::Output &&

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Supervisors against a naive game and against all other supervisors, on random plants with one hidden bit; and on random
-// loops, whose charts with the conditions are proved again by two engines.
+// Supervisors compared with a naive game and with all other supervisors, on random plants with one hidden bit; and on
+// random loops, whose charts with the conditions are proved again by two engines.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -21,8 +21,8 @@ namespace {
 
 using System = TransitionSystem;
 
-// States are bits: what the chart sees of the plant, what it does not, two steps, an output. Choices: whether the chart
-// evolves, which way the plant goes, permissions of two transitions and of the output.
+// States are bits: the observable and the unobservable bit of the plant, two steps, an output. Choices: whether the
+// chart evolves, the direction of the plant, permissions of two transitions and of the output.
 enum Bit { Input, Hidden, Step1, Step2, Out, Evolves, Way, May1, May2, MayOut };
 constexpr unsigned states = 32, permitted = 8;
 constexpr unsigned all_permitted = permitted - 1;
@@ -99,7 +99,7 @@ Toy random_toy(Random& random) {
     return toy;
 }
 
-// -- the naive game -----------------------------------------------------------------------------------------------------
+// -- the naive game ---------------------------------------------------------------------------------------------------
 
 struct Naive {
     const Toy& toy;
@@ -153,7 +153,7 @@ struct Naive {
         return more;
     }
 
-    /// Permissions that do not matter count as given.
+    /// Permissions without effect count as given.
     unsigned normal(unsigned state, unsigned may) const {
         for (const unsigned index : {0U, 1U})
             if (!toy.value(index == 0 ? toy.fires1 : toy.fires2, state, true, false, all_permitted)) may |= 1U << index;
@@ -162,11 +162,11 @@ struct Naive {
     }
 };
 
-// -- supervisors as tables ----------------------------------------------------------------------------------------------
+// -- supervisors as tables --------------------------------------------------------------------------------------------
 
 unsigned sight(unsigned state) { return (state & 1U) | ((state >> 1U) & 6U); }
 
-/// Per permission and sight: whether it is given.
+/// Per permission and observation: true if it is given.
 using Policy = std::array<unsigned, 3>;
 
 unsigned chosen(const Toy& toy, const Policy& policy, unsigned state) {
@@ -320,7 +320,7 @@ TEST(SuperviseLaw, WhatIsFoundForRandomLoopsIsProvedByBothEngines) {
         std::ostringstream text;
         print(text, random_loop(random));
         Reading reading = read_string(std::move(text).str(), "loop.grafcet");
-        if (!reading.model) continue;  // a chart that is none in text
+        if (!reading.model) continue;  // a chart that cannot be written as text
         SuperviseAsk ask;
         ask.limits.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(300);
         std::string doing;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The symbolic engine against an explicit search: as many states, the same faults, the same verdicts, shortest runs
-// that are runs, on random systems and on the controllers of random loops.
+// The symbolic engine compared with an explicit search: the same number of states, faults and verdicts, and valid
+// shortest runs, on random systems and on the controllers of random loops.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,8 +24,8 @@ namespace {
 
 using System = TransitionSystem;
 
-/// Whether a symbol of main is a state variable, its own or one of an instance: another may depend on a choice, which the
-/// graph does not keep.
+/// True if a symbol of main is a state variable, of main or of an instance: another symbol may depend on a choice,
+/// which the graph does not store.
 bool is_state(const System& system, const System::Symbol& symbol) {
     if (const auto* member = std::get_if<System::MemberSymbol>(&symbol.kind)) {
         const Id<System::Module> module = system.instances[member->instance].module;
@@ -34,7 +34,7 @@ bool is_state(const System& system, const System::Symbol& symbol) {
     return std::holds_alternative<System::StateSymbol>(symbol.kind);
 }
 
-/// The states of a graph that look as `seen` does, by the state variables of main and those of instances main names.
+/// The states of a graph that agree with `seen`, by the state variables of main and those of instances that main names.
 StateSet looking_like(const System& system, const SystemGraph& graph, const std::vector<std::int64_t>& seen) {
     const Table<System::Symbol>& symbols = system.modules[system.main].symbols;
     return where(graph, [&](const SystemState& state) {
@@ -58,7 +58,7 @@ StateSet both(StateSet left, const StateSet& right) {
 
 bool any(const StateSet& set) { return std::ranges::find(set, true) != set.end(); }
 
-/// The states of the graph where `run` may end; empty set: it is no run.
+/// The possible last states of `run` in the graph; empty set: it is not a run.
 StateSet ends(const System& system, const SystemGraph& graph, const SystemRun& run) {
     StateSet here(graph.states.size());
     std::fill_n(here.begin(), graph.initial, true);
@@ -91,10 +91,10 @@ void expect_shown(const System& system, const SystemGraph& graph, const Property
 
 struct Compared {
     std::size_t systems = 0, states = 0, verdicts = 0, faults = 0, violated = 0;
-    std::size_t saturated = 0;  ///< where not every ring was needed
+    std::size_t saturated = 0;  ///< if not every ring was needed
 };
 
-/// Step by step alone, and by kinds of steps from the first state on.
+/// By breadth-first search alone, and by event clusters from the first state on.
 const SymbolicOptions plain{.by_kind = false}, by_kind{.one_by_one = 0};
 
 void compare(const System& system, std::size_t limit, Compared& compared, const SymbolicOptions& options) {
@@ -154,8 +154,9 @@ TEST(SymbolicLaw, AgreesWithAnExplicitSearchOnRandomSystems) {
     EXPECT_GT(compared.faults, 0u);
 }
 
-/// Of three that take turns, which a choice decides: nothing changes but what has its turn. Free inputs begin somewhere,
-/// and half of the systems have none. `leaking`: numbers leave their ranges, or are divided by zero.
+/// A system of three interleaved parts, scheduled by a choice: only the part that has its turn changes. Free inputs
+/// have initial values, and half of the systems have none. `leaking`: numbers leave their ranges, or are divided by
+/// zero.
 System taking_turns(Random& random, bool leaking) {
     System system = random_system(random);
     Exprs& exprs = system.exprs;
@@ -236,7 +237,7 @@ TEST(SymbolicLaw, StepsByKindBreakOffWhereStepsAtOnceDo) {
     EXPECT_GT(sound, 0u);
 }
 
-/// Every run that the engine shows is one by the rules of IEC 60848, and can be told.
+/// Every run of the engine is replayed by the interpreter and can be printed.
 std::size_t expect_replays(const System& system, const std::vector<const Chart*>& charts) {
     std::size_t count = 0;
     const SymbolicResult result = check_symbolic(system);
@@ -284,7 +285,7 @@ struct Cut {
     std::size_t said = 0, unsaid = 0;
 };
 
-/// With less memory than it takes, a verdict is that of the whole search or none.
+/// With insufficient memory, a verdict is that of the complete search or unknown.
 void expect_no_more_said(const System& system, const SymbolicResult& whole, Cut& cut) {
     for (const std::uint64_t part : {40u, 15u}) {
         SymbolicOptions little = by_kind;
@@ -300,7 +301,7 @@ void expect_no_more_said(const System& system, const SymbolicResult& whole, Cut&
     }
 }
 
-/// Every model of a loop, with its plant and without; its automata take turns in some.
+/// Every model of a loop, with its plant and without; in some its automata are interleaved.
 TEST(SymbolicLaw, StepsByKindSayWhatStepsAtOnceSayOfRandomLoops) {
     std::size_t systems = 0, saturated = 0, runs = 0;
     Cut cut;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The engine against the reference semantics, on random networks: the same discrete states, the same verdicts by a
-// naive fixpoint on the naive graph; and the fineness of the time unit changes no verdict.
+// The engine compared with the reference semantics, on random networks: the same discrete states, and the same verdicts
+// as a naive fixpoint on the explicit graph; a finer time unit changes no verdict.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -22,7 +22,7 @@ struct Explored {
     std::vector<TaddState> states = {};
     std::vector<std::vector<std::size_t>> next = {}, actions = {};
     std::vector<bool> passes = {}, acts = {}, faulty = {};
-    std::vector<std::size_t> later = {};  // where a unit of time leads
+    std::vector<std::size_t> later = {};  // the successor by a unit of time
     bool any_fault = false;
 };
 
@@ -63,7 +63,7 @@ std::optional<Explored> explored(const NaiveTadd& tadd, std::size_t limit) {
     return all;
 }
 
-/// The states from which `met` holds at some time on every maximal run; a state that breaks off counts as met.
+/// The states from which `met` holds at some time on every maximal run; a state with a model error counts as met.
 std::vector<bool> inevitable(const Explored& all, std::vector<bool> met) {
     for (bool changed = true; changed;) {
         changed = false;
@@ -77,7 +77,7 @@ std::vector<bool> inevitable(const Explored& all, std::vector<bool> met) {
     return met;
 }
 
-/// The states from which a state of `goal` can be reached by moves that `by` admits.
+/// The states from which a state of `goal` is reachable by moves that `by` admits.
 template <class By>
 std::vector<bool> possible(const Explored& all, std::vector<bool> goal, const By& by) {
     for (bool changed = true; changed;) {
@@ -91,7 +91,7 @@ std::vector<bool> possible(const Explored& all, std::vector<bool> goal, const By
     return goal;
 }
 
-/// Whether the property holds in integer time; of a model that breaks off nothing is concluded where it does.
+/// True if the property holds in integer time; of a model with a model error nothing is concluded if it does.
 bool naive_verdict(const NaiveTadd& tadd, const Explored& all, const Property& property) {
     const auto where = [&](std::size_t operand) {
         std::vector<bool> set;
@@ -156,7 +156,7 @@ std::optional<std::size_t> fewest_moves(const Explored& all, const std::vector<b
     std::set<std::pair<std::size_t, bool>> seen, level = {{0, false}};
     for (std::size_t moves = 0; !level.empty(); ++moves) {
         std::vector<std::pair<std::size_t, bool>> open(level.begin(), level.end());
-        for (std::size_t i = 0; i < open.size(); ++i) {  // a delay goes on for nothing
+        for (std::size_t i = 0; i < open.size(); ++i) {  // continuing a delay costs nothing
             const auto [state, waited] = open[i];
             if (waited && all.passes[state] && level.emplace(all.later[state], true).second)
                 open.emplace_back(all.later[state], true);
@@ -178,7 +178,7 @@ bool about_all_states(Pattern pattern) {
     return pattern != Pattern::Reachable && pattern != Pattern::ReachableAllSteps;
 }
 
-/// Every pattern over the network's own operands, so that each law sees every kind.
+/// Every pattern over the network's own operands, so that each test covers every kind.
 void add_questions(Network& network, Random& random) {
     std::vector<Id<Expr>> terms;
     for (const Id<Network::Variable> id : network.variables.ids())
@@ -235,7 +235,7 @@ void compare(const Network& network, const NaiveTadd& tadd, const Explored& all,
     ++seen.compared;
 }
 
-/// Any number of threads finds the same states in the same order, and says the same of them.
+/// Any number of threads finds the same states in the same order, with the same verdicts.
 void compare_jobs(const Network& network, const TimedResult& one, bool links) {
     for (const unsigned jobs : {2U, 3U, 5U}) {
         SCOPED_TRACE(std::to_string(jobs) + " threads");
@@ -256,7 +256,7 @@ void compare_jobs(const Network& network, const TimedResult& one, bool links) {
     }
 }
 
-/// What is decided at one time unit is decided alike at any finer one; what was inexact may turn out violated.
+/// A verdict decided at one time unit is the same at any finer one; an inexact one may become violated.
 void compare_units(const Network& network, const TimedResult& result) {
     for (const std::int64_t factor : {2, 3}) {
         const TimedResult finer = checked(refined(network, factor), {.max_states = 200'000});
@@ -291,7 +291,7 @@ std::set<std::pair<std::vector<std::uint32_t>, std::vector<std::int64_t>>> discr
     return set;
 }
 
-/// The engine reaches every discrete state of the reference semantics, and no other.
+/// The engine reaches exactly the discrete states of the reference semantics.
 void compare_states(Network network, const Explored& all) {
     const auto states = discrete(all);
     if (states.size() > 60) return;
@@ -369,7 +369,7 @@ TEST(TimedEngineLaw, RandomClosedLoopsHaveTheStatesAndVerdictsOfTheReferenceSema
             compare_all(composed_loop(model, {.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased}).network, random,
                         seen);
         } catch (const std::invalid_argument&) {
-            continue;  // a loop that compose refuses
+            continue;  // a loop that compose rejects
         }
         if (testing::Test::HasFailure()) break;
     }
@@ -377,8 +377,8 @@ TEST(TimedEngineLaw, RandomClosedLoopsHaveTheStatesAndVerdictsOfTheReferenceSema
     report(seen);
 }
 
-/// A term that is true in the discrete state, over what networks of both grains have: variables of the chart and of the
-/// plant, locations of everything but the controllers.
+/// A term that is true in the discrete state, over the variables of networks of both grains: variables of the chart and
+/// of the plant, locations of all processes except the controllers.
 Id<Expr> same_state(Network& network, const Network& other, const TaddState& state) {
     std::map<std::string, Id<Network::Variable>> variables;
     for (const Id<Network::Variable> id : network.variables.ids())
@@ -427,7 +427,7 @@ TEST(TimedEngineLaw, EverySettledStateOfGrainAtomicIsReachedInGrainPhased) {
             }
             ++compared;
         } catch (const std::invalid_argument&) {
-            continue;  // a loop that compose refuses
+            continue;  // a loop that compose rejects
         }
         if (testing::Test::HasFailure()) break;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Engines beside each other against the symbolic engine alone: the same faults, verdicts, vacuity and lengths of shortest runs
-// on random systems and on random loops in every approach and schedule, whichever was first.
+// The portfolio engine compared with the symbolic engine alone: the same faults, verdicts, vacuity and lengths of
+// shortest runs on random systems and on random loops in every approach and schedule, whichever engine is first.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using System = TransitionSystem;
 
 struct Compared {
     std::size_t systems = 0, runs = 0, faults = 0, given_up = 0;
-    std::map<std::string, std::size_t> by = {};  ///< verdicts, by what their notes say of who gave them
+    std::map<std::string, std::size_t> by = {};  ///< verdicts by the engine that their notes name
 };
 
 bool gave_up(const std::vector<Verdict>& verdicts) {
@@ -57,7 +57,7 @@ void compare_verdict(const Verdict& verdict, const std::optional<SystemRun>& run
     ++compared.runs;
 }
 
-/// A system with a dead end is left out: who looks for one finds it, and the others do not look.
+/// Skips a system with a dead end: one engine searches for dead ends and finds it, the others do not.
 std::optional<PdrResult> compare(const System& system, Compared& compared) {
     constexpr std::chrono::milliseconds patience(300);
     const SymbolicResult alone = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + patience});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sub-loops of untimed models judged apart against the whole judged at once, on random networks of two to four parts in
-// abstract and in discrete time; each premise left out once, so that it is seen to be needed.
+// Compositional checking of untimed models compared with checking the complete model, on random networks of two to four
+// parts in abstract and in discrete time; each premise omitted once, to show that the comparison detects it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ namespace {
 using System = TransitionSystem;
 using Counts = std::map<std::string, int>;
 
-/// A loop that asks of the network what the network asks of itself.
+/// A loop with the same properties as the network.
 ClosedLoop loop_around(const Network& network) {
     ClosedLoop loop;
     loop.name = network.name;
@@ -59,7 +59,7 @@ System random_system(Random& random, int parts, TimeModel time) {
     return schedule_network({}, loop_around(network), {}, network, options, diagnostics).value();
 }
 
-/// The states, by the symbols of main, to which `run` may lead; empty: it is no run of the system.
+/// The states, by the symbols of main, to which `run` may lead; empty: it is not a run of the system.
 class Follower {
 public:
     Follower(const System& system, const SystemRun& run) : system_(system) {
@@ -102,7 +102,7 @@ private:
     std::vector<SystemState> loop_ = {}, end_ = {};
 };
 
-/// The run is one of the whole, and shows what is said of the property.
+/// The run is one of the complete model, and shows the verdict on the property.
 void confirm(const System& system, const Property& property, const SystemRun& run) {
     EXPECT_FALSE(Follower(system, run).end().empty()) << "it is no run of the whole";
     const auto holds = [&](std::size_t state, std::size_t operand) {
@@ -151,7 +151,7 @@ void compare(const SymbolicResult& apart, const SymbolicResult& whole, const Sys
         EXPECT_EQ(here.property, there.property);
         if (apart.runs[i]) confirm(system, property, *apart.runs[i]);
         if (apart.runs[i]) ++seen["runs"];
-        if (!property.operands.empty() && property.operands[0] == system.parts.can_move) {  // of each: that is more
+        if (!property.operands.empty() && property.operands[0] == system.parts.can_move) {  // per part: stronger
             EXPECT_FALSE(here.outcome == Outcome::Holds && there.outcome == Outcome::Violated);
             continue;
         }
@@ -220,7 +220,7 @@ TEST(TurnsLaw, EnginesBesideEachOtherGiveTheVerdictsOfTheWholeAndRunsOfIt) {
     tell(seen);
 }
 
-/// A premise, left out: taken for granted of every neighbour.
+/// An omitted premise: assumed for every neighbour.
 struct Premise {
     const char* name = "";
     void (*grant)(Neighbour&) = nullptr;
@@ -232,7 +232,7 @@ const Premise premises[] = {
     {"the others are settled where time passes", [](Neighbour& other) { other.settles = true; }},
 };
 
-/// A part of a system, asked what reads it alone, and as its neighbours see it.
+/// A part of a system, with the properties that read only this part, and with its premises for neighbours.
 struct Alone {
     SymbolicResult result = {};
     Neighbour as = {};
@@ -254,7 +254,7 @@ Alone alone(const System& system, std::uint32_t part, const std::vector<Id<Prope
     return found;
 }
 
-/// What is said of a whole by one of its parts, where all but one premise hold.
+/// Verdicts of one part for the complete model if all but one premise hold.
 void leave_out(const System& system, Counts& tried, Counts& failed) {
     const SymbolicOptions options;
     const TurnSearches parts(system, options);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vacuity of observed properties: the probes of all engines against reachability in the graph of the plain loop, by the
-// definition of docs/properties.md.
+// Vacuity of observed properties: the probes of all engines compared with reachability in the graph of the loop without
+// observer, by the definition of docs/properties.md.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -22,12 +22,12 @@ namespace {
 
 using Set = std::vector<bool>;
 
-/// Every reachable state of a loop and where it leads, by the reference semantics.
+/// Every reachable state of a loop and its successors, by the reference semantics.
 struct Graph {
     std::vector<TaddState> states = {};
     std::vector<std::vector<std::size_t>> next = {};
 
-    /// What is reached from `from` without leaving `within`; a state of `from` outside is not.
+    /// The states reachable from `from` without leaving `within`; excludes states of `from` outside it.
     Set reached(const Set& from, const Set& within) const {
         Set seen(states.size());
         std::vector<std::size_t> open;
@@ -72,7 +72,7 @@ std::optional<Graph> graph_of(const NaiveTadd& tadd, std::size_t limit) {
     return graph;
 }
 
-/// Whether no scope on any run has a state that the property checks.
+/// True if no scope on any run has a state that the property checks.
 bool is_vacuous(const NaiveTadd& tadd, const Graph& graph, const Property& property) {
     using Kind = Sentence::Kind;
     using enum Sentence::Scope;
@@ -117,12 +117,12 @@ bool is_vacuous(const NaiveTadd& tadd, const Graph& graph, const Property& prope
 }
 
 struct Tally {
-    std::map<std::pair<int, int>, std::size_t> vacuous = {}, checked = {};  ///< by kind and scope, of what holds
+    std::map<std::pair<int, int>, std::size_t> vacuous = {}, checked = {};  ///< by kind and scope, if it holds
     std::map<std::pair<std::pair<int, int>, bool>, std::size_t> untimed = {};
     std::size_t violated = 0, by_symbolic = 0, by_pdr = 0, together = 0;
 };
 
-/// The verdict on the property, which does not count that no time passes.
+/// The verdict on the property, ignoring vacuity because no time passes.
 struct Found {
     Outcome outcome = Outcome::Unknown;
     bool vacuous = false;
@@ -139,7 +139,7 @@ Found found(const Table<Property>& properties, std::vector<Verdict> verdicts) {
     return result;
 }
 
-/// Each clock counts by itself, and diagrams of many that do are large.
+/// The clocks are independent, and diagrams of many independent clocks are large.
 constexpr std::size_t most_clocks = 5;
 
 std::size_t clock_count(const Network& network) {
@@ -166,7 +166,7 @@ void check_untimed(Model model, const Network& watched, const Property& property
     };
     compare("symbolic", check_symbolic(*system).verdicts, tally.by_symbolic);
     if (tally.together >= static_cast<std::size_t>(law_size(20))) return;
-    // PDR may take for ever on clocks that count: what it does not decide soon is not compared.
+    // PDR may take forever on discrete clocks: properties that it does not decide soon are not compared.
     PdrOptions pdr;
     pdr.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(1);
     compare("pdr", check_pdr(*system, pdr).verdicts, tally.by_pdr);
