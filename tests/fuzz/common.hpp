@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What several targets share.
+// Common functions of several fuzz targets.
 #pragma once
 
 #include <sstream>
@@ -37,7 +37,7 @@ closed_loop pressing {
 }
 )";
 
-/// As a person reads them; that this can be done is a promise by itself.
+/// As displayed to users; displaying it must succeed too.
 inline std::string shown(const Diagnostics& diagnostics, const Sources& sources) {
     std::ostringstream text;
     render_text(diagnostics.all(), sources, Colour::Plain, text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The corpus replayed: what fuzzing began with and all it ever found, in every build.
+// Replays the corpus, which contains the initial inputs and all findings, in every build.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Answers of other programs: NuSMV and verifyta may say anything.
+// Output of external programs: NuSMV and verifyta may print anything.
 #include "check/external/nusmv.hpp"
 #include "check/external/verifyta.hpp"
 #include "emit/nusmv/nusmv.hpp"

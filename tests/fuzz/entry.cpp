@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What libFuzzer calls. GRAFVERIF_FUZZ_TARGET names the target of this program.
+// Entry points for libFuzzer. GRAFVERIF_FUZZ_TARGET names the target of this program.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -19,5 +19,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         std::cerr << "broken promise: " << complaint << '\n';
         std::abort();
     }
-    std::abort();  // no such target
+    std::abort();  // unknown target
 }

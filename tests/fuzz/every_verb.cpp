@@ -97,7 +97,7 @@ std::string units_complaint(const std::string& text) {
                                                               : "no Structured Text: " + shown(diagnostics, sources);
 }
 
-/// A table is one of the chart that it was made of.
+/// A table belongs to the chart that it was generated from.
 std::string table_complaint(const std::string& text, const VerbRun& run, const Model& model) {
     if (model.charts.size() != 1) return {};
     Sources sources;
@@ -138,7 +138,7 @@ std::string written_complaint(const std::string& text, const VerbRun& run, Writt
     return "a form that nobody knows";
 }
 
-/// What a file is, by its name.
+/// The type of a file, by its name.
 Written written_to(const fs::path& path) {
     const std::string name = path.extension().string();
     if (name == ".smv") return Written::Nusmv;
@@ -158,7 +158,7 @@ std::string result_complaint(const VerbRun& run, const app::Result& result, cons
     std::string files;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         if (!entry.is_regular_file()) continue;
-        const bool is_report = entry.path().extension() == ".xml";  // it says why
+        const bool is_report = entry.path().extension() == ".xml";  // it gives a reason
         if (result.code == app::ExitCode::Input && !is_report)
             return "it is refused, and writes " + entry.path().string();
         const std::string wrong = written_complaint(content_of(entry.path()), run, written_to(entry.path()), model);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every verb with every form of output, run in-process on a chart or a closed loop, and what must be true of each run
-// whatever the chart: an exit code that the run explains, and outputs that are what they claim to be.
+// Every command with every output format, run in-process on a chart or a closed loop. Checks for each run that the exit
+// code is explained by its output, and that outputs have the declared format.
 #pragma once
 
 #include <filesystem>
@@ -12,19 +12,20 @@
 
 namespace grafverif::fuzz {
 
-/// What a run writes to standard output.
+/// The output of a run on standard output.
 enum class Written { Text, Grafcet, Json, Xml, Uppaal, Nusmv, TestTable, Plcopen, StructuredText };
 
 struct VerbRun {
-    std::vector<std::string> arguments = {};  ///< FILE is the chart; FOLDER/... a file to write, told by its name
+    std::vector<std::string> arguments = {};  ///< FILE is the chart; FOLDER/... an output file, with its format given
+                                              ///< by the name
     Written written = Written::Text;
-    bool of_loop = false;  ///< without a closed loop it is refused
+    bool of_loop = false;  ///< rejected without a closed loop
     std::string typed = {};
 };
 
 std::span<const VerbRun> verb_runs();
 
-/// What is wrong with `run` on `file`, which holds `model`; files are written into `folder`, and removed. Empty: nothing.
+/// The error in `run` on `file`, which contains `model`; files are written into `folder`, and removed. Empty: none.
 std::string complaint(const VerbRun& run, const std::filesystem::path& file, const Model& model,
                       const std::filesystem::path& folder);
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What is fuzzed: everything that reads bytes which others wrote, and every verb on charts that nobody wrote. A target is
-// a function of bytes, so that libFuzzer drives it (`./dev fuzz`) and a test replays what libFuzzer found, with any
-// compiler (corpus_test).
+// Fuzz targets: all readers of foreign bytes, and every command on generated charts. A target is a function of bytes,
+// so that libFuzzer can drive it (`./dev fuzz`) and a test can replay the findings with any compiler (corpus_test).
 //
-// Readers take the bytes as they are. `verbs` takes them as choices: of a well-formed chart or loop, of a verb and of its
-// options, so that a changed byte changes a meaning and never a spelling.
+// Readers get the bytes unchanged. The target `verbs` uses them as choices: of a well-formed chart or loop, of a
+// command and of its options. So a changed byte changes the meaning of the input and not its spelling.
 #pragma once
 
 #include <span>
@@ -15,7 +14,7 @@ namespace grafverif::fuzz {
 
 struct Target {
     std::string_view name = {};
-    /// Which promise `bytes` breaks, with what is needed to see it; empty: none.
+    /// The guarantee that `bytes` violate, with the data to reproduce it; empty: none.
     std::string (*complaint)(std::string_view bytes) = nullptr;
 };
 

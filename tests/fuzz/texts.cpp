@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texts: our language, the formats of others, Structured Text. What is read is well formed, and what is written of it is
-// read as the same; what is not read comes with an error, which can be shown.
+// Texts: grafverif's language, other chart formats, Structured Text. An accepted text is well formed, and its printed
+// form is read back as the same; a rejected text has an error, which can be displayed.
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -17,7 +17,7 @@ namespace grafverif::fuzz {
 
 namespace {
 
-/// What is wrong with what was said of a text that was read, or not.
+/// The error in the diagnostics of a text that was accepted or rejected.
 std::string answer_complaint(bool read, const Diagnostics& diagnostics, const Sources& sources) {
     if (read == diagnostics.has_errors()) return read ? "it is read, with errors" : "it is not read, without an error";
     if (diagnostics.all().size() > Diagnostics::limit * 4) return "there is no end of warnings";
@@ -30,7 +30,7 @@ std::string answer_complaint(bool read, const Diagnostics& diagnostics, const So
 
 struct TextRead {
     std::optional<Model> model = {};
-    std::string complaint = {};  ///< about what was said of it
+    std::string complaint = {};  ///< in its diagnostics
     std::string said = {};
 };
 
@@ -54,7 +54,7 @@ std::string printed(const Model& model) {
     return text.str();
 }
 
-/// Whether `text`, written by us, is read as `model`.
+/// True if the generated `text` is read back as `model`.
 std::string reading_back(const Model& model, const std::string& text, Sources& sources) {
     const TextRead again = read(sources.add({"written.grafcet", text}), sources, false);
     if (!again.complaint.empty()) return again.complaint + "\nof:\n" + text;
@@ -64,7 +64,7 @@ std::string reading_back(const Model& model, const std::string& text, Sources& s
     return {};
 }
 
-/// Whether `text`, formatted by us, is in the form that formatting gives.
+/// True if the formatted `text` is unchanged by formatting.
 std::string form_complaint(const std::string& text, Sources& sources) {
     Diagnostics diagnostics;
     const tree::File file = parse_file(sources.add({"formatted.grafcet", text}), sources, diagnostics);

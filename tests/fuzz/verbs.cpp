@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every verb on charts and closed loops that nobody wrote: the first byte says which verb, the others what the model is.
+// Every command on generated charts and closed loops: the first byte selects the command, the others determine the
+// model.
 #include <fstream>
 #include <sstream>
 

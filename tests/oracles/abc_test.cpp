@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ABC as an engine beside our own: the same verdicts on random systems and on the controllers of random loops, its
-// invariants and runs checked as ours are.
+// ABC as an engine, compared with the embedded engines: the same verdicts on random systems and on the controllers of
+// random loops; its invariants and runs are validated in the same way.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// NuSMV as an engine beside our own: the same verdicts and numbers of states, and counterexamples that are runs, read
-// back from what it prints; on random systems and on the controllers of random loops.
+// NuSMV as an engine, compared with the embedded engines: the same verdicts and numbers of states, and counterexamples
+// that are runs, read from its output; on random systems and on the controllers of random loops.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,10 +28,10 @@
 namespace grafverif {
 namespace {
 
-/// Some small models take either engine minutes.
+/// Some small models take minutes with either engine.
 constexpr std::chrono::seconds patience(2);
 
-/// What NuSMV answers, and the model and its words for the message of a failure.
+/// The results of NuSMV, with the model and its output for failure messages.
 struct Asked {
     NusmvResult result = {};
     std::string conversation = {};
@@ -57,7 +57,7 @@ struct Agreement {
     std::size_t verdicts = 0, runs = 0, given_up = 0;
 };
 
-/// Whether a run of NuSMV's shows what it should is asked of our own reading of the property.
+/// Checks that a run of NuSMV shows its verdict, by the reference evaluation of the property.
 void expect_agreement(const TransitionSystem& system, const std::string& program, Agreement& agreement) {
     const SymbolicResult ours = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + patience});
     if (ours.fault) return;
@@ -91,7 +91,7 @@ void expect_agreement(const TransitionSystem& system, const std::string& program
     }
 }
 
-/// Random systems with more questions than they come with, until `expect` fails for good.
+/// Random systems with additional properties, until `expect` fails fatally.
 template <class Expect>
 void for_random_systems(const Expect& expect) {
     for (int seed = 1; seed <= law_size(40); ++seed) {
@@ -129,7 +129,7 @@ TEST(NusmvEngine, CounterexamplesReplayOnTheRules) {
         const Model model = random_loop(random);
         const std::vector<const Chart*> charts = charts_of(model);
         for (const TransitionSystem& system : untimed_models(model)) {
-            if (!explored(system, 300, 256)) continue;  // NuSMV may take minutes for it
+            if (!explored(system, 300, 256)) continue;  // NuSMV may take minutes
             SCOPED_TRACE(system.scope);
             for (const auto& run : asked_nusmv(system, program->string()).result.runs) {
                 if (!run) continue;
@@ -142,7 +142,7 @@ TEST(NusmvEngine, CounterexamplesReplayOnTheRules) {
     std::cout << replayed << " runs replayed\n";
 }
 
-/// Every model that we write of a sample, of one with fairness too.
+/// Every exported model of a sample, including one with fairness.
 TEST(NusmvEngine, AgreesWithTheSymbolicEngineOnTheSamples) {
     const auto program = app::find_program("NuSMV");
     if (!program) GTEST_SKIP() << "NuSMV is not on the PATH";
@@ -160,7 +160,7 @@ TEST(NusmvEngine, AgreesWithTheSymbolicEngineOnTheSamples) {
     EXPECT_GT(agreement.verdicts, 200u);
 }
 
-/// What `NuSMV FILE` prints, as a user runs it, by the formulas that it prints; several specifications may have one.
+/// The results of `NuSMV FILE`, as run by a user, by the formulas that it prints; several specifications may share one.
 std::vector<std::pair<SpecTerm, bool>> printed_verdicts(const std::string& out) {
     std::vector<std::pair<SpecTerm, bool>> found;
     std::istringstream lines(out);
@@ -176,7 +176,7 @@ std::vector<std::pair<SpecTerm, bool>> printed_verdicts(const std::string& out) 
     return found;
 }
 
-/// The verdicts of `NuSMV FILE` are ours, read by the names in the text.
+/// The verdicts of `NuSMV FILE` agree with those of the embedded engine, matched by the names in the text.
 void expect_same_as_a_user_sees(const TransitionSystem& system, const std::string& program, Agreement& agreement) {
     const SymbolicResult ours = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + patience});
     if (ours.fault || ours.states.empty()) return;
@@ -222,7 +222,7 @@ TEST(NusmvAsAUserRunsIt, AgreesWithTheSymbolicEngineOnRandomSystemsAndLoops) {
         SCOPED_TRACE("loop of seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         for (TransitionSystem& system : untimed_models(random_loop(random), chance(random, 50))) {
-            if (!explored(system, 300, 256)) continue;  // NuSMV may take minutes for it
+            if (!explored(system, 300, 256)) continue;  // NuSMV may take minutes
             ask_more(system, random);
             ASSERT_NO_FATAL_FAILURE(expect_same_as_a_user_sees(system, program->string(), agreement));
         }
@@ -246,7 +246,7 @@ TEST(NusmvAsAUserRunsIt, AgreesWithTheSymbolicEngineOnTheSamples) {
     EXPECT_GT(agreement.verdicts, 50u);
 }
 
-/// A lamp for two seconds, and sentences about it that observers judge, some of them false.
+/// A lamp for two seconds, and sentences about it that observers check, some of them false.
 std::string watched_lamp(const std::string& sentence) {
     return "grafcet light {\n    input BUTTON;\n    output LAMP;\n    initial step 0;\n    step 1 { LAMP; }\n    step "
            "2;\n"
@@ -315,7 +315,7 @@ TEST(NusmvEngine, FindsOfSentencesInDiscreteTimeWhatTheTimedEngineDoes) {
             diagnostics);
         ASSERT_TRUE(system);
         const auto [theirs, conversation] = asked_nusmv(*system, program->string());
-        if (conversation.empty()) continue;  // it takes minutes
+        if (conversation.empty()) continue;  // takes minutes
         const auto here = std::ranges::find(ours->answers, "S", [](const Answer& one) { return one.verdict.property; });
         const auto there = std::ranges::find(theirs.verdicts, "S", &Verdict::property);
         ASSERT_NE(here, ours->answers.end());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// NuSMV itself, where it is installed: it takes every model we write, finds it total, counts the states that we count,
-// and gives the verdicts that an explicit search of the transition system gives.
+// NuSMV itself, if it is installed: it accepts every exported model, finds it total, has the same number of states, and
+// gives the verdicts of an explicit search of the transition system.
 #include "emit/nusmv/nusmv.hpp"
 
 #include <gtest/gtest.h>
@@ -28,8 +28,7 @@ using System = TransitionSystem;
 
 bool nusmv_is_installed() { return std::system("command -v NuSMV >/dev/null 2>&1") == 0; }
 
-/// What NuSMV says when it reads `model` and obeys `commands`; nothing after `patience` seconds: some small models take it
-/// minutes.
+/// The output of NuSMV for `model` and `commands`; nothing after `patience` seconds: some small models take it minutes.
 std::optional<std::string> nusmv_says(const std::string& model, const std::string& commands, int patience) {
     const std::filesystem::path folder =
         std::filesystem::path(testing::TempDir()) / ("grafverif_nusmv_" + std::to_string(getpid()));
@@ -62,7 +61,7 @@ struct Compared {
     std::size_t systems = 0, states = 0, verdicts = 0, given_up = 0;
 };
 
-/// What is larger is left out: NuSMV may take minutes for it.
+/// Larger models are skipped: NuSMV may take minutes for them.
 constexpr std::size_t most_states = 300;
 
 void compare(const System& system, Compared& compared) {

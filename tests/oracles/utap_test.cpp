@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// UPPAAL's own parser on our projects: `syntaxcheck` of utap reads a file and types it as UPPAAL does.
+// UPPAAL's parser on exported projects: `syntaxcheck` of utap parses and type-checks a file as UPPAAL does.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -15,7 +15,7 @@
 namespace grafverif {
 namespace {
 
-/// What syntaxcheck complains about, warnings apart.
+/// The errors of syntaxcheck, without warnings.
 std::string complaints(const std::string& xml) {
     const auto file =
         std::filesystem::temp_directory_path() / ("grafverif_utap_" + std::to_string(::getpid()) + ".xml");
@@ -25,7 +25,7 @@ std::string complaints(const std::string& xml) {
     std::ifstream lines(log);
     std::string errors = WEXITSTATUS(status) > 2 ? "it broke off\n" : "";
     for (std::string line; std::getline(lines, line);) {
-        // A strict invariant or an update of scratch variables alone draws a warning.
+        // A strict invariant, or an update of only scratch variables, causes a warning.
         const bool warning = line.find("$Strict_invariant") != std::string::npos ||
                              line.find("$Expression_does_not_have_any_effect") != std::string::npos;
         if (!warning) errors += line + '\n';

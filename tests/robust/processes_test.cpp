@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The program as a process that has little memory, memory that is never clean, or not the time to end: every verb, on
-// samples. It ends by an exit code of its own or by the signal that was sent, and what it writes is whole.
+// The program as a process with little memory, with memory filled with garbage, or interrupted: every command, on
+// samples. It ends with one of its exit codes or by the signal that was sent, and its files are complete.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ using std::chrono::steady_clock;
 #endif
 #endif
 #if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;  // its memory is not ours to limit
+constexpr bool sanitized = true;  // its memory cannot be limited
 #else
 constexpr bool sanitized = false;
 #endif
@@ -37,7 +37,7 @@ constexpr bool sanitized = false;
 const std::string tanks = (root / "samples/tanks/tanks.grafcet").string();
 const std::string blinker = (root / "samples/blinker/blinker.grafcet").string();
 
-/// Every verb, for some seconds at most; FOLDER is one to write into.
+/// Every command, limited to some seconds; FOLDER is an output folder.
 const std::vector<Words>& verbs() {
     static const std::vector<Words> all{
         {"fmt", tanks},
@@ -83,7 +83,7 @@ ProgramResult ran(const Words& words) {
                        {.deadline = steady_clock::now() + std::chrono::seconds(120)});
 }
 
-/// Without what differs from run to run: how long it took, and where it wrote.
+/// Without the parts that differ from run to run: durations and paths.
 std::string comparable(std::string text, const Folder& folder) {
     for (const std::string& place : {folder.file("")})
         for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place))
@@ -112,7 +112,7 @@ TEST(Memory, ThatIsNeverCleanChangesNothing) {
     }
 }
 
-/// With `kilobytes` of addresses.
+/// With an address space of `kilobytes`.
 Words within(std::size_t kilobytes) {
     return {"/bin/sh", "-c", fmt::format("ulimit -v {}; exec \"$0\" \"$@\"", kilobytes)};
 }
@@ -120,7 +120,7 @@ Words within(std::size_t kilobytes) {
 TEST(Memory, ThatIsShortEndsTheProgramByAnExitCode) {
     if (sanitized) GTEST_SKIP() << "sanitizers need more addresses than any limit leaves";
     const Folder folder;
-    std::size_t least = 8192;  // what it takes to begin at all
+    std::size_t least = 8192;  // the minimum for a start
     while (ran(with(within(least), {"--version"}, folder)).status != 0) least += 1024;
     const std::string large = (root / "samples/testing_station/testing_station.grafcet").string();
     std::vector<Words> runs = verbs();
@@ -180,7 +180,7 @@ TEST(Memory, IsUsedAsValgrindLikesIt) {
     }
 }
 
-/// `serve` listens, and answers who comes; nothing connects.
+/// `serve` listens and answers requests; nothing connects.
 TEST(Program, CallsNothingThatReachesForTheNetworkOrAShell) {
     if (sanitized) GTEST_SKIP() << "sanitizers bring calls of their own";
     const auto nm = find_program("nm");
@@ -193,7 +193,7 @@ TEST(Program, CallsNothingThatReachesForTheNetworkOrAShell) {
         EXPECT_EQ(listed.out.find(std::string(" U ") + call + "@"), std::string::npos) << call;
 }
 
-/// How long the verb runs when nothing stops it.
+/// The duration of the command without an interruption.
 std::chrono::duration<double> usual(const Words& verb) {
     const Folder folder;
     const auto start = steady_clock::now();
@@ -257,7 +257,7 @@ TEST(Signals, EndEveryVerbAtAnyMoment) {
     }
 }
 
-/// What a shell says of `commands`, run in the folder; `$P` is the program.
+/// The output of a shell for `commands`, run in the folder; `$P` is the program.
 ProgramResult in_shell(const Folder& folder, const std::string& commands) {
     return run_program({"/bin/sh", "-c", "P='" GRAFVERIF_PROGRAM "'\n" + commands}, "",
                        {.deadline = steady_clock::now() + std::chrono::seconds(120), .folder = folder.file("")});
@@ -297,7 +297,7 @@ TEST(Init, TwoAtOnceLeaveOneWholeProjectAndNothingIsWrittenOver) {
     EXPECT_FALSE(fs::exists(folder.file("press/CMakeLists.txt"))) << "where one file is there, none is written";
 }
 
-/// Two of them look at what they cannot read, and at one file beside each other; they end when they are told to.
+/// Two of the runs have unreadable input, and two run concurrently on one file; they end on request.
 TEST(Watch, OutlastsWhatCannotBeReadAndEndsWithNothingLeftBehind) {
     const Folder folder;
     folder.write("lamp.grafcet",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the system refuses inside this process: one allocation after another in the SAT engines, and threads.
+// Refusals of the system in this process: one allocation after another in the SAT engines, and threads.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <pthread.h>
@@ -17,18 +17,18 @@
 #include "unit/app/run_program.hpp"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define SANITIZED  // they replace the same functions
+#define SANITIZED  // sanitizers replace the same functions
 #endif
 
 namespace {
 
-thread_local std::int64_t allocations_left = -1;  ///< until one is refused; negative: none is
-thread_local int threads_left = -1;               ///< that this one may start; negative: any number
+thread_local std::int64_t allocations_left = -1;  ///< number of allocations before one is refused; negative: none is
+thread_local int threads_left = -1;               ///< number of threads that this one may start; negative: unlimited
 
 }  // namespace
 
 #ifndef SANITIZED
-// Not inlined: GCC would warn of a `free` of what it knows from `operator new`.
+// Not inlined: GCC would warn about `free` of a pointer from `operator new`.
 [[gnu::noinline]] void* operator new(std::size_t size) {
     if (allocations_left >= 0 && allocations_left-- == 0) throw std::bad_alloc();
     if (void* const memory = std::malloc(std::max<std::size_t>(size, 1))) return memory;
@@ -56,7 +56,7 @@ const std::string lamp =
     "closed_loop room { controller lamp; environment a = free(OUT = ON); environment b = free(OUT = OFF);\n"
     "property lit: reachable LAMP; property one: exactly one of { X0, X1 }; property never_lit: never LAMP; }\n";
 
-/// Refuses one allocation of this thread while it exists, after so many.
+/// Refuses one allocation of this thread, after the given number, while it exists.
 class Refusal {
 public:
     explicit Refusal(std::int64_t after) { allocations_left = after; }
@@ -105,7 +105,7 @@ TEST(RefusedMemory, LeavesVerdictsOfTheSolversUnknownOrCorrect) {
     EXPECT_GT(refused, 100U);
 }
 
-/// Threads that this thread starts beyond so many are refused while it exists.
+/// Refuses threads beyond the given number, started by this thread, while it exists.
 class FewThreads {
 public:
     explicit FewThreads(int count) { threads_left = count; }

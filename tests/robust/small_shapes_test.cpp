@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every chart of at most two steps, one transition, one input and one output that the language takes, those of nothing
-// at all included, through every verb: what is missing is what programs forget.
+// Every valid chart with at most two steps, one transition, one input and one output, including empty ones, with every
+// command: programs often fail on missing elements.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@
 namespace grafverif {
 namespace {
 
-/// What a step may do, `o` being the output; the place of the condition is `{}`.
+/// The possible actions of a step; `o` is the output, and `{}` the place of the condition.
 constexpr std::array actions = {"",
                                 "o;",
                                 "o if {};",
@@ -29,7 +29,7 @@ constexpr std::array actions = {"",
                                 "o := {} on deactivation;",
                                 "o := false on event rise({});"};
 
-/// The ways to write a condition on a chart with these parts.
+/// The possible conditions in a chart with these elements.
 std::vector<std::string> conditions(bool input, bool output, std::size_t steps) {
     std::vector<std::string> list{"true", "false"};
     if (input) list.insert(list.end(), {"a", "!a", "rise(a)", "1s/a"});
@@ -38,7 +38,7 @@ std::vector<std::string> conditions(bool input, bool output, std::size_t steps) 
     return list;
 }
 
-/// No transition, and each from some of the steps to some of them.
+/// No transition, and each one from some of the steps to some of them.
 std::vector<std::string> transitions(const std::vector<std::string>& conditions, std::size_t steps) {
     std::vector<std::string> list{""};
     const std::vector<std::string> sets = steps == 0   ? std::vector<std::string>{""}
@@ -52,7 +52,7 @@ std::vector<std::string> transitions(const std::vector<std::string>& conditions,
     return list;
 }
 
-/// Each step with an initial mark or without, with an action or without.
+/// Each step with or without an initial mark, with or without an action.
 std::vector<std::string> steps(std::size_t count, bool output, const std::string& term) {
     std::vector<std::string> list{""};
     for (std::size_t step = 0; step < count; ++step) {
@@ -61,7 +61,7 @@ std::vector<std::string> steps(std::size_t count, bool output, const std::string
             for (const char* initial : {"initial ", ""})
                 for (const char* action : actions) {
                     if (*action != '\0' && (!output || before.find('{') != std::string::npos))
-                        continue;  // one action a chart
+                        continue;  // one action per chart
                     const std::string does = fmt::format(fmt::runtime(action), term);
                     longer.push_back(before + fmt::format("    {}step {}{};\n", initial, step,
                                                           does.empty() ? "" : " { " + does + " }"));
@@ -106,8 +106,8 @@ TEST(SmallShapes, GoThroughEveryVerb) {
     const std::span<const fuzz::VerbRun> runs = fuzz::verb_runs();
     const std::vector<std::string> all = shapes();
     const std::size_t law = static_cast<std::size_t>(law_size(1));
-    const std::size_t stride = law >= 8 ? 1 : 8 / law;  // of the charts, in turn; from GRAFVERIF_LAWS=8 all
-    const std::size_t each = (law + 7) / 8;             // of the runs, likewise
+    const std::size_t stride = law >= 8 ? 1 : 8 / law;  // number of charts, in turn; from GRAFVERIF_LAWS=8 all
+    const std::size_t each = (law + 7) / 8;             // number of runs, in the same way
     std::size_t legal = 0, next = 0;
     for (const std::string& chart : all) {
         const auto alone = read(chart);
@@ -126,7 +126,7 @@ TEST(SmallShapes, GoThroughEveryVerb) {
     EXPECT_GT(legal, 1000U);
 }
 
-/// The frame itself: files of nothing, charts of nothing, loops of nothing.
+/// Empty frames: empty files, empty charts, empty loops.
 TEST(SmallShapes, OfNothingAreRefusedByName) {
     const app::Folder folder;
     for (const char* text : {"", "\n", "// nothing\n", "grafcet g {}\n", "closed_loop l {}\n", "component c() {}\n",

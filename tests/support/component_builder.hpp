@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Components written in C++, for tests and generators that need no text.
+// Components built in C++, for tests and generators that need no text.
 #pragma once
 
 #include <utility>

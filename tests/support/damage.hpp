@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texts with bytes changed anywhere, for tests of what reads them.
+// Texts with bytes changed at random positions, for tests of readers.
 #pragma once
 
 #include <random>
@@ -9,9 +9,9 @@
 namespace grafverif {
 
 struct Damage {
-    std::string_view likely = {};    ///< bytes that mean something in such a text
+    std::string_view likely = {};    ///< bytes with a meaning in such a text
     std::size_t most_changes = 3;    ///< bytes changed or deleted, pieces copied elsewhere
-    std::size_t longest_piece = 60;  ///< of those copied, one less
+    std::size_t longest_piece = 60;  ///< number of copied pieces, minus one
 };
 
 inline std::string damaged(std::string text, const Damage& damage, std::mt19937& random) {

@@ -11,7 +11,7 @@
 
 namespace grafverif {
 
-/// In the order of the controllers; nothing where a chart has none.
+/// In the order of the controllers; empty for a chart without equations.
 std::optional<std::vector<Equations>> derived(const Model& model, Diagnostics& diagnostics);
 std::optional<std::vector<Equations>> derived(const Model& model);
 

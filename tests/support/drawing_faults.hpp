@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What makes a drawing unreadable, found by looking at its marks alone: boxes or texts on each other, lines through
-// them, oblique lines, links upward without an arrow.
+// Readability check of a drawing, based on its marks alone: overlapping boxes or texts, lines through them, oblique
+// lines, upward links without an arrow.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace grafverif {
 
-/// One sentence each; empty for a good drawing.
+/// One sentence per fault; empty for a readable drawing.
 std::vector<std::string> faults(const Drawing& drawing);
 
 }  // namespace grafverif

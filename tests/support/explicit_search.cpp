@@ -26,7 +26,7 @@ StateSet complement(StateSet set) {
 
 bool is_empty(const StateSet& set) { return std::ranges::find(set, true) == set.end(); }
 
-/// The states of `within` that lead to `goal` in it, by one backward search.
+/// The states of `within` from which `goal` is reachable in it, by one backward search.
 StateSet leading_to(const SystemGraph& graph, const StateSet& within, const StateSet& goal) {
     std::vector<std::vector<std::size_t>> predecessors(graph.states.size());
     for (std::size_t from = 0; from < graph.states.size(); ++from)

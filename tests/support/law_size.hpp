@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How many random cases a law tries: a small number by default, times the environment variable GRAFVERIF_LAWS.
+// Number of random cases of a randomized test: a small number by default, multiplied by the environment variable
+// GRAFVERIF_LAWS.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The trees of the parts of a model.
+// Syntax trees of the parts of a model.
 #pragma once
 
 #include "grafverif/ir/closed_loop.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The reference semantics of a Network in integer time, straight from CEP13 section 2 (equations (9) and (10)), with
+// The reference semantics of a Network in integer time, directly from CEP13 section 2 (equations (9) and (10)), with
 // the target invariant of urgent edges tested after their resets (ETFA12 section 2). Small and slow: it evaluates terms
-// and looks at every edge. Engines, emitters and library components are compared with it.
+// and tests every edge. Engines, emitters and library components are compared with it.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ namespace grafverif {
 struct TaddState {
     std::vector<std::uint32_t> locations = {};  ///< per process
     std::vector<std::int64_t> variables = {};   ///< scratch variables are 0
-    std::vector<std::int64_t> clocks = {};      ///< of every process in order, capped one above the largest constant
+    std::vector<std::int64_t> clocks = {};      ///< of every process in order, limited to the largest constant plus one
 
     auto operator<=>(const TaddState&) const = default;
 };
@@ -30,8 +30,7 @@ struct TaddMove {
     Id<Network::Process> process = {};
     Id<Network::Edge> edge = {};
     TaddState next = {};
-    bool out_of_range =
-        false;  ///< a value left its range, or has none: an error of the model; `next` says nothing then
+    bool out_of_range = false;  ///< a value left its range or is undefined: a model error; `next` is invalid then
 
     bool delay() const { return !process.valid(); }
 };
@@ -41,7 +40,7 @@ public:
     explicit NaiveTadd(const Network& network);
 
     TaddState initial() const;
-    /// Every edge that can fire, in order, then the delay if time can pass.
+    /// Every enabled edge, in order, then the delay if time can pass.
     std::vector<TaddMove> successors(const TaddState& state) const;
     bool urgent_enabled(const TaddState& state) const;
     bool holds(Id<Expr> formula, const TaddState& state) const {
@@ -72,7 +71,7 @@ private:
     std::vector<std::vector<std::vector<Id<Network::Edge>>>> leaving_ = {};  // per template and location
 };
 
-/// All that can be reached; stops after `limit` states.
+/// All reachable states; stops after `limit` states.
 struct Reachable {
     std::set<TaddState> states = {};
     bool complete = false;
@@ -80,30 +79,30 @@ struct Reachable {
 };
 Reachable reachable(const Network& network, std::size_t limit);
 
-/// A network under test: inputs are set by hand, time passes when it is told to. Keeps every state that it can be in,
-/// so that free choices show as several values.
+/// A network under test: the test sets inputs and lets time pass. Keeps every possible state, so that free choices
+/// appear as several values.
 class Bench {
 public:
     explicit Bench(Network network);
 
-    /// Writes an input, then lets everything happen that happens at this instant.
+    /// Writes an input, then executes all events of this instant.
     void set(const std::string& variable, std::int64_t value);
-    /// Lets time pass, unit by unit. No values are left where time could not pass.
+    /// Lets time pass, unit by unit. No values remain if time cannot pass.
     void wait(std::int64_t units);
     std::set<std::int64_t> values(const std::string& variable) const;
     std::set<std::string> locations(const std::string& process) const;
     const std::set<TaddState>& states() const { return states_; }
 
 private:
-    void rest();  ///< fires edges until time can pass; what cannot pass time is dropped
+    void rest();  ///< takes edges until time can pass; drops states in which time cannot pass
 
     Network network_;
     NaiveTadd tadd_;
     std::set<TaddState> states_ = {};
 };
 
-/// The plant of one instance, named `it`, of `component`: its parameters become variables of the same names, constants
-/// are given or have their defaults; time unit: the greatest common divisor of its durations.
+/// The plant of one instance of `component`, named `it`. Its parameters become variables of the same names; constants
+/// are given or have their defaults. The time unit is the greatest common divisor of its durations.
 Network lone_component(const Component& component, const std::map<std::string, std::int64_t>& constants = {},
                        const std::string& initially = "");
 

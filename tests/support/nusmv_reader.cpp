@@ -11,7 +11,7 @@ namespace grafverif {
 namespace {
 
 bool starts_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-/// NuSMV takes `a-b` for one identifier.
+/// For NuSMV, `a-b` is one identifier.
 bool in_name(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '$' || c == '#' || c == '-';
 }

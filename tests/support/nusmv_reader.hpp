@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A reader of that part of the NuSMV language which the emitter writes, with NuSMV 2.6's own precedences, so that a
-// test can compare an emitted text with the TransitionSystem it came from.
+// A reader of the part of the NuSMV language that the emitter writes, with NuSMV 2.6's own precedences. Tests compare
+// an emitted text with the TransitionSystem that it came from.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct NusmvModel {
     };
     struct Specification {
         std::string keyword = {}, name = {};
-        std::string formula = {};  ///< its tokens, one space between them
+        std::string formula = {};  ///< its tokens, separated by one space
     };
     struct Module {
         std::string name = {};
@@ -39,10 +39,10 @@ struct NusmvModel {
         std::vector<Specification> specifications = {};
     };
 
-    Exprs exprs = {};                           ///< Variable leaves index `identifiers`
+    Exprs exprs = {};                           ///< Variable leaves refer to `identifiers` by index
     std::vector<std::string> identifiers = {};  ///< as written: `x`, `instance.x`
     std::vector<Module> modules = {};
-    std::string complaint = {};  ///< the first thing that could not be read; empty: all was
+    std::string complaint = {};  ///< the first element that could not be read; empty: none
 
     Id<Expr> leaf(std::string_view identifier);
 };

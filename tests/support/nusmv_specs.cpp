@@ -115,7 +115,7 @@ private:
     bool fine_ = true;
 };
 
-// -- deciding -----------------------------------------------------------------------------------------------------------
+// -- deciding ---------------------------------------------------------------------------------------------------------
 
 /// The value of a term in each state.
 using Values = std::vector<std::int64_t>;
@@ -202,7 +202,7 @@ private:
         for (std::size_t i = 0; i < condition.size(); ++i) result.push_back(condition[i] ? then[i] : otherwise[i]);
         return result;
     }
-    /// Of a condition or a number.
+    /// For a condition or a number.
     Values value_of_either(const SpecTerm& term) {
         static const std::array<std::string_view, 5> logical{"&", "|", "->", "!", "xor"};
         if (std::ranges::find(logical, term.op) == logical.end()) return values(term);
@@ -240,7 +240,7 @@ private:
         return left;
     }
 
-    /// A name that is no variable's is a value of the other side's.
+    /// A name that is not a variable's is a value of the other operand's type.
     Values compared(const SpecTerm& term) {
         const auto side = [&](std::size_t k) {
             const SpecTerm& here = term.operands[k];
@@ -290,7 +290,7 @@ private:
 }  // namespace
 
 std::optional<SpecTerm> read_spec(std::string_view text) {
-    std::string whole(text);  // nusmv_reader puts a blank between all words
+    std::string whole(text);  // nusmv_reader separates all words by a blank
     for (std::size_t at = whole.find(" . "); at != std::string::npos; at = whole.find(" . ", at))
         whole.replace(at, 3, ".");
     return SpecReader(whole).formula();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The specifications of a NuSMV text, read with NuSMV's own precedences and decided on an explicit graph of states with
-// the semantics of SMV: an invariant holds in all reachable states; a formula of CTL is about fair paths (Clarke,
-// Grumberg, Peled, "Model Checking", 6.3) and true if every initial state satisfies it. It knows nothing of patterns.
+// the semantics of SMV. An invariant holds in all reachable states; a CTL formula is about fair paths (Clarke,
+// Grumberg, Peled, "Model Checking", 6.3) and true if every initial state satisfies it. Independent of property
+// patterns.
 #pragma once
 
 #include <optional>
@@ -21,15 +22,15 @@ struct SpecTerm {
     bool operator==(const SpecTerm&) const = default;
 };
 
-/// Nothing: it is no formula of CTL as the emitter or NuSMV writes them.
+/// Nothing: it is not a CTL formula as the emitter or NuSMV write them.
 std::optional<SpecTerm> read_spec(std::string_view text);
 
-/// What a model checker says of the specification. Fails the test where it is not about states alone, or where it makes
-/// a difference whether initial states without a fair run count: tools differ there.
+/// A model checker's verdict on the specification. Fails the test if the formula is not about states alone, or if the
+/// treatment of initial states without a fair run matters: tools differ there.
 bool spec_is_true(const TransitionSystem& system, const SystemGraph& graph, const NusmvModel::Specification& spec);
 
-/// The verdict on the property that the specification tells, by what the text says of its polarity: the name of one that
-/// is asked as its opposite begins with `never_`.
+/// The verdict on the property of the specification, according to its polarity in the text: the name of a negated one
+/// begins with `never_`.
 bool verdict_of_spec(const NusmvModel::Specification& spec, const Property& property, bool is_true);
 
 }  // namespace grafverif

@@ -49,7 +49,7 @@ private:
         return written;
     }
 
-    /// Booleans of one kind share a line with their neighbours, integers have their own.
+    /// Booleans of one kind share a line with their neighbours; each integer has a separate line.
     void variables(std::vector<tree::ChartItem>& items) {
         const Chart::Variable* last = nullptr;
         for (const Chart::Variable& declared : chart_.variables) {
@@ -74,7 +74,7 @@ private:
 
     // -- conditions ---------------------------------------------------------------------------------------------------
 
-    /// `X2`, or with its partial chart where the plain name would not mean it.
+    /// `X2`, with its partial chart if the plain name would not refer to it.
     Id<tree::Expr> step_variable_in(Id<Chart::Step> id, Id<Chart::PartialChart> here) {
         const Chart::Step& step = chart_.steps[id];
         if (step.chart == here || namesakes_.at(step.name) == 1) return trees_.path("X" + step.name);
@@ -181,7 +181,7 @@ private:
         return written;
     }
 
-    /// The steps and transitions of each partial chart, found once.
+    /// The steps and transitions of each partial chart, computed once.
     void sort_into_partials() {
         steps_.resize(chart_.partial_charts.size());
         transitions_.resize(chart_.partial_charts.size());

@@ -46,7 +46,7 @@ private:
         return written;
     }
 
-    /// The type is left out where the default tells it, or where it is the integer that nothing tells.
+    /// The type is omitted if the default implies it, or if it is the unbounded integer.
     tree::Variable constant(const Component::Parameter& declared) {
         tree::Variable written = variable(declared);
         written.type = tree::TypeWord::None;
@@ -94,7 +94,7 @@ private:
         }
     }
 
-    /// Guard first, then the clocks; not valid where both say nothing.
+    /// Guard first, then the clocks; not valid if both are trivial.
     Id<tree::Expr> conjunction(Id<Expr> guard, const std::vector<Component::ClockConstraint>& clocks) {
         std::vector<Id<tree::Expr>> conjuncts;
         if (guard.valid() && !is_true(component_.exprs, guard)) conjuncts.push_back(expression(guard));

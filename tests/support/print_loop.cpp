@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A closed loop as a tree. Arguments that have their default value are written all the same: the IR does not tell.
+// A closed loop as a tree. Arguments with their default value are written too: the IR does not distinguish them.
 #include <cassert>
 #include <string>
 #include <unordered_map>
@@ -149,7 +149,7 @@ private:
         return loop_.controllers[of.controller].name + '.' + (partial.empty() ? "" : partial + '.') + "X" + step.name;
     }
 
-    // Of the time conditions t/X that random_loop asks for.
+    // Names of the time conditions t/X that random_loop declares.
     Id<Chart::Step> watched_step(const ClosedLoop::TimeSymbol& of) const {
         if (!of.condition.valid()) return of.step;
         const Chart& chart = model_.charts[loop_.controllers[of.controller].chart];

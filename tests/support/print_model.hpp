@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// print_model: Chart, Component, ClosedLoop and Model as canonical text, through the tree printer. What is printed
-// reads back as what it was: print(read(print(c))) == print(c).
+// print_model: Chart, Component, ClosedLoop and Model as canonical text, through the tree printer. The text is read
+// back as the same element: print(read(print(c))) == print(c).
 #pragma once
 
 #include <iosfwd>

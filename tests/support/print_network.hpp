@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The canonical text of a Network: for people, goldens and comparison up to positions. Two networks that print alike
-// mean the same; the text is not read back.
+// The canonical text of a Network, for display, golden files and comparison up to locations. Two networks with equal
+// texts have the same meaning; the text is not read back.
 #pragma once
 
 #include <iosfwd>

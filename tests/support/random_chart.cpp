@@ -51,7 +51,7 @@ struct Generator {
         numbers.insert(numbers.end(), stored_ints.begin(), stored_ints.end());
     }
 
-    /// Each chart belongs to a step of an earlier one, or to none.
+    /// Each chart belongs to a step of an earlier one, or to no step.
     void steps() {
         const std::int64_t partials = often(50) ? 1 : number(2, 4);
         for (std::int64_t p = 0; p < partials; ++p) {
@@ -75,7 +75,7 @@ struct Generator {
         const std::int64_t entry = number(0, count - 1), exit = number(0, count - 1);
         for (std::int64_t s = 0; s < count; ++s) {
             Chart::Step step;
-            // A step of the unnamed chart cannot be named where another one hides it.
+            // A step of the unnamed chart is inaccessible where another one hides its name.
             step.name = std::to_string(p == 0 || often(80) ? 10 * p + s : 100 + s);
             step.initial = owned ? often(15) : s == initial || often(10);
             step.entry = kind == Chart::PartialKind::Expansion && s == entry;
@@ -97,7 +97,7 @@ struct Generator {
         }
     }
 
-    /// The chart that `partial` is part of.
+    /// The chart that contains `partial`.
     std::int64_t home(std::int64_t partial) const {
         while (chart.partial_charts[{static_cast<std::uint32_t>(partial)}].kind == Chart::PartialKind::Expansion)
             partial = outer[static_cast<std::size_t>(partial)];
@@ -137,7 +137,7 @@ struct Generator {
         return result;
     }
 
-    /// What a term may read besides inputs, steps and stored variables.
+    /// The variables that a term may read besides inputs, steps and stored variables.
     struct Allowed {
         std::size_t outputs = 0;  ///< the first ones of the continuous outputs
         bool edges = false;
@@ -186,7 +186,7 @@ struct Generator {
         return chart.exprs.apply(often(60) ? Op::Rise : Op::Fall, std::array{operand});
     }
 
-    /// A condition that is false where there is no edge.
+    /// A condition that is false if there is no edge.
     Id<Expr> event() {
         const Id<Expr> first = edge(everything());
         if (often(50)) return first;
@@ -199,7 +199,7 @@ struct Generator {
             static_cast<std::uint32_t>(number(0, static_cast<std::int64_t>(chart.steps.size()) - 1))};
     }
 
-    /// Of the delay or the limit of an action; 0: it has none.
+    /// For the delay or the limit of an action; 0: none.
     std::int64_t action_time() { return timed == TimedTerms::Any && often(20) ? duration() : 0; }
 
     std::int64_t duration() { return pick(std::vector<std::int64_t>{500, 1000, 3000}); }
@@ -275,7 +275,7 @@ struct Generator {
             for (std::int64_t count = number(0, 3); count > 0; --count) store(target, stored_number(target));
     }
 
-    /// As a reader finds them: by step, then by transition.
+    /// In the order of a reader: by step, then by transition.
     void sort_actions() {
         std::ranges::stable_sort(chart.continuous, {}, &Chart::ContinuousAction::step);
         std::ranges::stable_sort(chart.stored, {}, [](const Chart::StoredAction& action) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Random well-formed charts of all that derive takes, for the laws, and the way back from a chart that breaks a law to
-// a small one that breaks it too.
+// Random well-formed charts with all elements that derive supports, for randomized tests, and reduction of a failing
+// chart to a small one that still fails.
 //
-// A chart has one to four partial charts of a few steps, plain ones, expansions and enclosed ones, rings with
-// alternatives, parallel branches, sources and sinks, some under forcing orders; bool and small int variables; continuous
-// actions, conditional, delayed and limited ones among them; stored actions of all four kinds, whose arithmetic sometimes
-// leaves the range; conditions over inputs, steps, internals, outputs, edges and time.
+// A chart has one to four partial charts of a few steps: plain ones, expansions and enclosed ones. They have rings with
+// alternatives, parallel branches, sources and sinks, some under forcing orders. There are bool and small int
+// variables, and continuous actions, including conditional, delayed and limited ones. Stored actions of all four kinds
+// have arithmetic that sometimes leaves the range; conditions are over inputs, steps, internals, outputs, edges and
+// time.
 #pragma once
 
 #include <cstdint>
@@ -20,25 +21,25 @@ namespace grafverif {
 
 using Random = std::mt19937_64;
 
-/// A number from `low` to `high`, the same on every platform.
+/// A number from `low` to `high`, platform-independent.
 std::int64_t random_number(Random& random, std::int64_t low, std::int64_t high);
-/// True `percent` times in a hundred.
+/// True with a probability of `percent`.
 bool chance(Random& random, int percent);
 
-/// What time conditions watch: any Boolean term and both its edges, in delayed and limited actions too; or, as `t/X`,
+/// The terms in time conditions: any Boolean term with both edges, in delayed and limited actions too; or, as `t/X`,
 /// the time for which a step has been active.
 enum class TimedTerms { Any, Steps };
 
 Chart random_chart(Random& random, TimedTerms timed = TimedTerms::Any);
 
-/// The same chart without terms and time conditions that nothing uses, in order of first use: as if read from its text.
+/// The same chart without unused terms and time conditions, in order of first use: as if read from its text.
 Chart tidied(const Chart& chart);
 
-/// A chart with fewer elements that still `fails`: steps, transitions, actions are dropped and conditions simplified
-/// until nothing more can go. Variables stay, so that inputs keep their meaning.
+/// A smaller chart that still `fails`: removes steps, transitions and actions, and simplifies conditions, until no
+/// reduction is possible. Keeps variables, so that inputs keep their meaning.
 Chart shrunk(Chart chart, const std::function<bool(const Chart&)>& fails);
 
-/// The chart in its own language, for the message of a failed law.
+/// The chart as text, for the message of a failed test.
 std::string chart_text(const Chart& chart);
 
 }  // namespace grafverif

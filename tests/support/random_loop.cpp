@@ -13,7 +13,7 @@ namespace {
 using ParameterKind = ComponentBuilder::ParameterKind;
 using ValueKind = ComponentBuilder::ValueKind;
 
-/// Changes OUT at any time, PERIOD after the last change or later.
+/// Changes OUT at any time, at least PERIOD after the last change.
 Component toggle() {
     ComponentBuilder build{{.name = "toggle"}};
     const Id<Expr> out = build.parameter("OUT", ParameterKind::Output);
@@ -109,7 +109,7 @@ struct Generator {
         }
     }
 
-    /// A second chart: its outputs have names of their own, and some of its inputs are outputs of the first.
+    /// A second chart: its outputs have different names, and some of its inputs are outputs of the first.
     Chart second_chart() {
         Chart chart = random_chart(random);
         std::vector<Id<ClosedLoop::Shared>> free = orders;
@@ -181,7 +181,7 @@ struct Generator {
         return leaf(symbol);
     }
 
-    /// `3s/X2` that the chart waits for, of its delayed actions and of its other terms.
+    /// The `3s/X2` in transition conditions of the chart, in its delayed actions and in its other terms.
     std::optional<Id<Expr>> time_condition(Id<ClosedLoop::Controller> controller) {
         const Chart& chart = model.charts[loop.controllers[controller].chart];
         std::vector<std::pair<Id<Chart::Step>, ClosedLoop::TimeSymbol>> found;

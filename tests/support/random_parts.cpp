@@ -13,8 +13,8 @@ namespace {
 struct PartsGenerator {
     Random& random;
     Network network = {};
-    std::vector<Id<Network::Variable>> flags = {};    // of the part at hand
-    std::vector<Id<Network::Variable>> counts = {};   // likewise
+    std::vector<Id<Network::Variable>> flags = {};    // of the current part
+    std::vector<Id<Network::Variable>> counts = {};   // of the current part
     std::vector<Id<Network::Variable>> foreign = {};  // flags that any part may read
     std::vector<Id<Network::Variable>> wakes = {};    // flags that any part may set
     bool closed = true;
@@ -89,7 +89,7 @@ struct PartsGenerator {
         network.processes.add({.name = name, .automaton = id, .initial = {0}});
     }
 
-    /// Where most urgent edges are over, as compose says it; now and then something else.
+    /// Quiescence: usually the end of most urgent edges, as in compose, and sometimes another condition.
     Id<Expr> settled_of(std::size_t first_process) {
         std::vector<Id<Expr>> conjuncts;
         for (auto process = static_cast<std::uint32_t>(first_process); process < network.processes.size(); ++process)

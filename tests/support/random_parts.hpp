@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Random networks of several parts that share nothing but time, each of one or two small automata: some lock time, go
-// on for ever within one instant, come to a dead end, race, or leave a range. For laws on what is judged by parts.
+// Random networks of several parts that share only time, each of one or two small automata, for randomized tests of
+// compositional checking. Some parts cause a timelock, continue forever within one instant, reach a dead end, race, or
+// leave a range.
 #pragma once
 
 #include <string>
@@ -10,18 +11,18 @@
 
 namespace grafverif {
 
-/// A network of `parts` parts, with `settled` and, now and then, `race`; without properties.
+/// A network of `parts` parts, with `settled` and sometimes `race`; without properties.
 Network random_parts(Random& random, int parts);
 
-/// The same, but parts read each other's flags, assign what they read, and set flags that are nobody's: `cells` cells
-/// or more of a network without controllers.
+/// A network whose parts read each other's flags, assign variables that they read, and set shared flags: at least
+/// `cells` fragments of a network without controllers.
 Network random_cells(Random& random, int cells);
 
-/// Adds properties of every kind: of single parts, of two of them, of all moves and of settled states.
+/// Adds properties of every kind: of single parts, of two of them, of all moves and of quiescent states.
 void ask_of_parts(Network& network, Random& random);
 
-/// The text of a loop of several PLCs, each with a lamp and a button of its own: cycles with delays, edges, a counter that
-/// may leave its range, stored actions that may race.
+/// The text of a loop of several PLCs, each with a lamp and a button: cycles with delays, edges, a counter that may
+/// leave its range, stored actions that may race.
 std::string loop_of_plcs(Random& random, int plcs);
 
 }  // namespace grafverif

@@ -44,7 +44,7 @@ struct Terms {
         }
     }
 
-    /// A value of `type`; an integer outside its range becomes `otherwise`.
+    /// A value of `type`; an integer outside its range is replaced by `otherwise`.
     Id<Expr> value(Type type, Id<Expr> otherwise) {
         if (type.boolean) return boolean(3);
         const Id<Expr> wish = integer(2);
@@ -60,9 +60,9 @@ Type random_type(Random& random) {
     return integer_type(low, low + random_number(random, 0, 4));
 }
 
-/// State variables, choices and definitions of a module whose first symbols are there already.
+/// State variables, choices and definitions of a module, after its first symbols.
 void fill(System::Module& module, Exprs& exprs, Random& random, const std::string& prefix) {
-    Terms before{exprs, random};  // what a state is made of, and the choices
+    Terms before{exprs, random};  // state variables, and the choices
     std::vector<Id<System::Symbol>> states;
     for (const Id<System::Symbol> id : module.symbols.ids()) before.add(id, module.symbols[id].type);
     const auto add = [&](Type type, auto kind) {
@@ -109,7 +109,7 @@ TransitionSystem random_system(Random& random) {
         System::Module part{.name = "part"};
         part.symbols.add({"p", {}, System::ParameterSymbol{}, "", {}});
         fill(part, system.exprs, random, "s");
-        part.justice.clear();  // so that main knows them all
+        part.justice.clear();  // so that main can name them all
         const Id<System::Module> module = system.modules.add(std::move(part));
         const Id<System::Instance> instance = system.instances.add({"part_1", module, {{0}}});
         const Table<System::Symbol> symbols = system.modules[module].symbols;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random walks through a network: runs of everything that can happen, for laws on what is told and replayed.
+// Random walks through a network: runs with all possible events, for randomized tests of traces and replay.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace grafverif {
 
-/// `moves` moves, fewer where nothing can happen any more, the model breaks off, or two stored actions race.
+/// `moves` moves; fewer if none is possible, at a model error, or if two stored actions race.
 inline Run random_walk(const Network& network, Random& random, int moves) {
     Run run;
     NetworkState state = initial_state(network);

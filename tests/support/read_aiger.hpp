@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// AIGER 1.9, both forms, read by the specification alone, and executed: another opinion on what we write.
+// AIGER 1.9 reader and simulator for both forms, based on the specification alone: the reference for exported files.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct AigerFile {
     std::vector<std::vector<std::uint32_t>> justice = {};
     std::vector<And> ands = {};
     std::vector<std::string> symbols = {};  ///< the lines of the symbol table
-    std::string complaint = {};             ///< why it is no such file
+    std::string complaint = {};             ///< the reason why the file is invalid
 };
 
 AigerFile read_aiger(const std::string& text);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// BTOR2 read by its specification alone, as far as we write it, and executed: another opinion on what we write.
+// BTOR2 reader and simulator for the exported subset, based on the specification alone: the reference for exported
+// files.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,7 @@ public:
     const std::string& complaint() const { return complaint_; }
     /// The names of the bad states, in order.
     const std::vector<std::string>& bads() const { return bads_; }
-    /// One state: which bad ones it is, with the inputs that `input` gives by name; then one step.
+    /// One state: its true bad states, with the inputs that `input` returns by name; then one step.
     std::vector<bool> step(const std::function<std::int64_t(const std::string&)>& input);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Closed loops from text or from the samples, composed: what tests of reports, replays and engines start from.
+// Closed loops from text or from the samples, composed: fixtures for tests of reports, replay and engines.
 #pragma once
 
 #include <string>
@@ -15,11 +15,11 @@ struct LoopUnderTest {
     Model model = {};
     Network network = {};
 
-    /// Of the controllers, in order.
+    /// The equations of the controllers, in order.
     std::vector<const Chart*> charts() const;
 };
 
-/// The first loop of `model`. Throws std::invalid_argument with the first error where it cannot be composed.
+/// The first loop of `model`. Throws std::invalid_argument with the first error if it cannot be composed.
 LoopUnderTest composed_loop(Model model, const ComposeOptions& options = {});
 
 /// The first loop of `text`; components of templates/ may be used. Throws like composed_loop.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Equations executed as they stand, cycle by cycle: what they mean, without any network around them. For the law that
-// they agree with the interpreter, and for tests that look at single cycles.
+// Direct execution of equations, cycle by cycle, without a network: the reference for their comparison with the
+// interpreter, and for tests of single cycles.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@
 
 namespace grafverif {
 
-/// How long the level that a timer watches lasts; -1: it does not.
+/// The duration of the level that a timer watches; -1: it is false.
 struct EquationsTiming {
     std::int64_t risen = -1;   ///< since it became true
-    std::int64_t fallen = -1;  ///< since it became false after it had lasted for t1
+    std::int64_t fallen = -1;  ///< since it became false after being true for t1
 
     auto operator<=>(const EquationsTiming&) const = default;
 };
@@ -40,13 +40,13 @@ struct EquationsCycle {
     bool no_value = false;
     bool out_of_range = false;
     bool endless = false;
-    bool torn = false;  ///< a step's `activated` or `deactivated` does not fit its activity before and after
+    bool torn = false;  ///< a step's `activated` or `deactivated` contradicts its activity before and after
 };
 
-/// Whether `timer` is over.
+/// True if `timer` has expired.
 bool is_over(const Equations::Timer& timer, const EquationsTiming& timing);
 
-/// Takes note of the level before and after a cycle.
+/// Updates the timer with the level before and after a cycle.
 void note_level(const Equations::Timer& timer, bool before, bool after, EquationsTiming& timing);
 
 EquationsState power_on(const Equations& equations);

@@ -14,7 +14,7 @@ struct SmallPlc::Instance {
     const st::Unit* unit = nullptr;
     std::map<std::string, std::int64_t> values = {};  ///< by names in capitals
     std::map<std::string, std::unique_ptr<Instance>> blocks = {};
-    std::int64_t since = -1;  ///< of a timer: when it started; -1: it does not run
+    std::int64_t since = -1;  ///< of a timer: its start; -1: it is not running
 };
 
 namespace {
@@ -150,7 +150,7 @@ SmallPlc::Flow SmallPlc::execute(const st::Statement& statement, Instance& insta
     case st::StatementKind::Case: return choose(statement, instance);
     case st::StatementKind::While: return repeat(statement, instance);
     case st::StatementKind::For:
-    case st::StatementKind::Repeat:  // MATIEC runs it wrongly
+    case st::StatementKind::Repeat:  // MATIEC executes it incorrectly
     case st::StatementKind::Exit: break;
     }
     refuse("a statement that is never written");
@@ -224,7 +224,7 @@ std::int64_t SmallPlc::evaluate(Id<st::Expr> expression, Instance& instance) con
     return value;
 }
 
-/// Both operands are evaluated, always: a PLC need not stop at the first that decides.
+/// Always evaluates both operands: a PLC need not short-circuit.
 std::int64_t SmallPlc::combine(st::Op op, std::int64_t left, std::int64_t right) const {
     const auto within = [](std::int64_t value) {
         if (value < std::numeric_limits<std::int32_t>::min() || value > std::numeric_limits<std::int32_t>::max())

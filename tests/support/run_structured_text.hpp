@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A small PLC for laws: programs and function blocks in Structured Text, executed call by call as IEC 61131-3 says, with
-// TON, TOF and SEL of the standard library. It knows the language only, nothing of charts or equations.
+// PLC simulator for randomized tests: executes programs and function blocks in Structured Text call by call as in IEC
+// 61131-3, with TON, TOF and SEL of the standard library. Independent of charts and equations.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@
 
 namespace grafverif {
 
-/// The textual form of the units of a PLCopen project. Throws std::runtime_error where it is none.
+/// The textual form of the units of a PLCopen project. Throws std::runtime_error if it is invalid.
 std::string units_of_plcopen(const std::string& xml);
 
-/// Throws std::runtime_error wherever a real compiler or PLC would refuse: unknown names, division by zero, values
-/// outside 32 bits, a loop without end.
+/// Throws std::runtime_error where a real compiler or PLC would report an error: unknown names, division by zero,
+/// values outside 32 bits, an endless loop.
 class SmallPlc {
 public:
-    /// `units`: texts of programs and function blocks. `unit`: the one that runs.
+    /// `units`: texts of programs and function blocks. `unit`: the executed one.
     SmallPlc(const std::vector<std::string>& units, const std::string& unit);
     SmallPlc(const SmallPlc&) = delete;
     SmallPlc& operator=(const SmallPlc&) = delete;

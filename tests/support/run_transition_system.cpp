@@ -15,7 +15,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// Where a symbol lives: in main, or in the instance of this index.
+/// The module of a symbol: main, or the instance of this index.
 struct Site {
     std::optional<std::size_t> instance = {};
     Id<System::Symbol> symbol = {};
@@ -26,7 +26,7 @@ const System::Module& module_at(const System& system, std::optional<std::size_t>
     return system.modules[system.instances[{static_cast<std::uint32_t>(*instance)}].module];
 }
 
-/// The state symbol or definition that `place` names after all parameters and members are followed.
+/// The state symbol or definition that `place` denotes after resolving parameters and members.
 Site resolved(const System& system, Site place) {
     const System::Symbol& symbol = module_at(system, place.instance).symbols[place.symbol];
     if (std::holds_alternative<System::ParameterSymbol>(symbol.kind)) {
@@ -44,7 +44,7 @@ std::string path_of(const System& system, Site place) {
     return system.instances[{static_cast<std::uint32_t>(*place.instance)}].name + "." + own;
 }
 
-/// Values of state symbols at hand; asks `missing` for those that are not there yet.
+/// The known values of state symbols; `missing` provides the others.
 struct Evaluator {
     const System& system;
     std::function<std::int64_t(Site)> state;
@@ -148,7 +148,7 @@ SystemState next_state(const System& system, const SystemState& state, const Cho
 }
 
 std::optional<SystemState> taken_step(const System& system, const SystemState& state, const Choose& choose) {
-    SystemState before = state;  // with the choices, which live in the slots of their symbols
+    SystemState before = state;  // with the choices, in the slots of their symbols
     each_module(system, [&](std::optional<std::size_t> instance, const System::Module& module) {
         for (const Id<System::Symbol> id : module.symbols.ids())
             if (std::holds_alternative<System::ChoiceSymbol>(module.symbols[id].kind))
@@ -174,7 +174,7 @@ std::optional<SystemState> taken_step(const System& system, const SystemState& s
 
 namespace {
 
-/// All ways of giving values to some symbols, one after the other.
+/// Enumerates all combinations of values of some symbols.
 struct Valuations {
     std::vector<Site> sites = {};
     std::vector<Type> types = {};
@@ -222,8 +222,8 @@ bool offers(const System& system, const SystemState& state, std::optional<std::s
     return true;
 }
 
-/// Every combination of choices that is on offer, main's first, as states that hold them; nothing where more than `limit`
-/// would have to be looked at at once.
+/// Every permitted combination of choices, main's first, as states that contain them; nothing if more than `limit`
+/// combinations would be needed together.
 std::optional<std::vector<SystemState>> offered_choices(const System& system, const SystemState& state,
                                                         std::size_t limit) {
     std::vector<SystemState> found;

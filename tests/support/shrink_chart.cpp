@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shrinking: rebuild the chart without one element or with one condition replaced by an operand of it, keep what still
-// fails, until a whole round changes nothing.
+// Shrinking: rebuilds the chart without one element, or with one condition replaced by one of its operands. Keeps the
+// result if it still fails, until a complete round changes nothing.
 #include <array>
 #include <ostream>
 #include <sstream>
@@ -13,10 +13,10 @@ namespace grafverif {
 
 namespace {
 
-/// What the copy leaves out, and the conditions that it replaces (terms of the original).
+/// The elements that the copy omits, and the replacements of conditions (terms of the original).
 struct Cut {
     std::vector<bool> steps = {}, transitions = {}, continuous = {}, stored = {}, forcing = {};
-    std::vector<Id<Expr>> conditions = {}, assignations = {}, values = {}, events = {};  ///< events: where there is one
+    std::vector<Id<Expr>> conditions = {}, assignations = {}, values = {}, events = {};  ///< events: if there is one
 };
 
 Cut no_cut(const Chart& chart) {
@@ -68,7 +68,8 @@ struct Copy {
         return result;
     }
 
-    /// A chart whose owner is gone is a plain one. A macro-step goes before the entry and exit of its expansion.
+    /// A chart without its owner becomes a plain one. A macro-step is removed before the entry and exit of its
+    /// expansion.
     void hierarchy() {
         for (Chart::PartialChart& partial : to.partial_charts) {
             if (!partial.owner.valid()) continue;
@@ -131,7 +132,7 @@ Chart without(const Chart& chart, const Cut& cut) {
     return std::move(copy.to);
 }
 
-/// Each cut that takes one element away.
+/// Each reduction that removes one element.
 std::vector<Cut> element_cuts(const Chart& chart) {
     std::vector<Cut> cuts;
     const Cut none = no_cut(chart);
@@ -154,7 +155,7 @@ std::vector<Cut> element_cuts(const Chart& chart) {
     return cuts;
 }
 
-/// Each cut that replaces one condition or value by one of its operands of the same type.
+/// Each reduction that replaces one condition or value by one of its operands of the same type.
 std::vector<Cut> term_cuts(const Chart& chart) {
     std::vector<Cut> cuts;
     const Cut none = no_cut(chart);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a law came across: kept with the test's result, and printed where GRAFVERIF_LAWS_TELL is set.
+// Statistics of a randomized test: stored with the test's result, and printed if GRAFVERIF_LAWS_TELL is set.
 #pragma once
 
 #include <gtest/gtest.h>

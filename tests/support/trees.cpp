@@ -78,7 +78,7 @@ tree::Op tree_op(Op op) {
     case Op::Timed:
     case Op::Parameter:
     case Op::At:
-    case Op::Conditional: break;  // leaves are the owner's, conditionals not in the language
+    case Op::Conditional: break;  // leaves are provided by the caller, conditionals are not in the language
     }
     unreachable();
 }
@@ -94,7 +94,7 @@ Id<tree::Expr> Trees::expression(const Exprs& exprs, Id<Expr> root,
     const Id<tree::Expr> id = node(tree_op(written.op), {});
     for (const Id<Expr> operand : exprs.operands(root)) {
         const Id<tree::Expr> child = expression(exprs, operand, leaf);
-        file_->exprs[child].bracketed = written.op == Op::Or;  // tells `a || (b && c)` apart
+        file_->exprs[child].bracketed = written.op == Op::Or;  // disambiguates `a || (b && c)`
         tree::append(file_->exprs, id, child);
     }
     return id;

@@ -74,7 +74,7 @@ void QueryReader::read_universal(Cursor& cursor, Property& property) {
     property.operands = {property.at_stable ? terms_.primary(cursor) : terms_.term(cursor)};
 }
 
-/// `a + !b + (c && d) == 1`, all Boolean; else nothing is read.
+/// `a + !b + (c && d) == 1`, all Boolean; otherwise nothing is read.
 bool QueryReader::read_exactly_one(Cursor& cursor, Property& property) {
     const std::size_t start = cursor.mark();
     try {
@@ -91,7 +91,7 @@ bool QueryReader::read_exactly_one(Cursor& cursor, Property& property) {
     return false;
 }
 
-/// The operand of a pattern that is judged where it holds; in settled states after them.
+/// The operand of a pattern that is checked where it holds; for quiescent states without that condition.
 Id<Expr> QueryReader::read_operand(Cursor& cursor, const Property& property) {
     if (!property.at_stable) return terms_.term(cursor);
     network_.settled = terms_.primary(cursor);

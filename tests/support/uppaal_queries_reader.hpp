@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads queries of ours back into properties. The comment says which of the patterns with the same shape was meant.
+// Reads exported queries back into properties. The comment identifies the pattern if several have the same shape.
 #pragma once
 
 #include <pugixml.hpp>
@@ -14,7 +14,7 @@ class QueryReader {
 public:
     QueryReader(Network& network, TermReader terms) : network_(network), terms_(std::move(terms)) {}
 
-    /// Adds a property per query, and `settled` where a query asks for it.
+    /// Adds a property per query, and `settled` if a query reads it.
     void read(pugi::xml_node queries);
 
 private:

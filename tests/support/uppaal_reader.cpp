@@ -33,7 +33,7 @@ const std::map<std::string, Network::ProcessKind> kinds = {{"plant", Network::Pr
                                                            {"timers", Network::ProcessKind::Timer},
                                                            {"observers of properties", Network::ProcessKind::Observer}};
 
-/// What stands between the first `before` and the next `after`.
+/// The text between the first `before` and the next `after`.
 std::string between(const std::string& text, const std::string& before, const std::string& after) {
     const std::size_t begin = text.find(before);
     if (begin == std::string::npos) throw std::runtime_error("no `" + before + "` in: " + text);
@@ -48,7 +48,7 @@ Id<T> find(const std::unordered_map<std::string, Id<T>>& map, const std::string&
     return found->second;
 }
 
-/// A controller as the header tells of it, its process and variables still by name.
+/// A controller as described in the header, with its process and variables by name.
 struct ControllerLine {
     std::string name = {}, process = {}, waiting = {}, stable = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
@@ -117,7 +117,7 @@ private:
         }
     }
 
-    /// The name that became `legal` in the scope of the template called `scope`, or globally where that is empty.
+    /// The original of the name `legal` in the scope of the template called `scope`, or globally if that is empty.
     std::string original(const std::string& legal, const std::string& scope = {}) const {
         const auto found = original_.find(legal);
         if (found == original_.end()) return legal;
@@ -158,7 +158,7 @@ private:
 
     // -- templates ------------------------------------------------------------------------------------------------
 
-    /// What the names in the template at hand mean.
+    /// The meaning of the names in the current template.
     struct Scope {
         std::string name = {};
         std::unordered_map<std::string, Id<Network::Parameter>> parameters = {};
@@ -267,7 +267,7 @@ private:
         scope.procedures.emplace(name, automaton.procedures.add(std::move(procedure)));
     }
 
-    /// `x = e;`, or a chain of `if (c) x = e; else ...`, where a missing last branch keeps the value.
+    /// `x = e;`, or a chain of `if (c) x = e; else ...`, in which a missing last branch keeps the value.
     Network::Assignment read_statement(Cursor& cursor, const Scope& scope) {
         std::vector<std::pair<Id<Expr>, Id<Expr>>> branches;  // condition, value
         Network::Assignment assignment;
@@ -287,7 +287,7 @@ private:
         return assignment;
     }
 
-    /// Data and clocks of a guard or invariant apart; gives the data part.
+    /// Separates data and clocks of a guard or invariant; returns the data part.
     Id<Expr> read_guard(const std::string& text, const Scope& scope,
                         std::vector<Network::ClockConstraint>& constraints) {
         Cursor cursor(text);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tokens and terms of the part of UPPAAL's language that our emitter writes, for the reader of tests. Faults throw
-// std::runtime_error: a test that meets one has failed.
+// Tokens and terms of the part of UPPAAL's language that the emitter writes, for the reader of tests. Errors throw
+// std::runtime_error, which fails the test.
 #pragma once
 
 #include <functional>
@@ -20,10 +20,10 @@ struct Token {
     std::string text = {};
 };
 
-/// The tokens of `text`; a comment to the end of its line is one, without its slashes.
+/// The tokens of `text`; a line comment is one token, without its slashes.
 std::vector<Token> tokens(std::string_view text);
 
-/// Reads tokens one after the other.
+/// Reads tokens sequentially.
 class Cursor {
 public:
     explicit Cursor(std::string_view text) : tokens_(tokens(text)) {}
@@ -45,8 +45,8 @@ private:
     std::size_t next_ = 0;
 };
 
-/// Terms over the names that `name` knows; `member` knows `process.location`, `function` what a call without
-/// arguments stands for.
+/// Terms over the names that `name` resolves; `member` resolves `process.location`, `function` a call without
+/// arguments.
 struct TermReader {
     Exprs& exprs;
     std::function<Id<Expr>(const std::string&)> name = {};
@@ -55,7 +55,7 @@ struct TermReader {
 
     Id<Expr> term(Cursor& cursor) const;      ///< with `? :`
     Id<Expr> conjunct(Cursor& cursor) const;  ///< binds tighter than `&&`
-    Id<Expr> primary(Cursor& cursor) const;   ///< a name, a number, a call, brackets; with prefixes
+    Id<Expr> primary(Cursor& cursor) const;   ///< a name, a number, a call, parentheses; with prefixes
     Id<Expr> sum(Cursor& cursor) const;
 
 private:

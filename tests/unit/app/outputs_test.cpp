@@ -348,7 +348,7 @@ const std::string violated =
     chart("c") +
     "closed_loop l {\n    controller c;\n    environment E = push_button(OUT = x);\n    property p: never X1;\n}\n";
 
-/// A call of `verb` on `file` that terminates.
+/// A terminating call of the command on `file`.
 Words call(const Verb& verb, const std::string& file, const Folder& folder) {
     Words words = {verb.name};
     if (accepts(verb, Accepts::File)) words.push_back(file);

@@ -189,7 +189,7 @@ TEST(Bdd, SupportAndSizeSpeakOfTheReducedDiagram) {
     EXPECT_TRUE((a & d).low().is_false());
 }
 
-/// A function with an exponential diagram: pairs of variables that are far apart in the order.
+/// A function with an exponential diagram: pairs of variables that are distant in the order.
 Bdd far_apart(const BddSpace& space, std::uint32_t pairs) {
     Bdd result = Bdd::constant(true);
     for (std::uint32_t i = 0; i < pairs; ++i) result &= iff(space.variable(i), space.variable(i + pairs));

@@ -389,8 +389,8 @@ closed_loop asked {
     const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
     const Why why = why_it_holds(*reading.model, {0}, {}, {}, report.value());
     ASSERT_EQ(why.grounds.size(), 2U);
-    EXPECT_EQ(needing(why, "full"), "term a of t0; edge here -> here of Low; ");  // without it the chart never becomes
-                                                                                  // stable
+    EXPECT_EQ(needing(why, "full"), "term a of t0; edge here -> here of Low; ");  // without it the chart never
+                                                                                  // stabilizes
     EXPECT_EQ(needing(why, "filled"), "guard here -> here of Low; ");
 }
 

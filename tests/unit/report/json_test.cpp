@@ -54,7 +54,7 @@ TEST(Json, TellsInMomentsWhatTheStepsSumUp) {
     EXPECT_EQ(run["signals"][1], (Json{{"name", "GO"}, {"role", "output"}}));
     EXPECT_EQ(run["signals"][4], (Json{{"name", "COUNT"}, {"role", "internal"}, {"range", {-4, 4}}}));
     EXPECT_EQ(run["loop"], 3);
-    // Missing values are unchanged.
+    // Values that are not listed are unchanged.
     std::map<int, int> values;
     Json situation;
     std::size_t told = 0;
