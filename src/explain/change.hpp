@@ -8,7 +8,7 @@
 //                           moves are not a run, and the set is not a change
 //   all other moves         are kept if they are possible, and omitted otherwise
 //   forced moves            if time may not pass, or a free move is impossible, the first edge of the network that is
-//                           enabled and not free is taken before it; likewise at the end, if an urgent edge is enabled
+//                           enabled and not free is taken before it; also at the end, if an urgent edge is enabled
 // The result is a run of the network. The property must hold in all of its states.
 #pragma once
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
-// An analysis as text and as JSON.
+// An analysis as text and as JSON; for SARIF see report/sarif.hpp.
 //
 // Text: each finding as a diagnostic at its location, then the run that shows it; accepted ones in one line each; then
 // the open queries with the number of searched instants.
 //
-// JSON: `{"chart", "mode", "complete", "obstacle", "instants", "seconds", "questions", "open":[{"code", "subject",
-// "instants", "evolutions"}], "notes", "findings":[{"code", "level", "subject", "message", "file", "line", "column",
-// "related":[{"message", "file", "line", "column"}], `lost` (of regions), "timing", "accepted", "shows", "trace"}]}`, a
-// trace as in report/json.hpp; missing values are null. SARIF: report/sarif.hpp.
+// JSON: missing values are null; a trace is as in report/json.hpp. Findings about regions also have `lost`.
+//
+//   {"chart", "mode", "complete", "obstacle", "instants", "seconds", "questions", "open":[OPEN], "notes",
+//   "findings":[FINDING]}
+//   OPEN     {"code", "subject", "instants", "evolutions"}
+//   FINDING  {"code", "level", "subject", "message", "file", "line", "column", "related":[{"message", "file", "line",
+//            "column"}], "timing", "accepted", "shows", "trace"}
 #pragma once
 
 #include <iosfwd>

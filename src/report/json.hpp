@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: MIT
-// A report as JSON: `{"model", "properties":[{"name", "text", "file", "line", "column", "verdict", "expected",
-// "declared", "engine", "mode", "grain", "states", "transitions", "seconds", "reason", "vacuous", "notes", "trace"}]}`,
-// with `"errors":[{"code", "message", "trace"}]` for model errors, and `"profile"` (report/profile.hpp) and `"why"`
-// (report/why.hpp) if available. A trace is `{"loop_from", "steps":[{"time", "kind", "component", "inputs", "fired",
-// "situation", "outputs", "moment"}], "run"}`. Time is in milliseconds; inputs and outputs are objects by name, all of
-// them in every step; `run` has the complete run (docs/trace.md). Missing values are null.
+// A report as JSON, and as JSON lines. Time is in milliseconds; missing values are null.
 //
-// As JSON lines: one object per verdict and line, `{"file", "line", "column", "model", "property", "text", "verdict",
-// "expected", "declared", "as_expected", "engine", "mode", "grain", "states", "seconds", "reason", "vacuous", "notes",
-// "story"}`. For an unexpected verdict `story` is the table of its trace, line by line. For a model error and an error
-// in the input, `verdict` is `error`, with `code` and `message`.
+// JSON: `errors` has the model errors; `profile` (report/profile.hpp) and `why` (report/why.hpp) exist if available. In
+// a trace, inputs and outputs are objects by name, all of them in every step; `run` has the complete run
+// (docs/trace.md).
+//
+//   {"model", "properties":[PROPERTY], "errors":[{"code", "message", "trace"}], "profile", "why"}
+//   PROPERTY  {"name", "text", "file", "line", "column", "verdict", "expected", "declared", "engine", "mode", "grain",
+//             "states", "transitions", "seconds", "reason", "vacuous", "notes", "trace"}
+//   trace     {"loop_from", "steps":[{"time", "kind", "component", "inputs", "fired", "situation", "outputs",
+//             "moment"}], "run"}
+//
+// JSON lines: one object per verdict. For an unexpected verdict `story` is the table of its trace, line by line. For a
+// model error and an error in the input, `verdict` is `error`, with `code` and `message`.
+//
+//   {"file", "line", "column", "model", "property", "text", "verdict", "expected", "declared", "as_expected", "engine",
+//   "mode", "grain", "states", "seconds", "reason", "vacuous", "notes", "story"}
 #pragma once
 
 #include <iosfwd>

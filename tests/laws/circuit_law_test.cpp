@@ -116,7 +116,7 @@ void expect_same_text(const Circuit& circuit, const aiger::Written& written, con
     }
 }
 
-/// The words of the text represent the bits of the circuit in every state.
+/// The words in the text represent the bits of the circuit in every state.
 void expect_same_words(const System& system, const FlatSystem& flat, const Circuit& circuit,
                        const std::vector<std::vector<bool>>& inputs) {
     const btor2::Written written = btor2::written(system);

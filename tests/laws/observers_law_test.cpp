@@ -362,7 +362,7 @@ TEST(ObserversLaw, SeeEveryStateOfEveryRunAndFailWhereTheirSentencesSaySo) {
             ++(pair.violated ? violated : hold);
         }
     }
-    // Six kinds in four scopes, `precedes` and `times` without; five with durations, three of them in four scopes too.
+    // Six patterns in four scopes, two without scope; five with durations, three of them in four scopes too.
     EXPECT_EQ(met.size(), 6U * 4U + 2U + 5U + 3U * 4U);
     std::map<int, std::pair<int, int>> kinds, scopes;
     for (const auto& [of, counts] : met)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The reference semantics of a Network in integer time, directly from CEP13 section 2 (equations (9) and (10)), with
-// the target invariant of urgent edges tested after their resets (ETFA12 section 2). Small and slow: it evaluates terms
+// The reference semantics of a Network in integer time, directly from CEP13 section 2 (equations (9) and (10)). The
+// target invariant of urgent edges is tested after their resets (ETFA12 section 2). Small and slow: it evaluates terms
 // and tests every edge. Engines, emitters and library components are compared with it.
 #pragma once
 

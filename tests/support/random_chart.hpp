@@ -4,9 +4,8 @@
 //
 // A chart has one to four partial charts of a few steps: plain ones, expansions and enclosed ones. They have rings with
 // alternatives, parallel branches, sources and sinks, some under forcing orders. There are bool and small int
-// variables, and continuous actions, including conditional, delayed and limited ones. Stored actions of all four kinds
-// have arithmetic that sometimes leaves the range; conditions are over inputs, steps, internals, outputs, edges and
-// time.
+// variables, and continuous actions, including conditional, delayed and limited ones. Stored actions of each kind have
+// arithmetic that sometimes leaves the range; conditions are over inputs, steps, internals, outputs, edges and time.
 #pragma once
 
 #include <cstdint>

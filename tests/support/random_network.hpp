@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random well-formed networks with all features of the IR, for randomized tests of emitters and engines: templates with
-// parameters of all kinds and several processes each, clocks with constant bounds and bounds by parameter, urgent and
-// timed edges, procedures, scratch variables, ranged integers, properties with locations. They have no intended
+// parameters of each kind and several processes each; clocks with constant bounds and bounds by parameter, urgent and
+// timed edges; procedures, scratch variables, ranged integers, properties with locations. They have no intended
 // meaning.
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Engines on a circuit: decide properties about states of a TransitionSystem (`always`, `never`, `exactly one of`,
-// `reachable`), by property directed reachability, one at a time (PDR), or by bounded model checking (BMC), which
-// searches all runs of increasing length.
+// `reachable`). Property directed reachability (PDR) decides one at a time; bounded model checking (BMC) searches all
+// runs of increasing length.
 //
 // `holds` (for `reachable`: violated) is based on an inductive invariant, which an independent second solver checks;
 // BMC cannot prove it. Other engines may search in place of PDR (PdrOptions::reach); their results are validated in the

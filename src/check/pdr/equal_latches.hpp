@@ -4,8 +4,8 @@
 // equal if both keep the same state. PDR would need an invariant that relates all values of their states.
 //
 // Initially all latches and the constant false form one class. Random runs split the classes. Then a solver searches
-// for a step from a state in which all latches of a class are equal to one in which they are not, and that step splits
-// them, until there is none.
+// for a step from a state with equal latches in each class to one in which some differ. That step splits the classes,
+// until there is none.
 #pragma once
 
 #include <optional>

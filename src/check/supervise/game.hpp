@@ -6,9 +6,9 @@
 // "Supervisory control of a class of discrete event processes", permissions are the controllable events, except that an
 // evolution itself cannot be prevented.
 //
-// A state is losing if it is bad, if an uncontrollable move or an evolution under every permission leads to a losing
-// state, or if no marked state is reachable without a losing state. All other states are winning; every uncontrollable
-// move from a winning state leads to a winning state.
+// A state is losing if it is bad, or if an uncontrollable move or an evolution under every permission leads to a losing
+// state. It is also losing if no marked state is reachable without a losing state. All other states are winning; every
+// uncontrollable move from a winning state leads to a winning state.
 #pragma once
 
 #include <cstdint>

@@ -18,7 +18,7 @@ struct Kind {
     std::vector<bdd::NextBit> bits = {};
 };
 
-/// Clusters whose union is the set of steps of `all`; they may overlap. `choices`: the words chosen in each step.
+/// Clusters whose union is the set of steps of `all`; they may overlap. `choices`: words that are chosen in each step.
 std::vector<Kind> kinds(const BddSpace& space, Kind all, std::span<const BddWord> choices);
 
 }  // namespace grafverif::symbolic

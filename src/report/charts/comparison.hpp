@@ -2,10 +2,13 @@
 // A comparison as text and as JSON.
 //
 // Text: the verdict and its assumptions; if the charts differ, the distinguishing scans with the behaviour of both
-// charts; then the changes of the text. JSON: `{"charts":[a,b], "mode", "from":[a,b], "resolution_ms", "constrained",
-// "outcome", "reason", "shortest", "seconds", "scans":[ {"wait_ms", "time_ms", "inputs":{name:value},
-// "answers":[{"outputs":{name:value}, "situation", "stop"}, ...]}], "changes":[{"kind", "subject", "before",
-// "after"}]}`; missing values are null.
+// charts; then the changes of the text.
+//
+// JSON: missing values are null.
+//
+//   {"charts":[a, b], "mode", "from":[a, b], "resolution_ms", "constrained", "outcome", "reason", "shortest", "seconds",
+//   "scans":[SCAN], "changes":[{"kind", "subject", "before", "after"}]}
+//   SCAN  {"wait_ms", "time_ms", "inputs":{name:value}, "answers":[{"outputs":{name:value}, "situation", "stop"}, ...]}
 #pragma once
 
 #include <iosfwd>

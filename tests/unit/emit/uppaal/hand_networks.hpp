@@ -44,8 +44,8 @@ struct Hand {
     }
 };
 
-/// A cylinder with two position sensors that start at different ends, a push button, and a chart of two steps with a
-/// timer and a stored action in the phased grain. It has one property of each pattern.
+/// A station: a cylinder with two position sensors that start at different ends, and a push button. Its chart has two
+/// steps with a timer and a stored action, in the phased grain. There is one property of each pattern.
 Network station();
 
 /// Two templates and three processes whose names are all UPPAAL keywords or names of other entities.
