@@ -4,7 +4,7 @@
 // Text: each finding as a diagnostic at its location, then the run that shows it; accepted ones in one line each; then
 // the open queries with the number of searched instants.
 //
-// JSON: missing values are null; a trace is as in report/json.hpp. Findings about regions also have `lost`.
+// JSON: missing values are null; a trace is as in report/json.hpp. Findings about absorbing regions also have `lost`.
 //
 //   {"chart", "mode", "complete", "obstacle", "instants", "seconds", "questions", "open":[OPEN], "notes",
 //   "findings":[FINDING]}

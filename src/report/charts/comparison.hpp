@@ -6,8 +6,8 @@
 //
 // JSON: missing values are null.
 //
-//   {"charts":[a, b], "mode", "from":[a, b], "resolution_ms", "constrained", "outcome", "reason", "shortest", "seconds",
-//   "scans":[SCAN], "changes":[{"kind", "subject", "before", "after"}]}
+//   {"charts":[a, b], "mode", "from":[a, b], "resolution_ms", "constrained", "outcome", "reason", "shortest",
+//   "seconds", "scans":[SCAN], "changes":[{"kind", "subject", "before", "after"}]}
 //   SCAN  {"wait_ms", "time_ms", "inputs":{name:value}, "answers":[{"outputs":{name:value}, "situation", "stop"}, ...]}
 #pragma once
 

@@ -6,8 +6,9 @@
 //
 // JSON: missing values are null.
 //
-//   {"chart", "possible", "properties":[{"name", "notices"}], "test_steps", "no_test", "counts":{fate:number, "not_judged"},
-//   "specification":{"notices", "of"}, "tests":{"catch", "of"}, "mutants":[MUTANT]}
+//   {"chart", "possible", "properties":[{"name", "notices"}], "test_steps", "no_test",
+//   "counts":{fate:number, "not_judged"}, "specification":{"notices", "of"}, "tests":{"catch", "of"},
+//   "mutants":[MUTANT]}
 //   MUTANT  {"kind", "subject", "file", "line", "before", "after", "fate", "reason", "noticed_by", "undecided",
 //           "caught", "scans"}
 #pragma once
