@@ -76,7 +76,7 @@ Network random_network_of_cells(std::uint64_t seed) {
     return network;
 }
 
-TEST(CellsLaw, LocalNetworksAreNetworks) {
+TEST(CellsLaw, AbstractionsAreWellFormedNetworks) {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const Network network = expand(random_network_of_cells(seed));
@@ -91,7 +91,7 @@ TEST(CellsLaw, LocalNetworksAreNetworks) {
     }
 }
 
-TEST(CellsLaw, CellsGiveTheVerdictsOfTheWhole) {
+TEST(CellsLaw, LocalizationGivesTheVerdictsOfTheCompleteNetwork) {
     std::map<std::string, int> seen;
     const auto networks = static_cast<std::uint64_t>(law_size(600));
     for (std::uint64_t seed = 1; seed <= networks && !testing::Test::HasFailure(); ++seed) {
@@ -169,7 +169,7 @@ std::string loop_of_cells(Random& random) {
            controllers + plant + questions + "}\n";
 }
 
-TEST(CellsLaw, CellsOfLoopsGiveTheVerdictsOfTheWhole) {
+TEST(CellsLaw, LocalizationOfLoopsGivesTheVerdictsOfTheCompleteNetwork) {
     std::map<std::string, int> seen;
     const auto loops = static_cast<std::uint64_t>(law_size(60));
     for (std::uint64_t seed = 1; seed <= loops && !testing::Test::HasFailure(); ++seed) {

@@ -221,7 +221,7 @@ std::string misplaced(const Mutant& mutant, const Chart& a, const Chart& b) {
     return mutant.kind + " of " + mutant.subject + " is seen in " + ::testing::PrintToString(subjects);
 }
 
-TEST(CompareLaw, AMistakeIsInOnePlaceAndOneThatIsProvedToBeNoneIsSeenByNobody) {
+TEST(CompareLaw, MutantsDifferInOnePlaceAndEquivalentOnesAreNeverDistinguished) {
     Met met;
     constexpr std::size_t most = 4;  // number of compared charts
     int read = 0, refused = 0;

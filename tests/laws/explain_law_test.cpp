@@ -60,7 +60,7 @@ SymbolicResult searched(const TransitionSystem& system, const std::vector<Patter
 
 /// The independent computation: the search of `analyse`, on the equations of the chart alone. It has no inputs that
 /// change during an instant, hence the atomic grain.
-TEST(ExplainLaw, AChartThatIsSaidNeverToSettleIsTotallyUnstableToTheSearchOfAnalyse) {
+TEST(ExplainLaw, ChartsReportedAsUnstableAreTotallyUnstableForAnalyse) {
     int unstable = 0;
     for (int seed = 1; seed <= law_size(120); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -505,7 +505,7 @@ std::vector<std::pair<Why::Kind, Model>> left_out_one_by_one(const Model& model)
     return all;
 }
 
-TEST(ExplainLaw, WhatAProofIsSaidToNeedItNeedsByTheReferenceSemantics) {
+TEST(ExplainLaw, ReportedProofCoresAgreeWithTheReferenceSemantics) {
     int needed = 0, enough = 0;
     std::map<Why::Kind, std::array<int, 2>> by_itself;  // not needed, needed
     for (int seed = 1; seed <= law_size(15); ++seed) {

@@ -257,7 +257,7 @@ void expect_fewest(const System& system, const std::vector<const Chart*>& charts
     ++counts[charts.size() > 1 ? "two controllers" : "one controller"];
 }
 
-TEST(ExplainUntimedLaw, TheFewestChangesOfInputsAreThoseOfAllSetsMadeAgainByTheReferenceSemantics) {
+TEST(ExplainUntimedLaw, FewestInputChangesAgreeWithExhaustiveReplayByTheReferenceSemantics) {
     std::map<std::string, int> counts;
     for (int seed = 1; seed <= law_size(800); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -300,7 +300,7 @@ std::vector<SystemState> last_two(const System& system, const SystemRun& run) {
     return states;
 }
 
-TEST(ExplainUntimedLaw, BehindTheFirstStateFromWhichItIsImpossibleNothingIsClearedThatIsSaidToBeLost) {
+TEST(ExplainUntimedLaw, DeadTransitionsAreNeverClearedAfterThePointOfNoReturn) {
     std::map<std::string, int> counts;
     for (int seed = 1; seed <= law_size(60); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

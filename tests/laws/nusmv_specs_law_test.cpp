@@ -148,7 +148,7 @@ TEST(NusmvSpecsLaw, WhatIsReachedFromOneInitialStateOnlyIsReachable) {
     EXPECT_EQ(compared.several_starts, 1u);
 }
 
-TEST(NusmvSpecsLaw, WhereNoRunIsFairReachableIsDecidedAllTheSame) {
+TEST(NusmvSpecsLaw, ReachableIsDecidedEvenIfNoRunIsFair) {
     for (const bool reached : {false, true}) {
         OneInput one;
         one.system.modules[one.system.main].justice = {one.system.exprs.constant(false)};

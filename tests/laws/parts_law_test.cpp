@@ -131,7 +131,7 @@ std::optional<TimedResult> compared(const Network& network, std::map<std::string
     return apart;
 }
 
-TEST(PartsLaw, PartsJudgedApartGiveTheVerdictsOfTheWholeAndRunsOfIt) {
+TEST(PartsLaw, CompositionalChecksGiveTheVerdictsAndRunsOfTheCompleteModel) {
     std::map<std::string, int> seen;
     const auto networks = static_cast<std::uint64_t>(law_size(200));
     for (std::uint64_t seed = 1; seed <= networks && !testing::Test::HasFailure(); ++seed) {
@@ -146,7 +146,7 @@ TEST(PartsLaw, PartsJudgedApartGiveTheVerdictsOfTheWholeAndRunsOfIt) {
     tell(seen);
 }
 
-TEST(PartsLaw, RunsOfClosedLoopsJudgedByPartsReplayOnAllTheirCharts) {
+TEST(PartsLaw, RunsOfCompositionalChecksReplayOnAllCharts) {
     std::map<std::string, int> seen;
     const auto loops = static_cast<std::uint64_t>(law_size(15));
     for (std::uint64_t seed = 1; seed <= loops && !testing::Test::HasFailure(); ++seed) {

@@ -202,7 +202,7 @@ TEST(PdrLaw, AgreesWithTheOtherEnginesOnASmallLoopInEveryApproachAndSchedule) {
     EXPECT_GT(compared.violated, 5u);
 }
 
-TEST(PdrLaw, AnInvariantFromWhichAClauseOrALiteralIsTakenIsCheckedAnew) {
+TEST(PdrLaw, InvariantsWithoutAClauseOrLiteralAreCheckedAgain) {
     std::size_t whole = 0, rejected = 0;
     for (int seed = 1; seed <= law_size(150); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

@@ -40,7 +40,7 @@ TEST(StabilityLaw, OneMoreCycleWithTheSameInputsChangesNothingInAStableSituation
     EXPECT_GT(seen, 1000);
 }
 
-TEST(StabilityLaw, ATotalInstabilityPassesThroughItsSituationsForEver) {
+TEST(StabilityLaw, TotalInstabilityCyclesThroughItsSituationsForever) {
     int seen = 0;
     for (int seed = 1; seed <= law_size(500); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));

@@ -189,7 +189,7 @@ System taking_turns(Random& random, bool leaking) {
     return system;
 }
 
-TEST(SymbolicLaw, StepsByKindSayWhatAnExplicitSearchSaysOfWhatTakesTurns) {
+TEST(SymbolicLaw, EventClustersOfInterleavedSystemsAgreeWithAnExplicitSearch) {
     Compared compared;
     std::size_t vacuous = 0;
     for (int seed = 1; seed <= law_size(500); ++seed) {
@@ -211,7 +211,7 @@ TEST(SymbolicLaw, StepsByKindSayWhatAnExplicitSearchSaysOfWhatTakesTurns) {
     EXPECT_GT(vacuous, 0u);
 }
 
-TEST(SymbolicLaw, StepsByKindBreakOffWhereStepsAtOnceDo) {
+TEST(SymbolicLaw, EventClustersFindTheSameModelErrors) {
     std::size_t leaks = 0, dead_ends = 0, sound = 0;
     for (int seed = 1; seed <= law_size(600); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

@@ -167,7 +167,7 @@ SymbolicResult compare(const System& system, Counts& seen) {
     return apart;
 }
 
-TEST(TurnsLaw, PartsJudgedApartGiveTheVerdictsOfTheWholeAndRunsOfIt) {
+TEST(TurnsLaw, CompositionalChecksGiveTheVerdictsAndRunsOfTheCompleteModel) {
     Counts seen;
     const auto cases = static_cast<std::uint64_t>(law_size(60));
     for (std::uint64_t seed = 1; seed <= cases && !HasFailure(); ++seed)
@@ -182,7 +182,7 @@ TEST(TurnsLaw, PartsJudgedApartGiveTheVerdictsOfTheWholeAndRunsOfIt) {
     tell(seen);
 }
 
-TEST(TurnsLaw, RunsOfClosedLoopsJudgedByPartsReplayOnAllTheirCharts) {
+TEST(TurnsLaw, RunsOfCompositionalChecksReplayOnAllCharts) {
     Counts seen;
     const auto loops = static_cast<std::uint64_t>(law_size(4));
     for (std::uint64_t seed = 1; seed <= loops && !HasFailure(); ++seed)
@@ -203,7 +203,7 @@ TEST(TurnsLaw, RunsOfClosedLoopsJudgedByPartsReplayOnAllTheirCharts) {
     tell(seen);
 }
 
-TEST(TurnsLaw, EnginesBesideEachOtherGiveTheVerdictsOfTheWholeAndRunsOfIt) {
+TEST(TurnsLaw, PortfolioGivesTheVerdictsAndRunsOfTheCompleteModel) {
     Counts seen;
     const auto cases = static_cast<std::uint64_t>(law_size(10));
     for (std::uint64_t seed = 1; seed <= cases && !HasFailure(); ++seed)

@@ -234,7 +234,7 @@ TEST(Kill, AtAnyMomentLeavesNoTornFile) {
     for (const auto& [name, content] : fresh) EXPECT_EQ(folder.read("models/" + name), content);
 }
 
-TEST(Signals, EndEveryVerbAtAnyMoment) {
+TEST(Signals, EndEveryCommandAtAnyTime) {
     std::mt19937 random(13);
     for (const Words& verb : verbs()) {
         const double whole = std::min(usual(verb).count(), 5.0);
@@ -263,7 +263,7 @@ ProgramResult in_shell(const Folder& folder, const std::string& commands) {
                        {.deadline = steady_clock::now() + std::chrono::seconds(120), .folder = folder.file("")});
 }
 
-TEST(Init, RefusesWhatIsNoNameAndWritesNothingWhereItMayNot) {
+TEST(Init, RejectsInvalidNamesAndWritesNothingWithoutPermission) {
     const Folder folder;
     for (const char* name : {"../up", "a/b", "/abs", ".", "..", "-x", "--", "a b", "step", "7", "caf\xC3\xA9", "a\nb",
                              "$(reboot)", "\x1b[31m", ""}) {
@@ -298,7 +298,7 @@ TEST(Init, TwoAtOnceLeaveOneWholeProjectAndNothingIsWrittenOver) {
 }
 
 /// Two of the runs have unreadable input, and two run concurrently on one file; they end on request.
-TEST(Watch, OutlastsWhatCannotBeReadAndEndsWithNothingLeftBehind) {
+TEST(Watch, SurvivesUnreadableInputAndLeavesNoProcesses) {
     const Folder folder;
     folder.write("lamp.grafcet",
                  "grafcet lamp { input a; output o; initial step 1 { o; } transition t: 1 -> 1 when a; }\n");
@@ -318,7 +318,7 @@ TEST(Watch, OutlastsWhatCannotBeReadAndEndsWithNothingLeftBehind) {
     EXPECT_TRUE(folder.read("drawn.svg").ends_with("</svg>\n"));
 }
 
-TEST(Watch, RefusesWhatItCannotLookAt) {
+TEST(Watch, RejectsCommandsThatItCannotRepeat) {
     const Folder folder;
     for (const Words& words : std::vector<Words>{{"check", "-"},
                                                  {"chekc", "a.grafcet"},

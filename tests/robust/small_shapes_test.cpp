@@ -101,7 +101,7 @@ std::string loop_of(const std::string& chart) {
            "    property p: reachable all steps;\n    property q: no deadlock;\n}\n";
 }
 
-TEST(SmallShapes, GoThroughEveryVerb) {
+TEST(SmallShapes, AreAcceptedByEveryCommand) {
     const app::Folder folder;
     const std::span<const fuzz::VerbRun> runs = fuzz::verb_runs();
     const std::vector<std::string> all = shapes();

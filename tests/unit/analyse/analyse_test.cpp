@@ -86,7 +86,7 @@ TEST(Analyse, AStepThatNothingLeadsToIsNeverActiveNorAreTransitionsFromIt) {
     EXPECT_EQ(upstream->message, "`t2` is never cleared; `X2` is never active");
 }
 
-TEST(Analyse, TransitionsWhoseStepsAreNeverActiveTogetherAreToldApart) {
+TEST(Analyse, DistinguishesTransitionsWhoseStepsAreNeverActiveTogether) {
     const Analysis found = analysed(R"(
         input a;
         initial step 0;
@@ -213,7 +213,7 @@ TEST(Analyse, TwoOrdersThatExcludeEachOtherAreShownTogether) {
     EXPECT_EQ(find(analysed(exclusive), "forced-twice"), nullptr);
 }
 
-TEST(Analyse, ARaceInAnEvolutionWhoseOrdersExcludeEachOtherIsNotToldBesides) {
+TEST(Analyse, DoesNotReportARaceInAnEvolutionWithConflictingOrders) {
     const Analysis found = analysed(R"(
         internal count: int 0..5 = 3;
         initial step 0 { force G1 := {INIT}; }
@@ -242,7 +242,7 @@ TEST(Analyse, AChartThatIsForcedWhileItsEnclosingStepGovernsItIsFound) {
     EXPECT_EQ(find(analysed("input a, b; constraint !(a && b);" + std::string(body)), "forced-and-enclosed"), nullptr);
 }
 
-TEST(Analyse, TheEvidenceTellsTheFirstEvolutionWhichClearsNothing) {
+TEST(Analyse, EvidenceIncludesAFirstEvolutionThatClearsNothing) {
     const Analysis found = analysed(
         "input a; initial step 0; step 1; transition t0: 0 -> 1 when a; transition t1: 1 -> 0 "
         "when a;");
@@ -378,7 +378,7 @@ TEST(Analyse, TheLongerOfTwoTimersOnOneStepNeverEndsFirst) {
     EXPECT_EQ(find(found, "branches-together"), nullptr);
 }
 
-TEST(Analyse, WhatOnlyTheTimesRuleOutIsSaidToBeUnconfirmed) {
+TEST(Analyse, EventsExcludedOnlyByTimesAreReportedAsUnconfirmed) {
     // Both steps become active at the same time; the 3 s timer expires before the 5 s timer.
     const Analysis found = analysed(R"(
         initial step 0;
@@ -393,7 +393,7 @@ TEST(Analyse, WhatOnlyTheTimesRuleOutIsSaidToBeUnconfirmed) {
     EXPECT_EQ(early, nullptr) << "the search knows the order of ends on one step only";
 }
 
-TEST(Analyse, ATimerOnAnInputThatRisesWhileNothingElseHappensRuns) {
+TEST(Analyse, TimerOfAnInputRunsIfItRisesWithoutOtherEvents) {
     const Analysis found = analysed(R"(
         input a, b; output o;
         initial step 0;
@@ -477,7 +477,7 @@ TEST(Analyse, WhatOnePartDecidesDoesNotWaitForTheOthers) {
     EXPECT_GE(order.size(), 1U) << "findings are told as they are found";
 }
 
-TEST(Analyse, SaysTheSameOfOneChartEachTime) {
+TEST(Analyse, RepeatedAnalysisGivesTheSameResult) {
     Reading oven = read_file(GRAFVERIF_SOURCE_DIR "/samples/oven_door/oven_door.grafcet");
     ASSERT_TRUE(oven.model);
     std::optional<Analysis> first;
@@ -491,7 +491,7 @@ TEST(Analyse, SaysTheSameOfOneChartEachTime) {
     }
 }
 
-TEST(Analyse, WhatARunThatBreaksOffRulesOutIsNotTakenFromAPart) {
+TEST(Analyse, EventsExcludedByAnAbortedRunAreNotTransferredFromAPart) {
     // Part b alone reaches b1 in its second instant; the other part races in the first one, for all inputs.
     const Analysis found = analysed(R"(
         input x; output o, p;
@@ -508,7 +508,7 @@ TEST(Analyse, WhatARunThatBreaksOffRulesOutIsNotTakenFromAPart) {
     EXPECT_NE(find(found, "transition-never-fired", "t"), nullptr) << "no run goes on";
 }
 
-TEST(Analyse, ARunOfAPartThatNoTimesMakeIsNotTakenForOneOfTheChart) {
+TEST(Analyse, RunsOfAPartWithoutPossibleTimesAreNotRunsOfTheChart) {
     // After a rise of `a` the chart is never stable, because of part g; in the shortest run of the other part a timer
     // expires too late.
     const Analysis found = analysed(R"(
@@ -542,7 +542,7 @@ constexpr std::string_view press = R"(
     transition t9: 1 -> 9 when a && b;
 )";
 
-TEST(Analyse, EachTrapIsToldWithAWayToWhereNothingLeadsBackFrom) {
+TEST(Analyse, EachAbsorbingRegionIsReportedWithAPathIntoIt) {
     const Analysis found = analysed(press);
     EXPECT_EQ(codes(found), (Codes{"step-never-again X0", "step-never-again X1", "comes-once X10"}));
     const Finding &stopped = found.findings[0], &counted = found.findings[1], &once = found.findings[2];
@@ -559,7 +559,7 @@ TEST(Analyse, EachTrapIsToldWithAWayToWhereNothingLeadsBackFrom) {
     EXPECT_EQ(once.lost, (std::vector<std::string>{"X10", "t10"}));
 }
 
-TEST(Analyse, ACounterThatIsNeverSetBackSticksWhereStepsGoOn) {
+TEST(Analyse, CounterWithoutResetSticksWhileStepsContinue) {
     const Analysis found = analysed(R"(
         input a, b;
         internal n: int 0..3 = 0;
@@ -609,7 +609,7 @@ TEST(Analyse, AWayBackThroughARaceIsNotDenied) {
     EXPECT_EQ(find(found, "comes-once"), nullptr);
 }
 
-TEST(Analyse, AWayThatAnotherPartBreaksOffLeadsIntoNoTrap) {
+TEST(Analyse, PathAbortedByAnotherPartLeadsIntoNoAbsorbingRegion) {
     // Without the counter 2 is left forever; with it a value goes out of range before the instant is over.
     const Analysis found = analysed(R"(
         input a;
@@ -624,7 +624,7 @@ TEST(Analyse, AWayThatAnotherPartBreaksOffLeadsIntoNoTrap) {
     EXPECT_EQ(find(found, "comes-once"), nullptr);
 }
 
-TEST(Analyse, AnInstantWithoutEndIsNoLifeBesideARegion) {
+TEST(Analyse, InfiniteInstantDoesNotCountAsARunOutsideARegion) {
     const Analysis found = analysed(R"(
         input a;
         initial step 0;
@@ -639,7 +639,7 @@ TEST(Analyse, AnInstantWithoutEndIsNoLifeBesideARegion) {
 }
 
 /// More regions than are distinguished: each value of k is one, and two of them have an additional dead element.
-TEST(Analyse, WhatIsLostInOneOfManyRegionsIsNotToldWithWhatIsLostInAnother) {
+TEST(Analyse, DeadElementsOfDifferentRegionsAreReportedSeparately) {
     const Analysis found = analysed(R"(
         input C: int 0..63;
         input I, J;

@@ -82,7 +82,7 @@ TEST(Findings, AsJsonHaveAllTheirParts) {
     EXPECT_EQ(object["findings"][1]["accepted"], "later");
 }
 
-TEST(Findings, SayOfWhatIsNotDecidedHowFarItWasLookedInto) {
+TEST(Findings, StateHowFarOpenQueriesWereSearched) {
     Analysed made = analysed(std::string(two_buttons));
     made.analysis.questions = 9;
     made.analysis.obstacle = "stopped before the end";
@@ -156,7 +156,7 @@ TEST(Findings, AsSarifAreALogThatTheStandardKnows) {
     EXPECT_EQ(results[1]["suppressions"][0]["justification"], "later");
 }
 
-TEST(Exclusions, AreReadWithQuotesCommentsAndLineEndsOfAllKinds) {
+TEST(Exclusions, AcceptQuotesCommentsAndAllLineEndings) {
     Analysed made = analysed(std::string(two_buttons));
     Diagnostics diagnostics;
     const Id<Source> id = made.sources.add({"wiring.csv",

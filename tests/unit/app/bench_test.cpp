@@ -88,7 +88,7 @@ TEST(Bench, GivesAVerdictOnControllersThatMisbehaveAndEndsThem) {
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(40));
 }
 
-TEST(Bench, GoesOnAfterAFailureAsFarAsTheControllerCan) {
+TEST(Bench, ContinuesAfterAFailureIfTheControllerCan) {
     const auto after = [](const std::string& what) {
         return verdicts(Json::parse(tested(faulty(what), {"--go-on", "--format", "json", "--timeout", "300ms"}).out));
     };
@@ -98,14 +98,14 @@ TEST(Bench, GoesOnAfterAFailureAsFarAsTheControllerCan) {
     EXPECT_EQ(after("sleep 60"), (std::vector<std::string>{"passed", "failed", "not run"}));
 }
 
-TEST(Bench, AProgramThatTheShellCannotRunIsNoVerdict) {
+TEST(Bench, ProgramThatTheShellCannotRunGivesNoVerdict) {
     const Result result = tested("/nowhere/at/all");
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_NE(result.err.find("[cannot-run]"), std::string::npos) << result.err;
     EXPECT_EQ(result.out, "");
 }
 
-TEST(Bench, ComparesInEveryScanOfAStepAndWaitsWhereItIsAsked) {
+TEST(Bench, ComparesEveryScanOfAStepAndWaitsOnRequest) {
     const Folder folder;
     const std::string chart = folder.write("pulse.grafcet",
                                            "grafcet pulse { input go; output L; initial step 0; step 1 { L; }\n"
@@ -158,7 +158,7 @@ TEST(Bench, MakesTheTestOfTheChartItself) {
         }
 }
 
-TEST(Bench, RefusesTablesThatAreNoTest) {
+TEST(Bench, RejectsTablesThatAreNotATest) {
     struct Case {
         const char* table;
         const char* complaint;
@@ -215,7 +215,7 @@ TEST(Bench, ReadsTablesWithSemicolons) {
     EXPECT_EQ(Json::parse(result.out)["steps"][1]["situation"], "{3,5}");
 }
 
-TEST(Bench, NeedsAControllerAndOneWayToGoOn) {
+TEST(Bench, RequiresAControllerAndOneFailurePolicy) {
     EXPECT_NE(grafverif({"test", tanks_chart, "--sequence", table2}).err.find("`--against PROGRAM` is missing"),
               std::string::npos);
     EXPECT_NE(tested("x", {"--go-on", "--stop-on-failure"}).err.find("exclude each other"), std::string::npos);

@@ -176,7 +176,7 @@ void expect_bounded(const Ended& ended, const std::string& why) {
     EXPECT_EQ(ended.out, "");
 }
 
-TEST(Bounds, EveryVerbKeepsTheTimeLimit) {
+TEST(Bounds, EveryCommandKeepsTheTimeLimit) {
     const Inputs inputs;
     for (const std::vector<std::string>& command : inputs.commands()) {
         if (command.front() == "test") continue;  // its limit applies to one response
@@ -188,7 +188,7 @@ TEST(Bounds, EveryVerbKeepsTheTimeLimit) {
     }
 }
 
-TEST(Bounds, EveryVerbEndsOnInterrupt) {
+TEST(Bounds, EveryCommandEndsOnInterrupt) {
     const Inputs inputs;
     for (const std::vector<std::string>& command : inputs.some_commands(3, 1)) {
         SCOPED_TRACE(command.front());
@@ -200,7 +200,7 @@ TEST(Bounds, EveryVerbEndsOnInterrupt) {
     }
 }
 
-TEST(Bounds, EveryVerbKeepsTheMemoryLimit) {
+TEST(Bounds, EveryCommandKeepsTheMemoryLimit) {
     const Inputs inputs;
     for (const std::vector<std::string>& command : inputs.some_commands(2, 0)) {
         SCOPED_TRACE(command.front());
@@ -212,7 +212,7 @@ TEST(Bounds, EveryVerbKeepsTheMemoryLimit) {
     }
 }
 
-TEST(Bounds, MemoryThatTheSystemRefusesIsNoSignal) {
+TEST(Bounds, RefusedMemoryIsReportedWithoutASignal) {
     if (sanitized) GTEST_SKIP() << "the sanitizer reserves more address space than that";
     const Inputs inputs;
     for (const std::vector<std::string>& command : inputs.some_commands(2, 1)) {
@@ -232,7 +232,7 @@ Json property(const Ended& ended, const std::string& name) {
     return {};
 }
 
-TEST(Bounds, WhatIsKnownByThenIsTold) {
+TEST(Bounds, ResultsSoFarAreReported) {
     const Folder folder;
     // Many timers and buttons: too many states for any limit of time or memory.
     std::string text = "grafcet g {\n    input a";
@@ -285,7 +285,7 @@ TEST(Bounds, EndlessPrintingEndsAfterTheTimeLimit) {
     ::close(written[0]);
 }
 
-TEST(Bounds, ALimitBeyondEveryClockIsNone) {
+TEST(Bounds, LimitBeyondTheRangeOfTheClockIsIgnored) {
     const Folder folder;
     const std::string chart = folder.write("g.grafcet", ring(2));
     for (const char* time : {"106751991167h", "2562047788015h", "18446744073709551615ms"}) {

@@ -38,7 +38,7 @@ TEST(Check, ProvesThePropertiesOfTheSamples) {
     }
 }
 
-TEST(Check, SaysWhatAVerdictRestsOn) {
+TEST(Check, PrintsTheAssumptionsOfAVerdict) {
     const Result result =
         grafverif({"check", sample("blinker/blinker.grafcet"), "--grain", "atomic", "--mode", "every-cycle"});
     EXPECT_NE(result.out.find("timed engine; every-cycle, atomic grain; time unit 1 s, cycle time taken as zero"),
@@ -231,7 +231,7 @@ TEST(Check, TakesTheFirstInterruptAsAWish) {
     EXPECT_FALSE(Interrupt().asked());
 }
 
-TEST(Check, TellsTheSameEachTime) {
+TEST(Check, RepeatedRunsPrintTheSame) {
     const std::string file = sample("testing_station/faulty.grafcet");
     EXPECT_EQ(grafverif({"check", file}).out, grafverif({"check", file}).out);
 }
@@ -246,7 +246,7 @@ TEST(Check, NamesTheEmbeddedEngineWhereVerifytaIsNotInstalled) {
               "[missing-program]\n");
 }
 
-TEST(Check, SaysWhatProofsRestOnWhereItIsAsked) {
+TEST(Check, PrintsProofCoresOnRequest) {
     const Folder folder;
     const std::string file =
         folder.write("counter.grafcet", counter("property small: always N <= 2; property seen: reachable N == 1;"

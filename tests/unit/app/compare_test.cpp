@@ -36,7 +36,7 @@ TEST(Compare, AChartIsEqualToItselfInEachMode) {
     }
 }
 
-TEST(Compare, EachModeIsAskedInOneRun) {
+TEST(Compare, OneRunComparesInEachMode) {
     const Result result = grafverif({"compare", tanks, tanks, "--each-mode"});
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
     const std::size_t first = result.out.find("mode stability-search"), second = result.out.find("mode every-cycle");
@@ -55,7 +55,7 @@ TEST(Compare, EachModeIsAskedInOneRun) {
     EXPECT_EQ(compared(lamp, lamp, {"--each-mode", "--mode", "every-cycle"}).code, ExitCode::Input);
 }
 
-TEST(Compare, WhatIsTakenOverFromAnotherFormatIsEqualToItsFile) {
+TEST(Compare, ImportedChartIsEqualToItsFile) {
     const Folder folder;
     for (const auto& [name, text] : {std::pair{"agrafe.xml", &fixtures::agrafe},
                                      {"plcopen.xml", &fixtures::plcopen},
@@ -69,7 +69,7 @@ TEST(Compare, WhatIsTakenOverFromAnotherFormatIsEqualToItsFile) {
     }
 }
 
-TEST(Compare, AProgramIsNoChartAndIsToldSo) {
+TEST(Compare, RejectsAProgramInPlaceOfAChart) {
     const Folder folder;
     for (const std::string form : {"text", "xml"}) {
         const std::string program = folder.file("program");
@@ -82,7 +82,7 @@ TEST(Compare, AProgramIsNoChartAndIsToldSo) {
     }
 }
 
-TEST(Compare, StepsWithOtherNamesAreToldAndMakeNoDifference) {
+TEST(Compare, RenamedStepsAreListedAndDoNotMatter) {
     const std::string other = with(
         with(with(with(lamp, "step 1 {", "step ON {"), "0 -> 1", "0 -> ON"), "t1: 1", "t1: ON"), "on, off", "off, on");
     const Result result = compared(lamp, other);
@@ -131,7 +131,7 @@ TEST(Compare, ADifferenceIsTheShortestSequenceWithBothOutputs) {
               "    now 1 -> 0 when off && !on\n");
 }
 
-TEST(Compare, TimesTellChartsApart) {
+TEST(Compare, TimesDistinguishCharts) {
     const std::string pulse = with(lamp, "when off", "when 3s/X1");
     const Result same = compared(pulse, pulse);
     EXPECT_EQ(same.code, ExitCode::Done) << same.out << same.err;
@@ -234,7 +234,7 @@ TEST(Compare, ARaceIsAStop) {
     EXPECT_NE(result.out.find("[action-race]"), std::string::npos) << result.out;
 }
 
-TEST(Compare, AStopByAFaultAndOneForWantOfAStableSituationAreTheSame) {
+TEST(Compare, StopsByAFaultAndByInstabilityCountAsEqual) {
     const std::string out_of_range =
         "grafcet c {\n    input in;\n    output L;\n    internal n: int 0..5 = 5;\n    initial step 0;\n    step 1 { "
         "L; }\n"

@@ -51,7 +51,7 @@ TEST(Constants, GiveTheirValueToWhatReadsThem) {
     EXPECT_EQ(set["constants"][2], nlohmann::json::parse(R"({"name": "TWICE", "value": 10, "set": false})"));
 }
 
-TEST(Constants, StandWithVerdictsAndInEveryModel) {
+TEST(Constants, AreShownWithVerdictsAndInEveryModel) {
     const Folder folder;
     const std::string file = folder.write("tank.grafcet", tank);
     const std::string words = "N = 3 (set), UNIT = 1s, TWICE = 6";
@@ -105,7 +105,7 @@ TEST(Constants, AreNotSetForAChartAloneWhichReadsNone) {
     EXPECT_NE(grafverif({"mutate", file, "--chart", "filling", "--limit", "1", "--set", "N=3"}).code, ExitCode::Input);
 }
 
-TEST(Constants, SetForMutantsAreSetInEachAndKeptApart) {
+TEST(Constants, SetForMutantsAreSetInEachSeparately) {
     const Folder folder;
     const std::string file = folder.write("tank.grafcet", tank), state = folder.file("state");
     const auto lines = [&](const std::string& n) {

@@ -73,7 +73,7 @@ TEST(Dialogue, AProgramThatClosesItsOutputIsNotWaitedFor) {
     EXPECT_TRUE(no_child());
 }
 
-TEST(Dialogue, AProgramThatIsNotThereIsToldFromOneThatFails) {
+TEST(Dialogue, DistinguishesAMissingProgramFromAFailingOne) {
     Dialogue dialogue("/nowhere/at/all", {});
     EXPECT_EQ(dialogue.ask("a").kind, Kind::Ended);
     EXPECT_TRUE(dialogue.not_found());
@@ -93,7 +93,7 @@ TEST(Dialogue, PatienceHasAnEnd) {
     EXPECT_LT(steady_clock::now() - start, std::chrono::seconds(30));
 }
 
-TEST(Dialogue, AProgramThatNeverReadsBlocksNobody) {
+TEST(Dialogue, ProgramThatNeverReadsDoesNotBlockTheCaller) {
     Dialogue dialogue("sleep 60", impatient());
     EXPECT_EQ(dialogue.ask(std::string(1'000'000, '1')).kind, Kind::Silent);
 }

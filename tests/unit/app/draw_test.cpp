@@ -62,7 +62,7 @@ TEST(Draw, AStepThatIsNotThereIsRefused) {
     EXPECT_NE(result.err.find("has no step `99`"), std::string::npos) << result.err;
 }
 
-TEST(Draw, AStepOfSeveralPartialChartsIsAskedFor) {
+TEST(Draw, AmbiguousStepNamesAreRejected) {
     const Folder folder;
     const std::string file =
         folder.write("two.grafcet",

@@ -65,7 +65,7 @@ TEST(WriteFiles, OverwritesNothingThroughALinkPreparedForItsDraft) {
     EXPECT_EQ(folder.read("out"), "text");
 }
 
-TEST(WriteFiles, FollowsLinksAlsoToWhereNothingIs) {
+TEST(WriteFiles, FollowsLinksWithoutTarget) {
     const Folder folder;
     fs::create_directories(folder.file("far/away"));
     folder.write("far/there", "old");
@@ -138,7 +138,7 @@ std::vector<OutputFile> set_of(const Folder& folder) {
             {folder.file("c/d/four"), "new 4"}};
 }
 
-TEST(WriteFiles, ASetIsWrittenToTheEndOrNotAtAllWhateverCallFails) {
+TEST(WriteFiles, SetIsWrittenCompletelyOrNotAtAllIfAnyCallFails) {
     const int failures = with_each_call_failing(
         [](const Folder& folder) { write_files(set_of(folder)); },
         [](const Folder& folder, const std::string& before, bool thrown) {
@@ -148,7 +148,7 @@ TEST(WriteFiles, ASetIsWrittenToTheEndOrNotAtAllWhateverCallFails) {
     EXPECT_GE(failures, 14);
 }
 
-TEST(WriteFiles, ASingleFileIsReplacedOrStaysWhateverCallFails) {
+TEST(WriteFiles, SingleFileIsReplacedOrKeptIfAnyCallFails) {
     for (const char* name : {"one", "three", "b/two"}) {
         SCOPED_TRACE(name);
         const int failures = with_each_call_failing(
@@ -163,7 +163,7 @@ TEST(WriteFiles, ASingleFileIsReplacedOrStaysWhateverCallFails) {
     }
 }
 
-TEST(WriteFiles, NoFileIsLostWhereEveryCallFailsFromOneOn) {
+TEST(WriteFiles, FilesAreKeptIfAllLaterCallsFail) {
     fail_on = true;
     for (const bool single : {true, false})
         with_each_call_failing(
@@ -209,7 +209,7 @@ TEST(Mutate, AStateFileThatCannotBeWrittenIsAnErrorAndTheOldOneStays) {
     EXPECT_EQ(folder.entries(), 2U);
 }
 
-TEST(WriteFiles, RemovesWhatKilledRunsLeftAndNothingElse) {
+TEST(WriteFiles, RemovesOnlyTheRemainsOfKilledRuns) {
     const Folder folder;
     folder.write(".grafverif-0123456789abcdef.part", "draft");
     for (const char* mine : {".grafverif-config", ".grafverif-0123456789abcdeg.part",
@@ -241,7 +241,7 @@ TEST(WriteFiles, OfRunsAtTheSameTimeOneWholeSetRemains) {
     EXPECT_EQ(folder.entries(), 4u) << state(folder);
 }
 
-TEST(WriteFiles, WritesThroughWhatIsNoFile) {
+TEST(WriteFiles, WritesDirectlyToDevicesAndPipes) {
     const Folder folder;
     ASSERT_EQ(::mkfifo(folder.file("pipe").c_str(), 0600), 0);
     std::string heard;
@@ -263,7 +263,7 @@ TEST(Outputs, StandardOutputHasNames) {
     EXPECT_EQ(grafverif({"equations", door, "-o", "/dev/stderr"}).err, equations);
 }
 
-TEST(Outputs, AreNoInputsOfTheSameRun) {
+TEST(Outputs, ThatAreInputsOfTheSameRunAreRejected) {
     const Folder folder;
     const std::string part =
         "grafcet part { input x; output L; initial step 0; step 1 { L; } transition t: 0 -> 1 when x; transition u: 1 "
@@ -352,7 +352,7 @@ TEST(FilesBelow, LeavesOutTheKernelAndEndsWhenAsked) {
     EXPECT_EQ(most, 0u) << "not all was looked at";
 }
 
-TEST(Include, AFileIsReadOnceWhateverLeadsToIt) {
+TEST(Include, FileWithSeveralPathsIsReadOnce) {
     const Folder folder;
     for (const char* link : {"a", "b"}) fs::create_symlink(".", folder.file(link));
     constexpr int files = 40;  // 2^40 include paths lead to the last file

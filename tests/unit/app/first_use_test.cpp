@@ -60,7 +60,7 @@ TEST(FirstUse, ImportWritesNothingThatAVerbWouldRefuse) {
     EXPECT_EQ(folder.entries(), 1U);
 }
 
-TEST(FirstUse, AChartAloneIsSentToTheVerbsThatTakeIt) {
+TEST(FirstUse, ChartWithoutLoopGetsAHintToSuitableCommands) {
     const Folder folder;
     const std::string chart = folder.write("lone.grafcet", lone);
     for (const char* verb : {"build", "uppaal"}) {
@@ -89,7 +89,7 @@ TEST(FirstUse, HelpComesInEveryOrderOfWords) {
         says(grafverif({"--timeout", "3s", "check"}), "a verb comes first, options behind it; not `--timeout`"));
 }
 
-TEST(FirstUse, AMisspeltOptionOrNameIsToldWhatItMayMean) {
+TEST(FirstUse, MisspeltOptionOrNameGetsASuggestion) {
     EXPECT_TRUE(says(grafverif({"check", station, "--proprty", "P14"}),
                      "there is no option `--proprty`; did you mean `--property`?"));
     EXPECT_TRUE(says(grafverif({"check", station, "--colour", "never"}),
@@ -169,7 +169,7 @@ TEST(FirstUse, AnOptionThatWouldMeanNothingIsRefused) {
     }
 }
 
-TEST(FirstUse, AStepOfAPropertyIsAskedForByTheNameThatItsVerdictHas) {
+TEST(FirstUse, StepOfAPropertyIsSelectedByTheNameOfItsVerdict) {
     const Result one = grafverif({"check", pick_and_place, "--property", "all_steps.X11", "--format", "json"});
     EXPECT_EQ(one.code, ExitCode::Done) << one.err;
     EXPECT_NE(one.out.find("\"all_steps.X11\""), std::string::npos);
@@ -189,7 +189,7 @@ TEST(FirstUse, AFolderIsNotWrittenToStandardOutput) {
     EXPECT_TRUE(says(result, "`build` writes a folder, which `-` is not")) << result.err;
 }
 
-TEST(FirstUse, ColoursAreForTerminalsUnlessSomebodySaysOtherwise) {
+TEST(FirstUse, ColoursAreUsedOnTerminalsByDefault) {
     struct Case {
         bool terminal;
         std::string no_color, clicolor_force, term;
@@ -235,7 +235,7 @@ TEST(FirstUse, AReasonNamesWhatStoppedTheEngine) {
     EXPECT_EQ(with_who_stopped("the memory allowed is used up", true, options), "the memory allowed is used up");
 }
 
-TEST(FirstUse, TheTimeLimitIsNamedByEveryVerbThatEndsAtIt) {
+TEST(FirstUse, EveryCommandThatTimesOutNamesTheTimeLimit) {
     EXPECT_NE(grafverif({"check", station, "--timeout", "0s"}).out.find("why: stopped at the time limit of 0 s"),
               std::string::npos);
     EXPECT_NE(

@@ -151,7 +151,7 @@ std::string loop_with(const std::string& text) {
 
 bool fits_a_text(const std::string& text) { return text.find_first_of("\"\n") == std::string::npos; }
 
-TEST(Hostile, TextsAndFileNamesThroughEveryVerb) {
+TEST(Hostile, TextsAndFileNamesAreCleanInEveryCommand) {
     const Folder folder;
     for (const std::string& text : mixtures()) {
         std::string name = text + ".grafcet";

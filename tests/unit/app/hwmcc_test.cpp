@@ -75,7 +75,7 @@ TEST(Btor2, SaysWhatIsAboutStatesAndNamesTheRest) {
     EXPECT_EQ(file.bads()[0], "no_overflow");
 }
 
-TEST(Pdr, ProvesAndTellsRunsAndLeavesWhatIsAboutRuns) {
+TEST(Pdr, ProvesShowsRunsAndOmitsPropertiesOfRuns) {
     const Folder folder;
     const std::string file = folder.write(
         "lamp.grafcet", lamp("property one: never L && M; property lit: reachable M; property dark: never M;\n"
@@ -163,7 +163,7 @@ TEST(Pdr, TimeAndMemoryEndInUnknown) {
     }
 }
 
-TEST(Pdr, WhetherAChartAloneStabilisesIsAskedTooAndByWhom) {
+TEST(Pdr, DecidesStabilityOfAChartAloneAndNamesTheEngine) {
     const Folder folder;
     const std::string file = folder.write("flutter.grafcet",
                                           "grafcet flutter { input A; output L; initial step 0; step 1 { L; }\n"
@@ -270,7 +270,7 @@ TEST(EngineCommand, OneThatNeverEndsIsEnded) {
     EXPECT_NE(result.out.find("why: stopped at the time limit of 0.3 s"), std::string::npos) << result.out;
 }
 
-TEST(EngineCommand, WhatOneQuestionMayTakeIsNoLimitOfAll) {
+TEST(EngineCommand, ShareOfOneQueryIsDistinguishedFromTheTimeLimit) {
     const Folder folder;
     const std::string file = folder.write("lamp.grafcet", lamp("property P: never L; property Q: never M;"));
     const Result result = grafverif({"check", file, "--engine-command", "sleep 1000; true", "--timeout", "600ms"});
@@ -286,7 +286,7 @@ TEST(EngineCommand, AProgramThatIsNotThereIsNoVerdict) {
     EXPECT_NE(out.find("why: the program gave no verdict, and ended with status 127"), std::string::npos) << out;
 }
 
-TEST(EngineCommand, ARunThatItShowsIsTold) {
+TEST(EngineCommand, ShowsTheRunOfTheProgram) {
     if (!find_program("berkeley-abc")) GTEST_SKIP() << "berkeley-abc is not installed";
     const Folder folder;
     const std::string file = folder.write("lamp.grafcet", lamp("property P: never L;"));

@@ -19,7 +19,7 @@ std::string with_escaped_dashes(std::string text) {
     return text;
 }
 
-TEST(Manual, HasAPageForEachVerbThatNamesEachOfItsOptions) {
+TEST(Manual, HasAPageForEachCommandWithAllItsOptions) {
     const std::string overview = grafverif({"manual"}).out;
     ASSERT_GT(all_verbs().size(), 20U);
     for (const Verb& verb : all_verbs()) {
@@ -46,7 +46,7 @@ TEST(Manual, HasNoLineThatIsARequestByChance) {
     }
 }
 
-TEST(Completion, KnowsEachVerbAndOptionInEachShell) {
+TEST(Completion, ContainsEachCommandAndOptionForEachShell) {
     for (const char* shell : {"bash", "zsh", "fish"}) {
         const std::string script = grafverif({"completion", shell}).out;
         for (const Verb& verb : all_verbs()) {
@@ -60,7 +60,7 @@ TEST(Completion, KnowsEachVerbAndOptionInEachShell) {
     }
 }
 
-TEST(Completion, RefusesWhatIsNoShellAndTheManualWhatIsNoVerb) {
+TEST(Completion, RejectsUnknownShellsAndTheManualUnknownCommands) {
     const Result shell = grafverif({"completion", "tcsh"});
     EXPECT_EQ(shell.code, ExitCode::Input);
     EXPECT_NE(shell.err.find("`completion` takes one of `bash|zsh|fish`; not `tcsh`"), std::string::npos) << shell.err;

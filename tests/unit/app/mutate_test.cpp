@@ -29,7 +29,7 @@ nlohmann::json mutated(const std::string& text, std::vector<std::string> options
     return nlohmann::json::parse(result.out, nullptr, false);
 }
 
-TEST(Mutate, MakesEachKindOfMistakeAndJudgesIt) {
+TEST(Mutate, CreatesAndChecksEachKindOfMutant) {
     const auto json = mutated(gate);
     std::set<std::string> kinds, fates;
     for (const auto& mutant : json["mutants"]) {
@@ -50,7 +50,7 @@ TEST(Mutate, MakesEachKindOfMistakeAndJudgesIt) {
     EXPECT_EQ(json["properties"].size(), 3U) << json["properties"];  // and no_timelock
 }
 
-TEST(Mutate, ATimeForEachBeyondEveryClockIsNoLimit) {
+TEST(Mutate, TimePerMutantBeyondTheRangeOfTheClockIsUnlimited) {
     const auto expected = mutated(gate, {"--limit", "3"})["counts"];
     for (const char* time : {"106751991167h", "2562047788016h", "18446744073709551615ms"})
         EXPECT_EQ(mutated(gate, {"--limit", "3", "--each", time})["counts"], expected) << time;
@@ -69,7 +69,7 @@ TEST(Mutate, AMissingActionIsNoticedByThePropertyThatNamesIt) {
     FAIL();
 }
 
-TEST(Mutate, AMistakeThatNobodySeesIsEquivalent) {
+TEST(Mutate, MutantWithoutVisibleEffectIsEquivalent) {
     const std::string idle =
         "grafcet c {\n    input a;\n    output L;\n\n    initial step 0;\n    step 1;\n    step 2;\n\n"
         "    transition t0: 0 -> 1 when a;\n    transition t1: 1 -> 2 when a;\n}\n";
@@ -82,7 +82,7 @@ TEST(Mutate, AMistakeThatNobodySeesIsEquivalent) {
     EXPECT_EQ(json["properties"].size(), 0U);
 }
 
-TEST(Mutate, ASampleIsThatOfItsSeedAndARunGoesOnFromItsStateFile) {
+TEST(Mutate, SampleDependsOnTheSeedAndARunContinuesFromItsStateFile) {
     const Folder folder;
     const std::string file = folder.write("gate.grafcet", gate), state = folder.file("state");
     const std::vector<std::string> arguments = {"mutate", file, "--limit", "3", "--seed", "5", "--format", "json"};
@@ -122,7 +122,7 @@ TEST(Mutate, AStateFileIsAFileOfItsRunsAndNoOther) {
     EXPECT_EQ(folder.read("notes"), "precious\n");
 }
 
-TEST(Mutate, ALineThatWasNotWrittenWholeIsAskedAgain) {
+TEST(Mutate, IncompleteLineOfTheStateFileIsCheckedAgain) {
     const Folder folder;
     const std::string file = folder.write("gate.grafcet", gate), state = folder.file("state");
     const std::vector<std::string> arguments = {"mutate", file, "--limit", "2", "--state", state};
@@ -159,7 +159,7 @@ TEST(Mutate, AStateFileServesTheSameQuestionOnly) {
     EXPECT_EQ(lines(), 6) << "a verdict does not depend on the time there was";
 }
 
-TEST(Mutate, WhatTimeDidNotSufficeForIsAskedAgainWhereThereIsMore) {
+TEST(Mutate, MutantsThatTimedOutAreCheckedAgainWithMoreTime) {
     const Folder folder;
     const std::string file = folder.write("gate.grafcet", gate), state = folder.file("state");
     const auto counts = [&](const std::string& each) {

@@ -187,7 +187,7 @@ TEST(Names, SoDoesALocationAutomaton) { can_be_named(names_of_automaton()); }
 
 TEST(Names, SoDoesATestSequence) { can_be_named(names_of_test()); }
 
-TEST(Names, ATimerIsToldAsConditionsWriteIt) {
+TEST(Names, TimerIsShownAsInConditions) {
     const Folder folder;
     const std::string file = folder.write("both.grafcet", loop("property p: never upper.X1;\n"));
     for (const std::vector<std::string>& options : {std::vector<std::string>{}, {"--untimed", "--plant", "automata"}}) {
@@ -201,7 +201,7 @@ TEST(Names, ATimerIsToldAsConditionsWriteIt) {
     EXPECT_NE(automaton.find("when a and OPEN and 1s/X0"), std::string::npos) << automaton;
 }
 
-TEST(Names, APropertyIsAskedForAsAnyOutputCallsIt) {
+TEST(Names, PropertyIsSelectedByItsNameInAnyOutput) {
     const Folder folder;
     const std::string file = folder.write(
         "both.grafcet",

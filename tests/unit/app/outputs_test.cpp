@@ -54,7 +54,7 @@ TEST(Depfile, NamesEveryFileReadAndEveryFileWritten) {
                                           ":\n");
 }
 
-TEST(Depfile, IsWrittenByEveryVerbThatWrites) {
+TEST(Depfile, IsWrittenByEveryCommandThatWritesFiles) {
     const Folder folder;
     const std::string main = folder.write("main.grafcet", chart("c") + loop("l", "c"));
     const std::string pairs = folder.write("pairs.csv", "variable1,variable2,reason\n");
@@ -79,7 +79,7 @@ TEST(Depfile, IsWrittenByEveryVerbThatWrites) {
     EXPECT_TRUE(folder.read("out.d").starts_with("stamp: \\\n"));
 }
 
-TEST(Depfile, StaysAsItWasWhereNothingIsWritten) {
+TEST(Depfile, IsUnchangedIfNothingIsWritten) {
     const Folder folder;
     const std::string main = folder.write("main.grafcet", "grafcet broken {");
     folder.write("out.d", "before");
@@ -157,7 +157,7 @@ TEST(Depfile, RefusesNamesThatItsReaderHasNoWayToSay) {
               ExitCode::Done);
 }
 
-TEST(Depfile, TellsMakeTheNamesThemselves) {
+TEST(Depfile, RepresentsNamesExactlyForMake) {
     if (printed("command -v make").empty()) GTEST_SKIP() << "there is no make";
     const Folder folder;
     const std::vector<std::string> files = hostile_names(DepfileSide::File, DepfileReader::Make);
@@ -210,7 +210,7 @@ TEST(Depfile, IsActedOnByMake) {
     }
 }
 
-TEST(Depfile, TellsNinjaTheNamesThemselves) {
+TEST(Depfile, RepresentsNamesExactlyForNinja) {
     if (printed("command -v ninja").empty()) GTEST_SKIP() << "there is no ninja";
     const Folder folder;
     const std::vector<std::string> files = hostile_names(DepfileSide::File, DepfileReader::Ninja);
@@ -230,7 +230,7 @@ TEST(Depfile, TellsNinjaTheNamesThemselves) {
     EXPECT_NE(printed(ninja).find("no work to do"), std::string::npos);
 }
 
-TEST(Depfile, TellsCMakeTheNamesThemselves) {
+TEST(Depfile, RepresentsNamesExactlyForCMake) {
     if (printed("command -v cmake").empty()) GTEST_SKIP() << "there is no cmake";
     const Folder folder;
     const std::vector<std::string> files = hostile_names(DepfileSide::File, DepfileReader::CMake);
@@ -361,7 +361,7 @@ Words call(const Verb& verb, const std::string& file, const Folder& folder) {
     return words;
 }
 
-TEST(StandardInput, IsReadByEveryVerbThatReadsAFileOrRefusedByName) {
+TEST(StandardInput, IsReadOrRejectedByNameInEveryCommandThatReadsAFile) {
     std::size_t reading = 0;
     for (const Verb& verb : all_verbs()) {
         if (!accepts(verb, Accepts::File)) continue;
@@ -483,7 +483,7 @@ TEST(Paths, NoOptionReplacesTheFileThatIsRead) {
     EXPECT_GT(refused, 25U);
 }
 
-TEST(StandardOutput, OfAReportIsItsOwnAndWhatIsSaidGoesToStandardError) {
+TEST(StandardOutput, ContainsOnlyTheReportAndMessagesGoToStandardError) {
     const Folder folder;
     const std::string file = folder.write("one.grafcet", violated);
     const Result junit = grafverif({"check", file, "--junit", "-"});
@@ -502,7 +502,7 @@ TEST(StandardOutput, OfAReportIsItsOwnAndWhatIsSaidGoesToStandardError) {
 }
 
 /// The reader of messages may end early: `grafverif check ... | head -1`.
-TEST(Reports, AreWholeThoughNobodyReadsStandardOutput) {
+TEST(Reports, AreCompleteIfTheReaderOfStandardOutputIsGone) {
     const Folder folder;
     folder.write("one.grafcet", violated);
     folder.write("s.txt", "expect X0\n");

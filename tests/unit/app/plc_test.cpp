@@ -61,7 +61,7 @@ TEST(Plc, LetsRealTimePass) {
     EXPECT_EQ(played(pulse, "wait 3s\n", {"--clock", "real"}).code, ExitCode::Input);
 }
 
-TEST(Plc, AnswersALineThatIsNotUnderstoodAndGoesOn) {
+TEST(Plc, AnswersAnInvalidLineAndContinues) {
     struct Case {
         const char* line;
         const char* problem;
@@ -97,7 +97,7 @@ TEST(Plc, TakesIntegersWithinTheirRange) {
     EXPECT_EQ(played(level, "6\n").out, "error: `6` of `l` is outside -2 to 5\n");
 }
 
-TEST(Plc, StopsWithAReasonWhereTheChartCannotGoOn) {
+TEST(Plc, StopsWithAReasonIfTheChartCannotContinue) {
     struct Case {
         const char* chart;
         const char* reason;

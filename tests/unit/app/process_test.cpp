@@ -19,7 +19,7 @@ ProgramResult shell(const std::string& script, const std::string& input = "", co
     return run_program({"/bin/sh", "-c", script}, input, limits);
 }
 
-TEST(Process, OutputErrorAndExitCodeAreKeptApart) {
+TEST(Process, OutputErrorAndExitCodeAreSeparate) {
     EXPECT_EQ(shell("echo out; echo err >&2; exit 3"), (ProgramResult{End::Exited, 3, "out\n", "err\n"}));
 }
 
@@ -33,7 +33,9 @@ TEST(Process, TheInputIsReadToItsEnd) {
     EXPECT_EQ(shell("exit 0", input).status, 0) << "a program need not read its input";
 }
 
-TEST(Process, ASignalIsNoExitCode) { EXPECT_EQ(shell("kill -TERM $$"), (ProgramResult{End::Signalled, 15, "", ""})); }
+TEST(Process, SignalIsDistinguishedFromAnExitCode) {
+    EXPECT_EQ(shell("kill -TERM $$"), (ProgramResult{End::Signalled, 15, "", ""}));
+}
 
 TEST(Process, TheDeadlineEndsTheProgramAndWhatItStarted) {
     const auto start = steady_clock::now();

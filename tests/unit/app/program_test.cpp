@@ -69,7 +69,7 @@ TEST(Build, WarnsOfPropertiesThatATargetCannotSay) {
     EXPECT_EQ(grafverif({"build", station, "-o", folder.file("out"), "--create", "--quiet"}).err, "");
 }
 
-TEST(Build, TellsItsFilesAsJson) {
+TEST(Build, ListsItsFilesAsJson) {
     const Folder folder;
     const Result result =
         grafverif({"build", station, "-o", folder.file("out"), "--create", "--format", "json", "--target", "uppaal"});

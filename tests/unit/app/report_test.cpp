@@ -19,7 +19,7 @@ nlohmann::json player_data(const std::string& page) {
     return nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
 }
 
-TEST(Report, AComponentOfMoreThanSixtyLocationsIsToldByItsTables) {
+TEST(Report, ComponentOfMoreThanSixtyLocationsIsShownAsTables) {
     const Folder folder;
     const auto lamp = [&](int locations) {
         std::string text = "component ring(output A) { initial location l0;\n";
@@ -74,7 +74,7 @@ std::string glance(const std::vector<std::string>& arguments) {
     return page.substr(kind, page.find('"', kind) - kind) + ": " + page.substr(from, page.find('<', from) - from);
 }
 
-TEST(Report, SaysThatAllIsWellOnlyWhereItIs) {
+TEST(Report, SummaryIsPositiveOnlyIfEverythingIsAsExpected) {
     const Folder folder;
     const std::string lamp =
         "grafcet lamp { input B; output L; initial step 0; step 1 { L; }\n"
@@ -99,7 +99,7 @@ TEST(Report, SaysThatAllIsWellOnlyWhereItIs) {
               "unknown: Every property holds; by itself the chart has 1 error (see Findings).");
 }
 
-TEST(Report, NamesAsAssumedWhatTheVerdictsRestOn) {
+TEST(Report, ListsTheAssumptionsOfTheVerdicts) {
     const Folder folder;
     const std::string file = folder.write("pair.grafcet", R"(
 grafcet pair { input A, B; output L; constraint !(A && B); initial step 0; step 1 { L; }
@@ -170,7 +170,7 @@ TEST(Report, PlaysTheSequencesOfATest) {
 }
 
 /// In an untimed run the time counts the steps of the model.
-TEST(Report, TellsWhichMomentsAreNoStatesOfTheModel) {
+TEST(Report, MarksMomentsThatAreNotStatesOfTheModel) {
     const Folder folder;
     const std::string file = folder.write(
         "lamp.grafcet",

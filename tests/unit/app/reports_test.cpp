@@ -119,7 +119,7 @@ TEST(Reports, OfSarifTellTheCounterexampleAsACodeFlow) {
     EXPECT_EQ(cleared, 1u);
 }
 
-TEST(Reports, OfSarifSayWhatIsNotDecidedAndWhatHoldsAgainstExpectation) {
+TEST(Reports, OfSarifIncludeUndecidedAndUnexpectedlyHoldingProperties) {
     const Folder folder;
     std::string text = lamp_loop("l");
     text.replace(text.find("q: never"), 8, "q expected violated: never");
@@ -280,7 +280,7 @@ TEST(List, NamesWhatThereIsToCheck) {
     }
 }
 
-TEST(All, TakesEveryLoopAndWhereThereIsNoneEveryChart) {
+TEST(All, ProcessesEveryLoopOrWithoutLoopsEveryChart) {
     const Folder folder;
     const std::string two = folder.write("two.grafcet", lamp_loop("first") + lamp_loop("second", "always true"));
     const Result checked = grafverif({"check", two, "--all"});

@@ -135,7 +135,7 @@ TEST(ServeBench, ATimeoutEndsTheCheckAndNotTheBench) {
     EXPECT_GE(undecided(bystander.wait_for_verdicts()), 2U);
 }
 
-TEST(ServeBench, TellsVerdictsAndWhatIsWrongAndFollowsTheFile) {
+TEST(ServeBench, ReportsVerdictsAndErrorsAndFollowsTheFile) {
     const Folder folder;
     const std::string file = folder.write("lamp.grafcet", lamp_in_a_loop);
     Bystander bystander(file);
@@ -165,7 +165,7 @@ TEST(ServeBench, TellsVerdictsAndWhatIsWrongAndFollowsTheFile) {
     EXPECT_EQ(back["complaints"], "");
 }
 
-TEST(ServeBench, TellsWhatIsRefusedAndWhatIsNotDecided) {
+TEST(ServeBench, ReportsRejectedModelsAndUndecidedProperties) {
     const Folder folder;
     const std::string refused =
         "grafcet bad { input A, B; output L; initial step 0; step 1 { L; } transition on: 0 -> 1 when rise(rise(A) && "
@@ -198,7 +198,7 @@ TEST(ServeBench, TellsWhatIsRefusedAndWhatIsNotDecided) {
     EXPECT_EQ(property("DARK")["vacuous"], true);
 }
 
-TEST(ServeBench, TellsNoTextThatTurnsTheDirectionOfOthers) {
+TEST(ServeBench, RemovesTextDirectionControls) {
     const Folder folder;
     std::string text = lamp_in_a_loop;
     text.insert(text.find("it can be lit"), "\u202Edlo");
@@ -217,7 +217,7 @@ TEST(ServeBench, FollowsWhatIsIncludedEvenBeforeItIsThere) {
     bystander.wait_for([](const Json& state) { return state["readable"] == false; });
 }
 
-TEST(ServeBench, GivesUpTheProofsOfAnEarlierSave) {
+TEST(ServeBench, CancelsTheChecksOfAnEarlierSave) {
     const Folder folder;
     // Six buttons, each with a clock, with incommensurable times: too many states to wait for.
     std::string hard =
@@ -349,7 +349,7 @@ TEST(Trial, TheRulesOfHierarchyHaveTheLastWord) {
 }
 
 /// By the interpreter for the chart alone, by the network for its loop.
-TEST(Trial, AChartAloneAndItsLoopGoOnAlike) {
+TEST(Trial, ChartAloneAndItsLoopContinueEqually) {
     std::mt19937_64 random(12);
     std::size_t made = 0, refused = 0;
     for (const auto& entry : fs::directory_iterator(root / "tests/unit/app/elements")) {
@@ -391,7 +391,7 @@ TEST(Trial, AChartAloneAndItsLoopGoOnAlike) {
     EXPECT_GT(refused, 50U);
 }
 
-TEST(Play, AnswersWhateverIsAsked) {
+TEST(Play, AnswersAnyRequest) {
     const Folder folder;
     Bystander bystander(folder.write("lamp.grafcet", lamp_in_a_loop));
     bystander.wait_for([](const Json& state) { return state["readable"] == true; });

@@ -215,7 +215,7 @@ TEST(TemporaryFolder, ThoseOfKilledRunsAreRemovedAndNoOthers) {
 const std::vector<std::string> odd_names = {"a b",        "it's", "\"",       "$HOME;*", "back\\slash",
                                             "line\nfeed", "-o",   "\xC3\xBC", "#"};
 
-TEST(Engines, WorkWhateverTheNameOfTheTemporaryFolder) {
+TEST(Engines, WorkWithAnyNameOfTheTemporaryFolder) {
     const Folder folder;
     const Variable path("PATH", folder.file("") + ":" + std::getenv("PATH"));
     fs::permissions(

@@ -171,7 +171,7 @@ TEST(Simulate, ScriptsExpectAndRepeat) {
     EXPECT_NE(squeezed(result.out).find("8 s blinker: 1s/X2 is true"), std::string::npos) << result.out;
 }
 
-TEST(Simulate, TakesAPortForWhatStandsBehindItAsPropertiesDo) {
+TEST(Simulate, ResolvesPortsAsPropertiesDo) {
     const Folder folder;
     const auto run = [&](const std::string& text) {
         return grafverif({"simulate", blinker, "--script", folder.write("test.txt", text)});
@@ -186,7 +186,7 @@ TEST(Simulate, TakesAPortForWhatStandsBehindItAsPropertiesDo) {
     EXPECT_NE(wrong.err.find("there is no variable or step `Lamp.OF`"), std::string::npos) << wrong.err;
 }
 
-TEST(Simulate, TellsExpectationsThatAreNotMetAndGoesOn) {
+TEST(Simulate, ReportsUnmetExpectationsAndContinues) {
     const Folder folder;
     const std::string script = folder.write("test.txt",
                                             "expect X1\nwait 1s\nBUTTON = true\nexpect within 1s X2\nexpect X1\nwait "
@@ -217,7 +217,7 @@ TEST(Simulate, ReadsAScriptWholeBeforeItMoves) {
     EXPECT_NE(folder.read("r.xml").find("errors=\"1\""), std::string::npos);
 }
 
-TEST(Simulate, WaitsForAChartAloneAsLongAsItIsAskedTo) {
+TEST(Simulate, WaitsTheRequestedTimeForAChartAlone) {
     const Folder folder;
     const std::string script = folder.write(
         "test.txt", "BUTTON = true\nexpect within 500ms LAMP\nexpect within 1500ms X2\nexpect within 500ms X2\n");
@@ -258,7 +258,7 @@ TEST(Simulate, TalksWithAPerson) {
 
 TEST(Simulate, EndsWithItsInput) { EXPECT_EQ(grafverif({"simulate", blinker}, "wait 1s").code, ExitCode::Done); }
 
-TEST(Simulate, LeavesEveryEdgeToThePersonWhenVerbose) {
+TEST(Simulate, OffersEveryEdgeToTheUserIfVerbose) {
     const Result result = grafverif({"simulate", blinker, "--verbose"}, "do PLC P0\ndo PLC P1\nq\n");
     EXPECT_NE(result.out.find("blinker: cycle begins"), std::string::npos) << result.out;
     EXPECT_NE(result.out.find("blinker: inputs sampled"), std::string::npos);
@@ -414,7 +414,7 @@ TEST(SimulateChart, DoesWhatALoopWithFreeInputsDoes) {
     EXPECT_GE(seen.size(), 4U);
 }
 
-TEST(SimulateChart, TellsWhichConstraintTheInputsBreakAndGoesOn) {
+TEST(SimulateChart, ReportsTheViolatedConstraintAndContinues) {
     const Folder folder;
     const std::string file = folder.write("press.grafcet", press);
     const Result result =
@@ -428,7 +428,7 @@ TEST(SimulateChart, TellsWhichConstraintTheInputsBreakAndGoesOn) {
         << "it is not offered: " << talk.out;
 }
 
-TEST(SimulateChart, RefusesWhatIsNoInputOrDoesNotFitAndUndoesTheLastCommand) {
+TEST(SimulateChart, RejectsInvalidInputsAndUndoesTheLastCommand) {
     const Folder folder;
     const std::string file = folder.write("press.grafcet", press);
     struct Case {

@@ -122,7 +122,7 @@ TEST(Start, NoTimeIsOverBeforeTheFirstEvolution) {
     }
 }
 
-TEST(Untimely, ARunThatNoClockGivesIsToldAsOne) {
+TEST(Untimely, RunThatNoClockProducesIsMarked) {
     const Folder folder;
     const auto file = [&](const char* condition) {
         return folder.write(
@@ -143,7 +143,7 @@ TEST(Untimely, ARunThatNoClockGivesIsToldAsOne) {
 }
 
 /// Each command, with arguments whose output distinguishes the two modes; FILE is a placeholder.
-TEST(Mode, OfAChartWithoutItsLoopIsTheOneThatTheLoopSaysInEveryVerb) {
+TEST(Mode, OfAChartWithoutItsLoopIsThatOfTheLoopInEveryCommand) {
     const std::string text =
         "grafcet c { input a; output L; initial step 0; step 1 { L; } step 2;\n"
         "transition t: 0 -> 1 when a; transition u: 1 -> 2 when a; transition v: 2 -> 0 when !a; }\n";

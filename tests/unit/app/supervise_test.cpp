@@ -37,7 +37,7 @@ TEST(Supervise, TheTextWithTheConditionsIsCanonicalAndItsPropertiesHold) {
     }
 }
 
-TEST(Supervise, WhatNoControllerPreventsIsToldAsARun) {
+TEST(Supervise, UnavoidableViolationIsShownAsARun) {
     const Folder folder;
     const std::string text =
         changed(crossing_text(), "urgent home -> out when GO && !BACK", "timed home -> out when true");
@@ -62,7 +62,7 @@ TEST(Supervise, JsonSaysAllOfIt) {
     EXPECT_TRUE(says(json["conditions"][0]["place"], "crossing.grafcet:15"));
 }
 
-TEST(Supervise, AMarkedTermStaysWithinReach) {
+TEST(Supervise, MarkedTermStaysReachable) {
     const Result made = grafverif({"supervise", crossing, "--marked", "second.X2 && HOME_1"});
     EXPECT_EQ(made.code, ExitCode::Done) << made.err;
     EXPECT_TRUE(says(made.out, "to stay within reach: second.X2 && HOME_1")) << made.out;

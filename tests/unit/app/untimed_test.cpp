@@ -22,7 +22,7 @@ std::string lamp(const std::string& properties) {
            properties + " }\n";
 }
 
-TEST(CheckUntimed, SaysOfEachVerdictWhatItRestsOn) {
+TEST(CheckUntimed, PrintsTheAssumptionsOfEachVerdict) {
     const Folder folder;
     const std::string file = folder.write("lamp.grafcet", lamp("property apart: never L && M; property lit: never L;"
                                                                "property shown: reachable M;"
@@ -110,7 +110,7 @@ bool says_of(const std::string& property, const std::string& carries, const std:
     return false;
 }
 
-TEST(CheckUntimed, SaysWhatCarriesOverFromAPlantUnderEachScheduleAndUnderFairness) {
+TEST(CheckUntimed, StatesWhichVerdictsArePreservedUnderEachScheduleAndUnderFairness) {
     struct Case {
         std::vector<std::string> options;
         std::string apart, lit, quick;  ///< never L && M; never L; inevitable X1
@@ -138,7 +138,7 @@ TEST(CheckUntimed, SaysWhatCarriesOverFromAPlantUnderEachScheduleAndUnderFairnes
     }
 }
 
-TEST(CheckUntimed, TellsItsTracesInStepsAndInTheWordsOfTheChart) {
+TEST(CheckUntimed, PrintsTracesInStepsWithElementsOfTheChart) {
     const Folder folder;
     const std::string file = folder.write("lamp.grafcet", lamp("property dark: never M;"));
     const Result result = grafverif({"check", file, "--untimed", "--format", "json"});

@@ -167,7 +167,7 @@ TEST(Vacuity, IsInEveryOutput) {
     EXPECT_NE(folder.read("page.html").find("holds, vacuously"), std::string::npos);
 }
 
-TEST(Vacuity, MutateTellsWhatHoldsVacuously) {
+TEST(Vacuity, MutateReportsVacuousProperties) {
     const Folder folder;
     const std::string file = folder.write(
         "lamp.grafcet", never_two("property late: X2 leads to M within 2s; property lit: X1 holds for 0.1s;"));
@@ -183,7 +183,7 @@ TEST(Vacuity, MutateTellsWhatHoldsVacuously) {
 }
 
 /// A stand-in for verifyta for which the premise is unreachable: its `E<>` is not satisfied.
-TEST(Vacuity, ExternalProgramsAreAskedForIt) {
+TEST(Vacuity, ExternalProgramsCheckIt) {
     const Folder folder;
     fs::permissions(folder.write("verifyta",
                                  "#!/bin/sh\n"

@@ -176,7 +176,7 @@ TEST(Bdd, CountsAreExact) {
     EXPECT_EQ(small_count(space.variable(3), std::vector<std::uint32_t>{3, 150}), 2u);
 }
 
-TEST(Bdd, SupportAndSizeSpeakOfTheReducedDiagram) {
+TEST(Bdd, SupportAndSizeReferToTheReducedDiagram) {
     BddSpace space;
     space.add_variables(4);
     const Bdd a = space.variable(0), b = space.variable(1), d = space.variable(3);
@@ -196,7 +196,7 @@ Bdd far_apart(const BddSpace& space, std::uint32_t pairs) {
     return result;
 }
 
-TEST(Bdd, TheMemoryBoundIsKeptAndNothingIsLost) {
+TEST(Bdd, MemoryBoundIsKeptAndAllFunctionsRemain) {
     BddSpace space({.memory = 8U << 20U});
     space.add_variables(60);
     const Bdd before = far_apart(space, 8);

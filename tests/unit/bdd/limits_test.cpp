@@ -52,7 +52,7 @@ BddExhausted::Cause cause_of(const std::function<void()>& work) {
     return {};
 }
 
-TEST(BddLimits, TheMemoryBoundHoldsWithinAnOperationAndNothingIsLost) {
+TEST(BddLimits, MemoryBoundHoldsWithinAnOperationAndAllFunctionsRemain) {
     for (const std::uint64_t memory : {std::uint64_t{1} << 18U, std::uint64_t{1} << 20U, std::uint64_t{9} << 20U}) {
         BddSpace space({.memory = memory});
         space.add_variables(2 * many);
@@ -104,7 +104,7 @@ rlim_t address_space() {
     std::_Exit(good && space.bytes() > (10U << 20U) ? 0 : 1);
 }
 
-TEST(BddLimitsDeathTest, ARefusedAllocationIsTheEndOfTheMemoryAndNothingIsLost) {
+TEST(BddLimitsDeathTest, RefusedAllocationCountsAsExhaustedMemoryAndAllFunctionsRemain) {
     if (address_space() == 0) GTEST_SKIP() << "no /proc";
     EXPECT_EXIT(work_where_memory_is_refused(), testing::ExitedWithCode(0), "");
 }
@@ -120,7 +120,7 @@ TEST(BddLimits, OneLongOperationListensToItsDeadline) {
     EXPECT_LE(Clock::now() - start, std::chrono::seconds(5)) << "generous: machines may be busy";
 }
 
-TEST(BddLimits, OneLongOperationStopsWhenSomebodyElseAsks) {
+TEST(BddLimits, LongOperationStopsOnRequestOfAnotherThread) {
     std::atomic<bool> stop = false;
     BddSpace space({.stop = &stop});
     space.add_variables(2 * many);
@@ -260,7 +260,7 @@ TEST(BddOrder, GroupsStaySideBySideInTheirOrder) {
     EXPECT_EQ(verify(space), std::vector<std::string>());
 }
 
-TEST(BddOrder, ASpaceReordersByItselfWhenToldSo) {
+TEST(BddOrder, SpaceReordersAutomaticallyIfEnabled) {
     BddSpace space;
     space.add_variables(2 * many);
     space.reorder_above(2000);

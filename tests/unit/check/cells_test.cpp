@@ -127,7 +127,7 @@ TEST(Cells, WhatHoldsOfANeighbourKeepsItFromBreakingIt) {
               "is taken to do anything at any moment that breaks none of as_one, which holds; that takes no run away");
 }
 
-TEST(Cells, NoVerdictIsGivenWhereSomethingElseMayBreakOff) {
+TEST(Cells, NoVerdictIfAnotherFragmentMayHaveAModelError) {
     Sketch s;
     const auto x = s.boolean("x"), wake = s.boolean("wake");
     const auto n = s.integer("n", 0, 2);
@@ -191,7 +191,7 @@ TEST(Cells, ThatNothingRacesSaysWhichCellsWereSearchedAndWhyNoOther) {
     }
 }
 
-TEST(Cells, WhatHoldsWhereTimeIsNotLockedTellsHowFarThatWasLookedFor) {
+TEST(Cells, VerdictsNoteHowFarTimelocksWereSearched) {
     const auto note = [](const TimedResult& result, const char* property) {
         const std::vector<std::string>& notes = verdict(result, property).notes;
         return notes.empty() ? "" : notes.back();
@@ -228,7 +228,7 @@ TEST(Cells, WhatTheFirstLookFoundStaysWhereTheNextOneIsStopped) {
     EXPECT_EQ(told(found, "in_the_end"), "unknown (stopped)");
 }
 
-TEST(Cells, WhatNobodyAskedForDoesNotTakeTheWhole) {
+TEST(Cells, UnrequestedVerdictDoesNotNeedTheCompleteNetwork) {
     const TimedResult found = by_cells(line(), {.properties = {"held_2"}});
     EXPECT_EQ(told(found, "held_2"), "holds");
     EXPECT_FALSE(verdict(found, "no_timelock").declared);

@@ -76,7 +76,7 @@ TEST(Stable, WithoutItTheStationNeedNotComeBackToRest) {
     EXPECT_EQ(told(bare, "no_timelock"), "holds");
 }
 
-TEST(Timers, ThePulseChartLetsTimePassUnderOursAndNotUnderThoseOfFigure33b) {
+TEST(Timers, PulseChartLetsTimePassWithCorrectedTimersButNotWithThoseOfFigure33b) {
     constexpr const char* pulse = R"(
         component watch(output TOC) {
             clock t;

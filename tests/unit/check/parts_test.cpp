@@ -75,7 +75,7 @@ TEST(Parts, WhatCarriesNothingFromOneToAnotherTiesNothing) {
     EXPECT_EQ(parts_of(s.network).of_process, (std::vector<std::uint32_t>{0, 1, 0}));
 }
 
-TEST(Parts, NoTimelockIsNotDecidedIfTheOptionsExcludeIt) {
+TEST(Parts, TimelocksAreNotSearchedIfTheOptionsExcludeThem) {
     Sketch s;
     const Pulse lamp(s), other(s, "other");
     ask_of(s, lamp);
@@ -103,7 +103,7 @@ TEST(Parts, EachVerdictSaysWhatItLeavesOut) {
     EXPECT_EQ(verdict(result, "no_timelock").scope.searched, (std::vector<std::string>{"lamp", "other", "third"}));
 }
 
-TEST(Parts, APropertyOfTwoIsJudgedWithoutTheThird) {
+TEST(Parts, PropertyOfTwoPartsIsDecidedWithoutTheThird) {
     Sketch s;
     const Pulse left(s, "left"), middle(s, "middle"), right(s, "right");
     s.property("both", Pattern::Never, {s.network.exprs.conjunction(s.at(left.process, 1), s.at(right.process, 1))});
@@ -113,7 +113,7 @@ TEST(Parts, APropertyOfTwoIsJudgedWithoutTheThird) {
     EXPECT_EQ(verdict(result, "both").scope.left_out, std::vector<std::string>{"middle"});
 }
 
-TEST(Parts, OneThatGoesOnForEverInAnInstantStarvesOthers) {
+TEST(Parts, InfiniteInstantOfOnePartStarvesOthers) {
     Sketch s;
     const Pulse lamp(s);
     ask_of(s, lamp);
@@ -127,7 +127,7 @@ TEST(Parts, OneThatGoesOnForEverInAnInstantStarvesOthers) {
     EXPECT_TRUE(apart(result, "seen") && apart(result, "dark") && apart(result, "one"));
 }
 
-TEST(Parts, OneThatLocksTimeHoldsOthersUp) {
+TEST(Parts, TimelockOfOnePartBlocksOthers) {
     Sketch s;
     const Pulse lamp(s);
     ask_of(s, lamp);
@@ -154,7 +154,7 @@ TEST(Parts, OneWithoutAnEndlessTimeCutsOthersShort) {
     EXPECT_TRUE(apart(result, "one"));
 }
 
-TEST(Parts, NoDeadlockIsAskedOfEachByItself) {
+TEST(Parts, DeadlocksAreCheckedPerPart) {
     Sketch s;
     const Pulse lamp(s);
     s.edge(s.process("once", 2), {.from = 0, .to = 1});
@@ -188,7 +188,7 @@ TEST(Parts, AnErrorOfOneLeavesWhatAddsNoState) {
 }
 
 /// The path to `dark` needs a unit of time in which the faulty part is not quiescent.
-TEST(Parts, AnErrorOfOneLeavesNothingThatIsSaidOfSettledStates) {
+TEST(Parts, ErrorOfOnePartInvalidatesVerdictsAboutQuiescentStates) {
     Sketch s;
     const auto brief = s.process("brief", 3, 1), breaking = s.process("breaking", 3, 1);
     s.invariant(brief, 0, {0, Op::LessEqual, 2});
@@ -207,7 +207,7 @@ TEST(Parts, AnErrorOfOneLeavesNothingThatIsSaidOfSettledStates) {
     EXPECT_FALSE(apart(result, "dark"));
 }
 
-TEST(Parts, WhatIntegerTimeLeavesOpenOfOneIsNotSearchedForInTheWhole) {
+TEST(Parts, InexactVerdictOfAPartDoesNotNeedTheCompleteNetwork) {
     Sketch s;
     const Pulse lamp(s), other(s, "other");
     const auto strict = s.process("strict", 2, 1);
@@ -280,7 +280,7 @@ TEST(Parts, ARunInWhichOthersMoveTooOftenIsNotShown) {
 }
 
 /// One part stops time, and another one counts for very long within that instant.
-TEST(Parts, ARunThatEndsBesideOneThatGoesOnForTooManyMovesIsNotShown) {
+TEST(Parts, FiniteRunNextToAVeryLongOneIsNotShown) {
     Sketch s;
     const auto brief = s.process("brief", 2, 1);
     s.invariant(brief, 0, {0, Op::LessEqual, 1});
@@ -300,7 +300,7 @@ TEST(Parts, ARunThatEndsBesideOneThatGoesOnForTooManyMovesIsNotShown) {
               std::vector<std::string>{"no run is shown: with the other sub-loops it has too many moves"});
 }
 
-TEST(Parts, ABoundOfOneSearchIsReportedAsThatOfTheWhole) {
+TEST(Parts, BoundOfOneSearchIsReportedAsThatOfTheCompleteSearch) {
     Sketch s;
     const Pulse lamp(s), other(s, "other");
     ask_of(s, lamp);

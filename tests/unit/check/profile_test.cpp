@@ -27,7 +27,7 @@ StateProfile profile_of(const Network& network) {
     return result.profile.value_or(StateProfile{});
 }
 
-TEST(StateProfile, TellsByHowMuchEachPartMultiplies) {
+TEST(StateProfile, StatesTheFactorOfEachPart) {
     Sketch s;
     wheel(s, "small", 3);
     wheel(s, "large", 7);
@@ -68,7 +68,7 @@ TEST(StateProfile, NamesTheLargestConstantOfEachClock) {
     EXPECT_EQ(found.inside_cycles, 0U);
 }
 
-TEST(StateProfile, IsMadeOfLongSearchesAndOfThoseCutOffUnasked) {
+TEST(StateProfile, IsComputedForLongAndStoppedSearches) {
     Sketch s;
     wheel(s, "one", 64);
     wheel(s, "two", 64);
@@ -78,7 +78,7 @@ TEST(StateProfile, IsMadeOfLongSearchesAndOfThoseCutOffUnasked) {
     EXPECT_EQ(cut.profile->states, cut.states);
 }
 
-TEST(StateProfile, OfManyStatesIsTheSameInClassesAndTellsTheSearchMeanwhile) {
+TEST(StateProfile, OfManyStatesIsEqualByClassesAndReportsProgress) {
     Sketch s;
     wheel(s, "one", 128);
     wheel(s, "two", 128);

@@ -57,7 +57,7 @@ System counter(std::int64_t last) {
     return system;
 }
 
-TEST(Symbolic, WhatASearchHasSeenBeforeItIsStoppedIsSaidAndNothingElse) {
+TEST(Symbolic, StoppedSearchReportsOnlyWhatItHasFound) {
     const System system = counter(4000);
     ASSERT_EQ(verify(system), std::vector<std::string>{});
     for (const Id<Property> id : system.properties.ids()) {
@@ -145,7 +145,7 @@ TEST(Symbolic, WhatTurnsTogetherStandsTogetherInTheOrderOfVariables) {
         << order;
 }
 
-TEST(Symbolic, ChoicesThatChangeNothingDoNotMultiplyTheKindsOfSteps) {
+TEST(Symbolic, ChoicesWithoutEffectDoNotMultiplyEventClusters) {
     System system = empty_system();
     Exprs& exprs = system.exprs;
     const Id<Expr> lamp = add_state(system, "lamp", {}, exprs.constant(false));

@@ -104,7 +104,7 @@ TEST(TimedEngine, LetsNoTimePassWhileAnUrgentEdgeWaits) {
     EXPECT_EQ(told(result, "after"), "holds");
 }
 
-TEST(TimedEngine, CountsStayingForEverAsARun) {
+TEST(TimedEngine, CountsStayingForeverAsARun) {
     Lamp lamp;
     lamp.s.property("lit", Pattern::Inevitable, {lamp.s.is(lamp.lit)});
     const Verdict found = verdict(checked(lamp.s.network), "lit");
@@ -163,7 +163,7 @@ TEST(TimedEngine, ShowsWhereEverythingEnds) {
     EXPECT_EQ(told(result, "no_timelock"), "violated");
 }
 
-TEST(TimedEngine, FindsTheLivelockOfUrgentEdgesThatIsNoDeadlock) {
+TEST(TimedEngine, DistinguishesALivelockOfUrgentEdgesFromADeadlock) {
     Sketch s;
     const auto cycle = s.process("plc", 2);
     s.edge(cycle, {.from = 0, .to = 1, .urgent = true});
@@ -284,7 +284,7 @@ TEST(TimedEngine, StopsWhereAVariableLeavesItsRange) {
     EXPECT_EQ(result.errors[0].run.moves, Moves(3, fire(0, 0)));
 }
 
-TEST(TimedEngine, StopsWhereNothingIsTheResult) {
+TEST(TimedEngine, StopsAtUndefinedValues) {
     Sketch s;
     const auto n = s.integer("n", 0, 3, 1);
     const auto p = s.process("p", 1);
@@ -354,7 +354,7 @@ TEST(TimedEngine, ReachesTheLastOfAMillionStates) {
     EXPECT_EQ(verdict(result, "last").run->moves.size(), 31u * 32768u);
 }
 
-TEST(TimedEngine, ShowsProgressAndStopsWhenToldWhile) {
+TEST(TimedEngine, ReportsProgressAndStopsOnRequest) {
     const Sketch s = counter();
     std::atomic<bool> stop = false;
     const TimedResult result = check_timed(s.network, {.stop = &stop, .progress = [&](const TimedProgress& now) {
@@ -375,7 +375,7 @@ TEST(TimedEngine, AnswersTheSameWhenAskedTwice) {
     EXPECT_EQ(first.transitions, second.transitions);
 }
 
-TEST(TimedEngine, JudgesOnlyWhatItIsAsked) {
+TEST(TimedEngine, DecidesOnlySelectedProperties) {
     Lamp lamp;
     lamp.s.property("a", Pattern::Always, {lamp.s.yes()});
     lamp.s.property("b", Pattern::Always, {lamp.s.yes()});
@@ -415,7 +415,7 @@ TEST(TimedEngine, SaysWhatItDoesNotRead) {
     EXPECT_EQ(told(result, "impossible"), "violated");
 }
 
-TEST(TimedEngine, JudgesDeadlocksAtStableInSettledStatesOnly) {
+TEST(TimedEngine, ChecksDeadlocksAtStableInQuiescentStatesOnly) {
     Sketch s;
     const auto p = s.process("p", 3);
     s.edge(p, {.from = 0, .to = 1});
@@ -434,7 +434,7 @@ TEST(TimedEngine, JudgesDeadlocksAtStableInSettledStatesOnly) {
     EXPECT_EQ(told(checked(s.network), "time"), "violated");
 }
 
-TEST(TimedEngine, MarksWhatIsJudgedInNoState) {
+TEST(TimedEngine, PropertiesWithoutAQuiescentStateAreVacuous) {
     Lamp lamp;
     lamp.s.network.settled = lamp.s.no(lamp.s.yes());
     lamp.s.property("stable", Pattern::Always, {lamp.s.no(lamp.s.yes())}, true);
@@ -492,7 +492,7 @@ TEST(TimedEngine, EvaluatesTermsFarLargerThanTheirSharedForm) {
     EXPECT_EQ(told(result, "after"), "violated");
 }
 
-TEST(TimedEngine, ForgetsClocksThatNobodyReadsBeforeTheirNextReset) {
+TEST(TimedEngine, IgnoresClocksThatAreNotReadBeforeTheirNextReset) {
     Sketch s;
     const auto p = s.process("p", 2, 1);
     s.invariant(p, 1, {0, Op::LessEqual, 100});

@@ -101,7 +101,7 @@ struct Asked {
     }
 };
 
-TEST(Verifyta, IsAskedOneFormulaAtATime) {
+TEST(Verifyta, ChecksOneFormulaAtATime) {
     Asked asked;
     asked.ask("a", Pattern::Always, {asked.s.yes()}, "A[] true", "");
     asked.ask("b", Pattern::Never, {asked.s.yes()}, "A[] not true", "NOT ");
@@ -126,7 +126,7 @@ TEST(Verifyta, ProvesNothingOfAModelWhereStoredActionsMayRace) {
     EXPECT_EQ(asked.told(), "a unknown\nno_race violated\nno_timelock unknown, undeclared\n");
 }
 
-TEST(Verifyta, NothingIsAskedAfterTheUserHasStoppedIt) {
+TEST(Verifyta, ChecksNoFurtherFormulaAfterAnInterrupt) {
     Asked asked;
     asked.ask("a", Pattern::Always, {asked.s.yes()}, "A[] true", "");
     asked.ask("b", Pattern::Always, {asked.s.yes()}, "A[] 1", "");

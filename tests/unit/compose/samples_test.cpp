@@ -92,7 +92,7 @@ TEST(Urgency, WithoutItTheStateOfFigure12bIsReached) {
               0U);
 }
 
-TEST(Flags, WithAGuardThatIsAlwaysTrueTimeCannotPassAndNobodyIsStuck) {
+TEST(Flags, WithATrueGuardTimeCannotPassAndNoProcessIsStuck) {
     const Explored bare(axis, {.ablations = {.cycle_always = true}});
     ASSERT_TRUE(bare.all.complete);
     for (const TaddState& state : bare.all.states) {
@@ -163,7 +163,7 @@ TEST(Samples, TheFaultyStationComposesToAWellFormedNetwork) {
     EXPECT_EQ(verify(expand(faulty.network)), std::vector<std::string>{});
 }
 
-TEST(Controllers, AnOutputThatAnotherControllerReadsTellsItWhenItChanges) {
+TEST(Controllers, OutputReadByAnotherControllerSignalsItsChanges) {
     const LoopUnderTest pair = read_loop(R"(
         grafcet press {
             input START; output DONE;

@@ -51,7 +51,7 @@ TEST(Timers, ThePulseChartFiresOncePerFiveSecondsInBothGrainsAndModes) {
     }
 }
 
-TEST(Timers, AsPublishedThePulseChartFiresForEverInOneInstant) {
+TEST(Timers, PublishedPulseChartFiresForeverInOneInstant) {
     const Network network = composed(pulse(), {.ablations = {.timers_as_published = true}});
     const History result = run(network, 6, 1000);
     EXPECT_LE(result.units, 2) << "time stands still after the first five seconds";

@@ -56,7 +56,7 @@ TEST(LocationAutomaton, WhatALimitLeavesOfItAreLeastCountsOfWhatThereIs) {
     }
 }
 
-TEST(LocationAutomaton, TellsTheCycleOfATotalInstability) {
+TEST(LocationAutomaton, ReportsTheCycleOfATotalInstability) {
     const LocationAutomaton found = automaton(tanks());
     ASSERT_EQ(found.instabilities.size(), 10U);
     for (const LocationAutomaton::Instability& instability : found.instabilities) {

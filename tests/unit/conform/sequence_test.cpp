@@ -123,7 +123,7 @@ TEST(TestSequence, StartsWithTheScanThatActivatesTheInitialSteps) {
               "1,3,,2,0,1,{2}\n");
 }
 
-TEST(TestSequence, OfAMachineWithoutWayBackStartsAnewFromPowerOn) {
+TEST(TestSequence, OfAMachineWithoutPathBackRestartsFromPowerOn) {
     const std::string text =
         "input a, b; output O, P; initial step 1; step 2 { O; } step 3 { P; }"
         "transition t0: 1 -> 2 when a && !b; transition t1: 1 -> 3 when b;";

@@ -60,7 +60,7 @@ TEST(Derive, MakesOneTimerPerStepAndDuration) {
     EXPECT_EQ(e.timers[1].rise_ms, 4000);
 }
 
-TEST(Derive, MakesNoTimerThatNobodyWaitsFor) {
+TEST(Derive, OmitsUnusedTimers) {
     const Equations e = equations("initial step 1; step 2; transition t0: 1 -> 2 when 3s/X1 || true;");
     EXPECT_TRUE(e.timers.empty());
     EXPECT_EQ(firing(e, 0), "X_1");
@@ -134,7 +134,7 @@ TEST(Derive, WritesOtherValuesAsAChainOfChoices) {
               "CF_t0 and not X_2 ? 0 : N");
 }
 
-TEST(Derive, ARaceOfEqualValuesIsNone) {
+TEST(Derive, EqualValuesDoNotRace) {
     const Equations e = equations(
         "input a; internal N: int 0..9 = 0; initial step 1 { N := 3 on deactivation; } step 2 { N := 3 on activation; }"
         "transition t0: 1 -> 2 when a;");
@@ -190,7 +190,7 @@ TEST(Refused, OutputsThatReadEachOther) {
     EXPECT_EQ(refusals("output A; initial step 1 { A if !A; }").size(), 1U);
 }
 
-TEST(Refused, EdgesWhereNothingIsAnInstant) {
+TEST(Refused, EdgesInContextsWithoutAnInstant) {
     EXPECT_EQ(refusals("input a; output O; initial step 1 { O if fall(a); }"),
               std::vector<std::string>{"[edge-in-assignation] the condition of `O` has an edge, which is no state that "
                                        "lasts; store the output `on event`, or write the variable without its edge"});

@@ -102,7 +102,7 @@ std::string kept_in(const Equations& equations) {
     return text;
 }
 
-TEST(Memory, WhatACycleLeavesForTheNextStandsInOneList) {
+TEST(Memory, OneListContainsTheStateBetweenCycles) {
     const char* const rest =
         "step 2; transition t0: 1 -> 2 when rise(a); transition t1: 2 -> 1 when 3s/b do S := false;";
     const Equations acts =

@@ -61,7 +61,7 @@ constexpr const char* lamps = R"(grafcet c {
     transition t1: 1 -> 0 when !a;
 })";
 
-TEST(Explain, APropertyThatIsFalseBeforeTheFirstOutputsIsToldFromOneThatIsNot) {
+TEST(Explain, ViolationsBeforeTheFirstOutputsAreDistinguished) {
     const Report report = report_of(
         lamps,
         "property one: exactly one of {green, red}; property lit: always green or red;"
@@ -77,7 +77,7 @@ TEST(Explain, APropertyThatIsFalseBeforeTheFirstOutputsIsToldFromOneThatIsNot) {
     EXPECT_EQ(answer(cured, "one").verdict.outcome, Outcome::Holds);
 }
 
-TEST(Explain, AChartThatNeverSettlesIsToldByItsSituations) {
+TEST(Explain, UnstableChartIsExplainedByItsSituations) {
     const Report report = report_of(R"(grafcet c {
     input a;
     output green;
@@ -96,7 +96,7 @@ TEST(Explain, AChartThatNeverSettlesIsToldByItsSituations) {
               "transition of the loop wait for an input to change\n");
 }
 
-TEST(Explain, WhatAModelThatBreaksOffLeavesOpenSaysWhereInTheWordsOfTheChart) {
+TEST(Explain, PropertiesLeftOpenByAModelErrorNameItsPlaceInTheChart) {
     const Report report = report_of(R"(grafcet c {
     input a;
     output green;
@@ -137,7 +137,7 @@ TEST(Explain, WhatIsNeverAnsweredIsACauseFromTheMomentThatAsksOn) {
     EXPECT_NE(text.find("* causes: at 0 s: X0, green; from 0 s on: !red\n"), std::string::npos) << text;
 }
 
-TEST(Explain, BehindThePointOfNoReturnTheTransitionsAreNamedThatAreNeverClearedAgain) {
+TEST(Explain, DeadTransitionsAfterThePointOfNoReturnAreNamed) {
     const char* trap = R"(grafcet c {
     input a;
     output green;
@@ -250,7 +250,7 @@ TEST(Explain, TheEndOfATimeIsACauseAsConditionsWriteIt) {
     }
 }
 
-TEST(Explain, WherePlantAutomataTakeTurnsItsFreeMovesAreThoseOfTheLoop) {
+TEST(Explain, FreeMovesOfInterleavedPlantAutomataAreThoseOfTheLoop) {
     const Report report = untimed_report_of(lamps, "property dark: never red && X1; property comes: X0 leads to red;",
                                             PlantApproach::Automata);
     const std::string text = text_of(report);
@@ -295,7 +295,7 @@ std::string needing(const Why& why, const std::string& property) {
     return text;
 }
 
-TEST(Explain, WhatNoAssumptionIsNeededForRestsOnNothing) {
+TEST(Explain, ProofWithoutAssumptionsHasAnEmptyCore) {
     Reading reading = read_string(std::string(lamps) +
                                       " closed_loop asked { controller c; environment A = push_button(OUT = a);"
                                       "property apart: never X0 && X1; property idle: always X0 && X1 => red && green;"
@@ -348,7 +348,7 @@ constexpr const char* lifted = R"(grafcet c {
     transition t2: 2 -> 0 when !a && !top;
 })";
 
-TEST(Explain, WhatNoPropertyNoticesIsToldOfStepsTermsGuardsAndEdges) {
+TEST(Explain, UncoveredStepsTermsGuardsAndEdgesAreListed) {
     Reading reading;
     const Why why = why_of_lift(lifted,
                                 "property served: reachable X2; property calls: reachable called;"
@@ -394,7 +394,7 @@ closed_loop asked {
     EXPECT_EQ(needing(why, "filled"), "guard here -> here of Low; ");
 }
 
-TEST(Explain, WhereTheTimeIsOverNothingIsSaidOfWhatWasNotTried) {
+TEST(Explain, UntriedElementsAreOmittedAtTheTimeLimit) {
     Reading reading = read_string(std::string(lamps) +
                                       " closed_loop asked { controller c; environment A = push_button(OUT = a);"
                                       "property apart: never X0 && X1; }",

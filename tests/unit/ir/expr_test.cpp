@@ -170,7 +170,7 @@ TEST(Evaluate, LooksNoFurtherThanTheAnswerNeeds) {
     EXPECT_FALSE(value(t.exprs, t.exprs.conjunction(t.a, fails), {1, 0, 7}).has_value());
 }
 
-TEST(Translate, ReplacesLeavesAndSimplifiesAnew) {
+TEST(Translate, ReplacesLeavesAndSimplifiesAgain) {
     Terms t;
     const Id<Expr> term = t.exprs.disjunction(t.exprs.conjunction(t.a, t.b), t.exprs.negation(t.c));
     Exprs to;

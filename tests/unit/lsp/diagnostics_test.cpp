@@ -27,7 +27,7 @@ TEST(LspText, CountsUnitsOfUtf16) {
     for (std::uint32_t byte : {0U, 1U, 3U, 7U, 10U, 12U, 14U}) EXPECT_EQ(text.offset(text.position(byte)), byte);
 }
 
-TEST(LspText, CountsAlikeInLongLines) {
+TEST(LspText, CountsEquallyInLongLines) {
     const std::string some = "ab\u00E9\U0001F600\r";
     std::string line;
     while (line.size() < 5000) line += some.substr(0, some.size() - 1);
@@ -128,7 +128,7 @@ TEST(LspDiagnostics, AreMendedByWhatTheHintSays) {
     EXPECT_EQ(found[0]["title"], "write `X0`");
 }
 
-TEST(LspDiagnostics, AreToldOfAllFilesThatIncludeWhatIsOpen) {
+TEST(LspDiagnostics, IncludeAllFilesThatIncludeAnOpenDocument) {
     const Folder folder;
     folder.write("part.grafcet", "component lever(output OUT) {\n    initial location off;\n}\n");
     folder.write("main.grafcet",

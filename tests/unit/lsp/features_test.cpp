@@ -244,7 +244,7 @@ TEST(LspCompletion, OffersConstantsWhereAConstantCanStand) {
     EXPECT_TRUE(at("LEAST: int 0..MOST = 1", "@").empty()) << "a new name";
 }
 
-TEST(LspCompletion, OffersWhatCanStandThere) {
+TEST(LspCompletion, OffersValidProposals) {
     Editor editor;
     editor.open("press.grafcet", press);
     const auto in_chart = [&](const std::string& line) {

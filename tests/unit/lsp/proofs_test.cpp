@@ -115,7 +115,7 @@ TEST(LspProofs, TellWhatOnlyTheModelShows) {
     EXPECT_EQ(told.size(), reading.diagnostics.all().size());
 }
 
-TEST(LspProofs, AreGivenUpWithTheNextChange) {
+TEST(LspProofs, AreCancelledByTheNextChange) {
     // A long search: many timers, each at an arbitrary time.
     std::string chart = "grafcet long {\n    input A", steps, environment;
     for (int k = 0; k < 12; ++k) {

@@ -30,7 +30,7 @@ TEST(LspServer, EndsWithoutShutdownAndSaysSo) {
     EXPECT_EQ(client.ending(), Ending::Unasked);
 }
 
-TEST(LspServer, EndsWithTheClientAlsoInTheMidstOfAMessage) {
+TEST(LspServer, EndsWithTheClientEvenDuringAMessage) {
     Client client;
     client.begin();
     client.write("Content-Length: 100\r\n\r\n{\"jsonrpc\"");
@@ -54,7 +54,7 @@ TEST(LspServer, WantsToBeInitializedFirstAndOnce) {
     EXPECT_EQ(client.waiting(), 0U);
 }
 
-TEST(LspServer, AnswersWhatIsNoMessageAndGoesOn) {
+TEST(LspServer, AnswersInvalidInputAndContinues) {
     Client client;
     client.begin();
     struct Case {

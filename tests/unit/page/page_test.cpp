@@ -40,7 +40,7 @@ std::string hex_of_base64(const std::string& text) {
     return hex;
 }
 
-TEST(Page, TellsTheVerdictTheAssumptionsAndTheFormulas) {
+TEST(Page, ShowsTheVerdictTheAssumptionsAndTheFormulas) {
     const Made made = page_of_text(press);
     EXPECT_NE(made.page.find("1 verdict is against expectation."), std::string::npos);
     EXPECT_NE(made.page.find("3 hold, 1 violated"), std::string::npos);
@@ -58,14 +58,14 @@ TEST(Page, FoldsWhatHoldsAndOpensWhatDoesNot) {
     EXPECT_LT(made.page.find("property-idle"), made.page.find("property-sound")) << "what needs eyes comes first";
 }
 
-TEST(Page, IsTheSameOfTheSameContentAndHasADateOnlyWhereOneIsGiven) {
+TEST(Page, IsDeterministicAndHasADateOnlyIfGiven) {
     const std::string page = page_of_text(press).page;
     EXPECT_EQ(page, page_of_text(press).page);
     EXPECT_EQ(page.find("2031-05-06"), std::string::npos);
     EXPECT_NE(page_of_text(press, "test.grafcet", "2031-05-06").page.find("2031-05-06"), std::string::npos);
 }
 
-TEST(Page, AllowsItsOwnScriptAndStyleByTheirHashesAndNothingElse) {
+TEST(Page, AllowsOnlyItsScriptAndStyleByTheirHashes) {
     const std::string page = page_of_text(press).page;
     std::string policy = between(page, "http-equiv=\"Content-Security-Policy\" content=\"", "\"");
     EXPECT_NE(policy.find("default-src"), std::string::npos);

@@ -28,7 +28,7 @@ TEST(Terms, OfAConditionUnfoldIntoLeavesWithTheirPlaces) {
     EXPECT_EQ(node(chart, t0["args"][0])["op"], "input");
 }
 
-TEST(Terms, OfAChartAskForTheExitStepBehindAMacroStep) {
+TEST(Terms, OfAChartRequireTheExitStepAfterAMacroStep) {
     const Reading reading = read_string(R"(
 grafcet line {
     input A, B;
@@ -51,7 +51,7 @@ grafcet line {
     EXPECT_EQ(from, (std::vector<std::string>{"XM1", "cycle.XS"}));
 }
 
-TEST(Terms, StandBehindTheirOperands) {
+TEST(Terms, FollowTheirOperands) {
     const Reading reading = read_string(press, "test.grafcet");
     const Json chart = chart_json(reading.model->charts[{0}]);
     for (std::size_t k = 0; k < chart["terms"].size(); ++k)

@@ -43,7 +43,7 @@ Outcome outcome(const Report& report, std::string_view property) {
     return Outcome::Unknown;
 }
 
-TEST(FrontDoor, TellsWhatIsWrongWithATextAsTheProgramDoes) {
+TEST(PublicApi, ReportsErrorsOfATextAsTheProgramDoes) {
     const Reading reading =
         read_string("grafcet g { initial step 0; transition t: 0 -> 9 when true; }\n", "wrong.grafcet");
     EXPECT_FALSE(reading.model);
@@ -54,7 +54,7 @@ TEST(FrontDoor, TellsWhatIsWrongWithATextAsTheProgramDoes) {
     EXPECT_NE(missing.complaints().find("no such file"), std::string::npos) << missing.complaints();
 }
 
-TEST(FrontDoor, PropertiesNameEveryStateOfThePlantInEveryEngine) {
+TEST(PublicApi, PropertiesNameEveryStateOfThePlantInEveryEngine) {
     const Reading reading = read_string(R"(grafcet raising {
     input CARD, TOP;
     output RAISE;
@@ -130,7 +130,7 @@ closed_loop room {
 }
 )";
 
-TEST(FrontDoor, ObserversSayTheSameInContinuousAndDiscreteTime) {
+TEST(PublicApi, ObserversSayTheSameInContinuousAndDiscreteTime) {
     const Reading reading = read_string(blinking, "room.grafcet");
     ASSERT_TRUE(reading.model) << reading.complaints();
     Diagnostics diagnostics;
@@ -159,7 +159,7 @@ TEST(FrontDoor, ObserversSayTheSameInContinuousAndDiscreteTime) {
     EXPECT_EQ(answered, order);
 }
 
-TEST(FrontDoor, CounterexamplesTellTheWordsOfTheirSentence) {
+TEST(PublicApi, CounterexamplesExplainTheirSentence) {
     const Reading reading = read_string(blinking, "room.grafcet");
     ASSERT_TRUE(reading.model);
     Diagnostics diagnostics;
@@ -221,7 +221,7 @@ closed_loop room {
 }
 )";
 
-TEST(FrontDoor, ViolationsOfEveryFormAreExplainedEventByEvent) {
+TEST(PublicApi, ViolationsOfEveryFormAreExplainedEventByEvent) {
     const std::vector<std::pair<std::string, std::string>> expected = {
         {"within", "`LAMP` at 1 s; deadline 4 s; `!LAMP` not true by then"},
         {"holds_for", "`LAMP` from 1 s on; required until 6 s; false at 5 s"},
@@ -262,7 +262,7 @@ TEST(FrontDoor, ViolationsOfEveryFormAreExplainedEventByEvent) {
     EXPECT_EQ(found, expected);
 }
 
-TEST(FrontDoor, IncludesComeFromWhereTheCallerSays) {
+TEST(PublicApi, IncludesComeFromTheFoldersOfTheCaller) {
     ReadOptions options;
     std::vector<std::string> asked;
     options.load = [&](const std::string& path, std::string& why) -> std::optional<std::string> {
@@ -279,7 +279,7 @@ TEST(FrontDoor, IncludesComeFromWhereTheCallerSays) {
     EXPECT_NE(refused.complaints().find("it is not here"), std::string::npos) << refused.complaints();
 }
 
-TEST(FrontDoor, DecidesALoopWithAndWithoutTime) {
+TEST(PublicApi, DecidesALoopWithAndWithoutTime) {
     Reading file = lamp_reading();
     const auto loop = find_loop(*file.model, "lamp_loop");
     ASSERT_TRUE(loop);
@@ -301,7 +301,7 @@ TEST(FrontDoor, DecidesALoopWithAndWithoutTime) {
     EXPECT_FALSE(untimed->answers.front().carries.empty());
 }
 
-TEST(FrontDoor, APropertyThatIsNotThereIsAnErrorAndNoSilence) {
+TEST(PublicApi, UnknownPropertyIsAnError) {
     Reading file = lamp_reading();
     const CheckOptions options{.properties = {"litt"}};
     EXPECT_FALSE(check(*file.model, {0}, {}, options, file.diagnostics));
@@ -310,7 +310,7 @@ TEST(FrontDoor, APropertyThatIsNotThereIsAnErrorAndNoSilence) {
     EXPECT_FALSE(check_untimed(*file.model, Id<Chart>{0}, {}, options, file.diagnostics));
 }
 
-TEST(FrontDoor, BoundsEndTheWorkWithWhatIsKnown) {
+TEST(PublicApi, LimitsEndTheWorkWithTheResultsSoFar) {
     Reading file = read_file(samples + "testing_station/testing_station.grafcet");
     ASSERT_TRUE(file.model) << file.complaints();
     CheckOptions options;
@@ -330,7 +330,7 @@ TEST(FrontDoor, BoundsEndTheWorkWithWhatIsKnown) {
     })) << text_of(*stopped);
 }
 
-TEST(FrontDoor, ProgressIsToldAndMayEndTheWork) {
+TEST(PublicApi, ProgressCallbackMayEndTheWork) {
     Reading file = read_file(samples + "tanks/tanks.grafcet");
     ASSERT_TRUE(file.model) << file.complaints();
     std::atomic<bool> stop = false;
@@ -349,7 +349,7 @@ TEST(FrontDoor, ProgressIsToldAndMayEndTheWork) {
     })) << text_of(*report);
 }
 
-TEST(FrontDoor, GivesModelsAsText) {
+TEST(PublicApi, ExportsModelsAsText) {
     Reading file = lamp_reading();
     const auto network = network_of(*file.model, {0}, {}, file.diagnostics);
     const auto system = transition_system_of(*file.model, Id<ClosedLoop>{0}, {}, file.diagnostics);
@@ -364,7 +364,7 @@ TEST(FrontDoor, GivesModelsAsText) {
     EXPECT_NE(block->find("END_FUNCTION_BLOCK"), std::string::npos) << *block;
 }
 
-TEST(FrontDoor, AsksChartsAlone) {
+TEST(PublicApi, ChecksChartsAlone) {
     Reading file = lamp_reading();
     const auto report = check_untimed(*file.model, Id<Chart>{0}, {}, {}, file.diagnostics);
     ASSERT_TRUE(report) << file.complaints();
@@ -382,7 +382,7 @@ TEST(FrontDoor, AsksChartsAlone) {
     EXPECT_FALSE(test->sequences.empty());
 }
 
-TEST(FrontDoor, OneModelServesSeveralThreads) {
+TEST(PublicApi, OneModelServesSeveralThreads) {
     const Reading file = lamp_reading();
     std::vector<std::string> reports(4);
     std::vector<std::thread> threads;

@@ -46,7 +46,7 @@ Imported imported(const std::string& written, bool lossy = false) {
     return result;
 }
 
-TEST(Import, TellsFormatsFromTheirContent) {
+TEST(Import, RecognizesFormatsByTheirContent) {
     EXPECT_EQ(format_of("// a chart\ngrafcet g {}"), FileFormat::Grafcet);
     EXPECT_EQ(format_of("\xEF\xBB\xBF  <?xml version='1.0'?><a/>"), FileFormat::Xml);
     EXPECT_EQ(format_of("(* x *) program p"), FileFormat::StructuredText);
@@ -62,7 +62,7 @@ std::string utf16(const std::string& text) {
     return wide;
 }
 
-TEST(Import, TellsTheFormatOfTextInUtf16) {
+TEST(Import, RecognizesTheFormatOfUtf16Text) {
     EXPECT_EQ(format_of(utf16(" <project/>")), FileFormat::Xml);
     EXPECT_EQ(format_of(utf16("grafcet g {}")), FileFormat::Grafcet);
     EXPECT_EQ(format_of(utf16("PROGRAM p END_PROGRAM").substr(2)), FileFormat::StructuredText);
@@ -97,7 +97,7 @@ TEST(Import, RejectsUtf16WithHalfACharacter) {
     EXPECT_EQ(imported(utf16("grafcet g { initial step 0; }")).said, "");
 }
 
-TEST(Import, TakesOverTheWholeMetaModelOfAgrafe) {
+TEST(Import, ImportsTheCompleteMetaModelOfAgrafe) {
     const Imported result = imported(fixtures::agrafe);
     EXPECT_EQ(result.text, fixtures::agrafe_text) << result.said;
 }

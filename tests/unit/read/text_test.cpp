@@ -118,7 +118,7 @@ TEST(ReadChart, LooksForStepsInItsPartialChartFirst) {
     EXPECT_EQ(steps({1}), "p.X1 X1 X2 ");
 }
 
-TEST(ReadChart, HoldsTheWholeStandard) {
+TEST(ReadChart, SupportsTheCompleteStandard) {
     const Chart chart =
         *model(
              "grafcet g {\n"

@@ -45,7 +45,7 @@ TEST(Json, HasTheKeysThatItsReadersKnow) {
                                         "signals", "instances", "moments", "loop"}));
 }
 
-TEST(Json, TellsInMomentsWhatTheStepsSumUp) {
+TEST(Json, HasTheMomentsThatTheStepsSummarize) {
     const Json trace = json(sample_report())["properties"][1]["trace"];
     const Json& run = trace["run"];
     EXPECT_EQ(run["version"], 1);
@@ -106,7 +106,7 @@ TEST(Json, GivesAllInputsAndOutputsInEveryStep) {
     EXPECT_EQ(trace["steps"][3]["component"], nullptr);
 }
 
-TEST(Json, ListsThePlacesWhereTheModelBreaksOff) {
+TEST(Json, ListsModelErrors) {
     Report report = sample_report();
     report.breakdowns = {{"action-race", "two actions race", sample_run()}};
     const Json errors = json(report)["errors"];
@@ -114,7 +114,7 @@ TEST(Json, ListsThePlacesWhereTheModelBreaksOff) {
     EXPECT_EQ(keys(errors[0]), (std::vector<std::string>{"code", "message", "trace"}));
 }
 
-TEST(Json, SurvivesTextThatIsNoUtf8) {
+TEST(Json, AcceptsTextThatIsNotUtf8) {
     Report report = sample_report();
     report.answers[0].text = "caf\xE9";
     EXPECT_EQ(json(report)["properties"][0]["text"], "caf\uFFFD");

@@ -103,7 +103,7 @@ TEST(Svg, EveryWaveRunsFromTheFirstColumnToTheLastWithoutGaps) {
     for (const auto& [row, ends] : reach) EXPECT_EQ(ends, reach.begin()->second);
 }
 
-TEST(Svg, ShadesWhatRepeatsAndRulesWhereTimeGoesOn) {
+TEST(Svg, ShadesTheLoopAndMarksAdvancesOfTime) {
     Drawn drawn;
     draw(sample_run(), drawn);
     const auto loop = of_class(drawn, "loop");

@@ -74,7 +74,7 @@ std::vector<std::int64_t> values(const ChartRun& run, const ChartRun::Row& row, 
     return list;
 }
 
-TEST(Tell, TellsTheBlinkerInTheWordsOfItsChart) {
+TEST(Tell, TraceOfTheBlinkerUsesTheNamesOfItsChart) {
     const LoopUnderTest loop = read_sample("blinker/blinker.grafcet");
     Driver drive(loop.network);
     drive.exhaust("PLC");
@@ -159,7 +159,7 @@ TEST(Tell, MarksTheLoop) {
     EXPECT_EQ(trace.rows[2].what, "time passes, for ever");
 }
 
-TEST(Tell, TellsALoopInWhichNothingCanBeSeen) {
+TEST(Tell, LoopWithoutVisibleEventsHasARow) {
     // The cycle of CEP13 Fig. 17, without flags: it runs forever, and no time passes.
     const LoopUnderTest loop = read_sample("blinker/blinker.grafcet", {.ablations = {.cycle_always = true}});
     Driver drive(loop.network);
@@ -187,7 +187,7 @@ TEST(Tell, HidesWhatIsInternalUnlessAskedForEverything) {
         EXPECT_EQ(text.find(inner), std::string::npos) << inner;
 }
 
-TEST(Tell, NamesStepsInFullOnlyWhereThatIsNeeded) {
+TEST(Tell, UsesFullStepNamesOnlyIfNeeded) {
     const LoopUnderTest loop = read_loop(R"(
         grafcet twins { input GO; output L;
             initial step 1; step 2 { L; } transition t: 1 -> 2 when GO;
@@ -204,7 +204,7 @@ TEST(Tell, NamesStepsInFullOnlyWhereThatIsNeeded) {
     EXPECT_EQ(shorter, (std::vector<std::string>{"1", "2", "G2.2", "3"}));
 }
 
-TEST(TellLaw, EveryWalkThroughARandomLoopIsToldWell) {
+TEST(TellLaw, TracesOfRandomWalksAreWellFormed) {
     int rows = 0;
     for (int seed = 1; seed <= law_size(40); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

@@ -49,7 +49,7 @@ TEST(Terminal, ReportsOfVeryManyPropertiesArePrinted) {
     EXPECT_NE(named.str().find("reachable.X1, reachable.X2, reachable.X3"), std::string::npos);
 }
 
-TEST(Terminal, TellsATraceAsATableWithItsLoopMarked) {
+TEST(Terminal, PrintsATraceAsATableWithItsLoopMarked) {
     EXPECT_EQ(table(sample_run()),
               "   time  what happened               inputs     cleared     situation  outputs\n"
               "    0 s  press: power on             LEVEL = 2              0, 2       none\n"
@@ -65,7 +65,7 @@ TEST(Terminal, TellsATraceAsATableWithItsLoopMarked) {
         << "a delay is told by the time of what comes next";
 }
 
-TEST(Terminal, FitsAHundredColumnsWhateverTheNames) {
+TEST(Terminal, FitsAHundredColumnsForAllNames) {
     ChartRun run = sample_run();
     run.rows[1].component = std::string(300, 'n');
     run.transitions[{0}].name = "a_transition";
@@ -82,7 +82,7 @@ TEST(Terminal, FitsAHundredColumnsWhateverTheNames) {
     EXPECT_EQ(std::count(whole.begin(), whole.end(), 'n') >= 300, true);
 }
 
-TEST(Terminal, SaysOnceWhatVerdictsRestOn) {
+TEST(Terminal, PrintsSharedAssumptionsOnce) {
     Report report = sample_report();
     report.answers.resize(3);
     const std::string told = text(report);
@@ -104,7 +104,7 @@ TEST(Terminal, SaysOnceWhatVerdictsRestOn) {
         << told;
 }
 
-TEST(Terminal, SaysOfEachGroupOfVerdictsWhatItAloneRestsOn) {
+TEST(Terminal, PrintsTheSeparateAssumptionsOfEachGroup) {
     Report report{"station", {"timed", "every-cycle", "atomic", 1000}, {}, {}};
     const Scope alone{{"left"}, {"right"}, "has no say"};
     const auto answer = [](const char* name, const char* states, const Scope& scope) {
@@ -131,7 +131,7 @@ TEST(Terminal, ClaimsOfUndecidedPropertiesNothingThatItClaimsOfDecidedOnes) {
         << text(report);
 }
 
-TEST(Terminal, TellsStepsThatAreReachedInOneLineAndTheOthersEach) {
+TEST(Terminal, PrintsReachedStepsInOneLineAndTheOthersSeparately) {
     Report report{"line", {"timed", "every-cycle", "atomic", 1000}, {}, {}};
     for (const char* step : {"0", "1", "2"})
         report.answers.push_back({{.property = std::string("S.X") + step,
@@ -155,7 +155,7 @@ TEST(Terminal, TellsStepsThatAreReachedInOneLineAndTheOthersEach) {
     EXPECT_NE(text(report).find("S (3 steps)  holds"), std::string::npos) << text(report);
 }
 
-TEST(Terminal, TellsNotesOfWhatHoldsWithWhatItRestsOnAndOthersWhereTheyBelong) {
+TEST(Terminal, PrintsNotesOfHoldingPropertiesWithTheAssumptions) {
     Report report = sample_report();
     const std::string told = text(report);
     EXPECT_NE(told.find("    note (P5): time never passes\n\nP2 "), std::string::npos) << told;
@@ -169,7 +169,7 @@ TEST(Terminal, TellsNotesOfWhatHoldsWithWhatItRestsOnAndOthersWhereTheyBelong) {
     EXPECT_EQ(text(report).find("of all"), text(report).rfind("of all")) << text(report);
 }
 
-TEST(Terminal, TellsFailuresOnlyWhereAskedTo) {
+TEST(Terminal, PrintsOnlyFailuresOnRequest) {
     std::ostringstream out;
     Report report = sample_report();
     print_report(report, {.failures_only = true}, out);
@@ -231,7 +231,7 @@ TEST(Terminal, SaysOnceWhatKeepsItFromSeveralVerdicts) {
         << "a reason of its own stays where it is";
 }
 
-TEST(Terminal, TellsWhatMultiplies) {
+TEST(Terminal, PrintsTheStateProfile) {
     Report report = sample_report();
     StateProfile profile{.states = 40, .sampled = 30, .most_combinations = 12, .inside_cycles = 10};
     profile.parts = {{"PLC", StateProfile::Kind::Controller, 12, {30, 5}, {}, "a.grafcet:3"},
@@ -261,7 +261,7 @@ TEST(Terminal, ShowsWitnessesOnlyWhereAskedFor) {
     EXPECT_NE(text(report, true).find("witness:\n"), std::string::npos);
 }
 
-TEST(Terminal, ShowsThePlaceWhereAModelBreaksOffFirst) {
+TEST(Terminal, ShowsModelErrorsFirst) {
     Report report = sample_report();
     report.breakdowns = {{"out-of-range", "`X` would leave its range 0..20", sample_run()}};
     EXPECT_TRUE(text(report).starts_with("the model breaks off: `X` would leave its range 0..20 [out-of-range]\n"))
@@ -293,7 +293,7 @@ TEST(Terminal, WritesTimesInSeconds) {
     EXPECT_EQ(seconds_text(60'000), "60 s");
 }
 
-TEST(Tally, CountsWhatIsAgainstExpectation) {
+TEST(Tally, CountsUnexpectedVerdicts) {
     const Tally count = tally(sample_report());
     EXPECT_EQ(count, (Tally{.holds = 2, .violated = 2, .unknown = 1, .undeclared_unknown = 1, .unexpected = 1}));
 }

@@ -67,7 +67,7 @@ std::string dump(const ChartRun& run) {
     return out.str();
 }
 
-TEST(Vcd, DeclaresEverySignalOnceWithACodeOfItsOwn) {
+TEST(Vcd, DeclaresEverySignalOnceWithAUniqueCode) {
     const Waves waves = read(dump(sample_run()));
     std::set<std::string> codes;
     for (const auto& [name, code] : waves.codes) codes.insert(code);
@@ -109,7 +109,7 @@ TEST(Vcd, HasCodesForMoreSignalsThanCharacters) {
     EXPECT_EQ(codes.size(), 20'010u);
 }
 
-TEST(Vcd, StepsStandInTheModulesOfTheirControllerAndPartialChart) {
+TEST(Vcd, StepsBelongToTheModulesOfTheirControllerAndPartialChart) {
     ChartRun run = sample_run();
     for (ChartRun::Step& step : run.steps) step.controller = "press";
     std::ostringstream out;

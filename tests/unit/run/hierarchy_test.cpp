@@ -72,7 +72,7 @@ TEST(EnclosingSteps, ActivateTheirLinksAndNotTheInitialSteps) {
     EXPECT_EQ(value(chart, "N"), 1);
 }
 
-TEST(EnclosingSteps, ClearAllTheyEncloseWhateverFiresThere) {
+TEST(EnclosingSteps, DeactivateAllEnclosedStepsRegardlessOfTransitionsThere) {
     Play chart = play(enclosure);
     run(chart);
     run(chart, "a");
@@ -120,7 +120,7 @@ std::string forced_to(const std::string& order, std::string* afterwards = nullpt
     return reached;
 }
 
-TEST(ForcingOrders, OfTheFourKindsForceAndHold) {
+TEST(ForcingOrders, OfAllFourFormsForceAndHold) {
     std::string afterwards;
     EXPECT_EQ(forced_to(""), "2");
     EXPECT_EQ(forced_to("INIT"), "2 20");

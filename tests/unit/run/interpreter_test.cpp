@@ -39,7 +39,7 @@ TEST(FirstEvolution, ReadsTheInputsOfThatMoment) {
     EXPECT_EQ(value(chart, "M"), 1);
 }
 
-TEST(FirstEvolution, AnInitialStepThatIsLeftAndActivatedAnewRunsItsActionAnew) {
+TEST(FirstEvolution, ReactivatedInitialStepRunsItsActionAgain) {
     Play chart = play(
         "input a, b; internal N: int 0..5 = 0; initial step 1 { N := N + 1 on activation; } step 2;"
         "transition t1: 1 -> 2 when a; transition t2: 2 -> 1 when b;");
@@ -182,7 +182,7 @@ TEST(TotalInstability, ALongCountThatEndsIsNotTakenForIt) {
     EXPECT_EQ(value(chart, "N"), 100);
 }
 
-TEST(TotalInstability, AnInstantBeyondReasonIsGivenUp) {
+TEST(TotalInstability, TooLongAnInstantIsAborted) {
     Play chart = play(
         "internal N: int 0..2000 = 0, M: int 0..2000 = 0; initial step 1;"
         "step 2 { N := (N + 1) % 2001 on activation; M := (M + (N + 1) / 2001) % 2001 on activation; }"
@@ -242,7 +242,7 @@ TEST(StoredActions, TwoValuesForOneVariableInOneEvolutionAreARace) {
     EXPECT_EQ(cycle.race->second.index, 1U);
 }
 
-TEST(StoredActions, OneValueStoredTwiceIsNoRace) {
+TEST(StoredActions, SameValueStoredTwiceDoesNotRace) {
     Play chart = play(
         "input a; internal N: int 0..9 = 0, M: int 0..9 = 2; initial step 1 { N := M on deactivation; }"
         "step 2 { N := 2 on activation; } transition t1: 1 -> 2 when a;");
@@ -306,7 +306,7 @@ TEST(Conditions, ThatReadAStoredOutputReadTheImageBeforeTheEvolution) {
     EXPECT_EQ(situation(chart), "2 4");
 }
 
-TEST(Conditions, OnlyThoseOfEnabledTransitionsAreLookedAt) {
+TEST(Conditions, OnlyThoseOfEnabledTransitionsAreEvaluated) {
     Play chart = play(
         "input a; internal M: int 0..9 = 0; initial step 1; step 2; step 3;"
         "transition t1: 1 -> 2 when a; transition t2: 2 -> 3 when 1 / M == 1;");
@@ -330,7 +330,7 @@ TEST(TimeConditions, HoldFromTheirDurationOnWhileTheStepIsActive) {
     EXPECT_EQ(time_conditions(chart.chart, chart.state), std::vector{false});
 }
 
-TEST(TimeConditions, StartAnewWhenTheStepIsLeftAndActivatedWithinOneInstant) {
+TEST(TimeConditions, RestartIfTheStepIsReactivatedWithinOneInstant) {
     // The pulse chart: one pulse every 5 s, not continuously after the first 5 s.
     Play chart = play("initial step 1; step 2; transition t1: 1 -> 2 when 5s/X1; transition t2: 2 -> 1 when true;");
     run(chart);

@@ -28,7 +28,7 @@ TEST(TimeOfAnInput, CountsFromItsEdgesAndNeedsItToLast) {
     EXPECT_EQ(later(chart, 1000), "");
 }
 
-TEST(TimeOfAnInput, AShortRiseMeanwhileDoesNotProlongTheFall) {
+TEST(TimeOfAnInput, ShortRiseDoesNotProlongTheFall) {
     Play chart = play("input a; output O; initial step 1 { O if 3s/a/2s; }");
     run(chart, "a");
     EXPECT_EQ(later(chart, 3000, "a"), "O");
@@ -91,7 +91,7 @@ TEST(DelayedActions, BeginWhenTheirStepHasBeenActiveForTheDelay) {
     EXPECT_EQ(later(chart, 0, "a"), "O");  // total instability with a: no output is written
 }
 
-TEST(TimeLimitedActions, EndAfterTheirLimitAndBeginAnewWithTheStep) {
+TEST(TimeLimitedActions, EndAfterTheirLimitAndRestartWithTheStep) {
     Play chart = play(
         "input a; output O; initial step 1 { O for 5s; } step 2;"
         "transition t1: 1 -> 2 when rise(a); transition t2: 2 -> 1 when fall(a);");

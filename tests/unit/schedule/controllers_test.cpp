@@ -114,7 +114,7 @@ TEST(ScheduleControllers, PassesItsOwnLogicsThrough) {
     expect_line(text, "LTLSPEC NAME L1 := G F press.X_0;");
 }
 
-TEST(ScheduleControllers, TakesTheModeOfTheLoopUnlessToldOtherwise) {
+TEST(ScheduleControllers, UsesTheModeOfTheLoopByDefault) {
     EXPECT_NE(emitted(scheduled(press(""))).find("next(LAMP) := (stable ? LAMP_now : LAMP);"), std::string::npos);
     const std::string cyclic = emitted(scheduled(press(""), {ExecutionMode::EveryCycle}));
     expect_line(cyclic, "  LAMP := X_1;");

@@ -79,7 +79,7 @@ TEST(RenderText, ShowsUnprintableBytesAsQuestionMarks) {
     EXPECT_NE(text({error_at(0, 1)}, one(std::string("\x01\x1b[31m", 6))).find("    ??[31m\n"), std::string::npos);
 }
 
-TEST(RenderText, ShowsBytesThatAreNoUtf8AsQuestionMarks) {
+TEST(RenderText, ShowsInvalidUtf8AsQuestionMarks) {
     EXPECT_NE(text({error_at(0, 1)}, one("\xff\xc3\xa9\xc3")).find("    ?\xc3\xa9?\n"), std::string::npos);
 }
 

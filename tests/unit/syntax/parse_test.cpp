@@ -94,7 +94,7 @@ TEST(ParseCondition, BindsOperatorsAsTheLanguageSays) {
     }
 }
 
-TEST(ParseCondition, RefusesWhatIsNoCondition) {
+TEST(ParseCondition, RejectsInvalidConditions) {
     const std::vector<Case> cases = {
         {"", "4:1 unexpected\n"},         {"a b", "3:3 unexpected\n"},        {"a < b < c", "3:7 unexpected\n"},
         {"a = b", "3:3 single-equals\n"}, {"(a", "4:1 unexpected\n"},         {"a && 3x", "3:6 unknown-unit\n"},
@@ -177,7 +177,7 @@ TEST(ParseFile, TakesWordsOfTheLanguageAsNames) {
         "");
 }
 
-TEST(ParseFile, GoesOnWithTheNextDeclarationAfterAnError) {
+TEST(ParseFile, ContinuesWithTheNextDeclarationAfterAnError) {
     const std::vector<Case> cases = {
         {"grafcet a {\n    input A B;\n    input C D;\n    step 1;\n}\n", "2:13 unexpected\n3:13 unexpected\n"},
         {"grafcet a {\n    input A\n    output B;\n    step ;\n}\n", "2:12 missing-semicolon\n4:10 unexpected\n"},
@@ -218,7 +218,7 @@ TEST(ParseFile, StopsAtFiftyErrors) {
 
 TEST(ParseFile, SkipsAByteOrderMark) { EXPECT_EQ(errors_of("\xEF\xBB\xBFgrafcet a {\n    initial step 1;\n}\n"), ""); }
 
-TEST(ParseFile, RefusesBytesThatAreNoText) {
+TEST(ParseFile, RejectsBytesThatAreNotText) {
     using namespace std::string_literals;
     EXPECT_EQ(errors_of("// \xC0\xAF\n"), "1:4 invalid-utf8\n");          // overlong
     EXPECT_EQ(errors_of("// \xED\xA0\x80\n"), "1:4 invalid-utf8\n");      // surrogate

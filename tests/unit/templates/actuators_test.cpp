@@ -77,7 +77,7 @@ TEST(Motor, RunsUpAndDown) {
     EXPECT_EQ(place_of(motor), "stopped");
 }
 
-TEST(Motor, AChangeOfTheOrderStartsTheOtherRampAnew) {
+TEST(Motor, ChangeOfTheOrderRestartsTheOtherRamp) {
     Bench motor = bench("motor", {{"RUN_UP", 2000}, {"RUN_DOWN", 3000}});
     motor.set("ON", 1);
     motor.wait(1);

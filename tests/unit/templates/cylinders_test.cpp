@@ -191,7 +191,7 @@ TEST(Cylinder52, TurnsRoundOnTheOppositeOrderAndTakesAWholeStrokeBack) {
     EXPECT_EQ(only(cylinder, "IN"), 1);
 }
 
-TEST(Cylinder52, KeepsGoingOnTwoOrders) {
+TEST(Cylinder52, KeepsMovingWithBothOrders) {
     Bench cylinder = bench("cylinder_5_2", {{"STROKE_OUT", 3000}, {"STROKE_IN", 2000}});
     cylinder.set("G_OUT", 1);
     cylinder.set("G_IN", 1);

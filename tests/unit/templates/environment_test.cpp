@@ -43,7 +43,7 @@ Pace pace(const Network& network, const std::string& variable, std::int64_t from
     return result;
 }
 
-TEST(PushButton, ChangesNoFasterThanItsGapAndMayStayForEver) {
+TEST(PushButton, ChangesNoFasterThanItsGapAndMayStayForever) {
     const Network button = component_in_seconds("push_button", {{"GAP", 3000}});
     for (const std::int64_t from : {0, 1}) {
         const Pace found = pace(button, "OUT", from, 20);
@@ -52,7 +52,7 @@ TEST(PushButton, ChangesNoFasterThanItsGapAndMayStayForEver) {
     }
 }
 
-TEST(PushButtonReleased, IsReleasedInTimeAndMayStayReleasedForEver) {
+TEST(PushButtonReleased, IsReleasedInTimeAndMayStayReleasedForever) {
     const Network button = component_in_seconds("push_button_released", {{"GAP", 3000}, {"HOLD", 7000}});
     EXPECT_EQ(pace(button, "OUT", 0, 20).least, 3);
     EXPECT_EQ(pace(button, "OUT", 0, 20).greatest, 20);

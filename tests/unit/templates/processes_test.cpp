@@ -119,7 +119,7 @@ TEST(StuckFault, StrikesAtAnyTimeAndStays) {
             EXPECT_GE(tadd.variable(move.next, "FAULT"), tadd.variable(state, "FAULT"));
 }
 
-TEST(StuckSensors, FollowTheirReadingUntilTheyStickForEver) {
+TEST(StuckSensors, FollowTheirReadingUntilTheyStickForever) {
     struct Case {
         std::string name;
         std::int64_t stuck;

@@ -79,7 +79,7 @@ TEST(LayeredLaw, NothingOverlapsAndEveryArrowJoinsItsNodes) {
 }
 
 /// Each label is next to the first stretch of its line, closer to it than to any other line.
-TEST(LayeredLaw, ALabelLiesBesideItsLine) {
+TEST(LayeredLaw, LabelsAreNextToTheirLines) {
     for (int seed = 1; seed <= law_size(100); ++seed) {
         SCOPED_TRACE(seed);
         std::mt19937 random(static_cast<unsigned>(seed));

@@ -143,7 +143,7 @@ TEST(EmitNusmv, WritesPatternsOfSeveralOperands) {
     expect_lines(emitted(alone.system), "INVARSPEC NAME P := press.X_1 -> (a);\n");
 }
 
-TEST(EmitNusmv, PassesFormulasOfItsOwnLogicsThrough) {
+TEST(EmitNusmv, PassesItsNativeFormulasThrough) {
     Small small;
     small.ask(Pattern::RawCtl, {}, false, "AG EF press.X_1");
     small.ask(Pattern::RawLtl, {}, false, "G F press.X_1");
@@ -185,7 +185,7 @@ TEST(EmitNusmv, PutsTextAndExpectationAboveASpecification) {
     expect_lines(emitted(small.system), "-- P: the press is safe (expected: violated)\nINVARSPEC NAME P := a;\n");
 }
 
-TEST(EmitNusmv, SaysWhereAReachableIsAskedAsItsOpposite) {
+TEST(EmitNusmv, MarksNegatedReachableProperties) {
     Small small;
     small.ask(Pattern::Reachable, {small.a()});
     small.system.properties[{0}].text = "the press can close";

@@ -77,7 +77,7 @@ TEST(StructuredTextForm, BothFormsAreTheSameProgram) {
     }
 }
 
-TEST(StructuredTextForm, NamesAreThoseOfIecAndToldInTheHeader) {
+TEST(StructuredTextForm, NamesFollowIecAndAreListedInTheHeader) {
     const std::string text = controller(
         "input step_, END_IF, go; output GO__2, FAULT; initial step 0; step 1 { FAULT; }\n"
         "transition TON: 0 -> 1 when step_ && END_IF && go; step 2 { GO__2; }\n"

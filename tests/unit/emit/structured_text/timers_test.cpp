@@ -22,7 +22,7 @@ constexpr std::string_view pulse =
     "output L; initial step 1; step 2 { L; }\n"
     "transition a: 1 -> 2 when 5s/X1; transition b: 2 -> 1 when true;";
 
-TEST(StructuredTextTimers, AStepLeftAndActivatedAnewWithinOneCycleStartsItsTimerAnew) {
+TEST(StructuredTextTimers, StepReactivatedWithinOneCycleRestartsItsTimer) {
     const std::string text =
         "output L; internal N: int 0..9 = 0; initial step 1 { L if N > 0; }\n"
         "step 2 { N := N + 1 on activation; }\n"

@@ -18,13 +18,13 @@ namespace {
 
 using test::overlaps;
 
-TEST(UppaalLayout, HasNoTwoThingsInOnePlace) {
+TEST(UppaalLayout, ElementsDoNotOverlap) {
     EXPECT_EQ(overlaps(test::project(test::station())), "");
     EXPECT_EQ(overlaps(test::project(test::awkward_names())), "");
     EXPECT_EQ(overlaps(test::project(test::crowded())), "");
 }
 
-TEST(UppaalLayout, HasNoTwoThingsInOnePlaceInAnyNetwork) {
+TEST(UppaalLayout, ElementsDoNotOverlapInAnyNetwork) {
     for (int seed = 0; seed < law_size(150); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         EXPECT_EQ(overlaps(test::project(random_network(random))), "") << "seed " << seed;
@@ -106,7 +106,7 @@ Network star(std::uint32_t leaves) {
     return h.network;
 }
 
-TEST(UppaalLayout, FindsRoomForManyLeaves) {
+TEST(UppaalLayout, PlacesManyLeaves) {
     for (const std::uint32_t leaves : {3U, 4U, 7U, 20U, 59U, 200U})
         EXPECT_EQ(overlaps(test::project(star(leaves))), "") << leaves << " leaves";
 }

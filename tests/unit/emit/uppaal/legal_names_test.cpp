@@ -17,7 +17,7 @@ TEST(LegalNames, KeepWhatIsLegal) {
     EXPECT_EQ(legal_names(Target::Nusmv, names), names);
 }
 
-TEST(LegalNames, AvoidTheWordsOfTheTarget) {
+TEST(LegalNames, AvoidKeywordsOfTheTarget) {
     struct Case {
         Target target = Target::Uppaal;
         std::string name = {}, legal = {};

@@ -29,7 +29,7 @@ TEST(UppaalProject, BeginsWithItsDocumentType) {
                                  "'http://www.it.uu.se/research/group/darts/uppaal/flat-1_6.dtd'>\n<nta>\n"));
 }
 
-TEST(UppaalProject, TellsInItsHeaderWhatItIs) {
+TEST(UppaalProject, DescribesItselfInItsHeader) {
     const std::string xml = test::project(test::station());
     for (const char* line :
          {"// station: the closed loop", "// Controller handling with stability search", "// Grain: phased",
@@ -149,7 +149,7 @@ TEST(UppaalProject, KeepsALegalisedLocalNameFromHidingAGlobalToo) {
     }
 }
 
-TEST(UppaalProject, IsWellFormedWhateverATextHolds) {
+TEST(UppaalProject, IsWellFormedForAnyText) {
     Network network = test::station();
     network.properties[{0}].text =
         std::string("tab\t, <&>, \x01, broken \xC3, \xED\xA0\x80, fine \xE2\x86\x91 ") + '\0' + ".";

@@ -86,7 +86,7 @@ TEST(UppaalQueries, ExpectNothingOfASingleStepWhereSomeStepIsOutOfReach) {
               test::project(network).find("<expect", test::project(network).find("A[] X_0 + X_1")));
 }
 
-TEST(UppaalQueries, LeaveOutWithACommentWhatCannotBeSaid) {
+TEST(UppaalQueries, OmitInexpressiblePropertiesWithAComment) {
     const Network network = uppaal::lower(test::station());
     std::vector<std::string> names;
     for (const auto& [property, reason] : uppaal::inexpressible(network)) {
@@ -114,7 +114,7 @@ TEST(UppaalQueries, EndWithAQuery) {
     EXPECT_NE(test::project(network).find("// Property T is left out: "), std::string::npos);
 }
 
-TEST(UppaalQueries, StandInTheQueryFileAsInTheProject) {
+TEST(UppaalQueries, AreEqualInTheQueryFileAndTheProject) {
     const std::string text = queries_text(test::station());
     for (const auto& [name, query] : queries(test::station())) {
         SCOPED_TRACE(name);
