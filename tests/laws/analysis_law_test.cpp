@@ -499,9 +499,9 @@ void expect_agreement(const Bounds& bounds, int seeds) {
     }
 }
 
-TEST(AnalyseLaw, TheAnalysisFindsWhatASearchPointByPointFinds) { expect_agreement({}, 120); }
+TEST(AnalyseLaw, AnalysisAgreesWithAnExplicitSearch) { expect_agreement({}, 120); }
 
-TEST(AnalyseLaw, WhatAStoppedAnalysisSaysAndLeavesOpenIsSo) {
+TEST(AnalyseLaw, ResultsOfAStoppedAnalysisAreCorrect) {
     for (const int looks : {1, 2, 4, 7}) expect_agreement({.looks = looks}, 20);
 }
 

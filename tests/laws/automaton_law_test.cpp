@@ -217,7 +217,7 @@ std::string violation(const Chart& chart, std::uint64_t seed, ExecutionMode mode
     return tested(chart, *found, walked);
 }
 
-TEST(AutomatonLaw, TheAutomatonIsWhereTheInterpreterIs) {
+TEST(AutomatonLaw, AutomatonFollowsTheInterpreter) {
     Walked walked;
     for (int seed = 1; seed <= law_size(150); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));

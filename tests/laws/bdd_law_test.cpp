@@ -196,7 +196,7 @@ TEST(BddLaw, OperationsAgreeWithTablesOfTruth) {
     }
 }
 
-TEST(BddLaw, OperationsAgreeWithTablesOfTruthWhereMemoryIsScarce) {
+TEST(BddLaw, OperationsAgreeWithTruthTablesIfMemoryIsScarce) {
     const int worlds = law_size(20);
     int exhausted = 0;
     for (int seed = 0; seed < worlds; ++seed) {

@@ -217,7 +217,7 @@ void compare_untimed(const SystemToCheck& check, std::map<std::string, int>& see
     }
 }
 
-TEST(CellsLaw, CellsOfUntimedLoopsGiveTheVerdictsOfTheSymbolicEngine) {
+TEST(CellsLaw, LocalizationOfUntimedLoopsGivesTheVerdictsOfTheSymbolicEngine) {
     std::map<std::string, int> seen;
     for (int seed = 1; seed <= law_size(40) && !testing::Test::HasFailure(); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

@@ -311,7 +311,7 @@ private:
 Trial::Tally Trial::tally = {};
 int Trial::replayed = 0;
 
-TEST(ClaimsLaw, WhatAVerdictSaysOfOtherModelsIsSoThereAndItsRunsAreRunsOfTheRules) {
+TEST(ClaimsLaw, StatementsAboutOtherModelsHoldThereAndRunsReplay) {
     const int cases = law_size(12);
     int loops = 0;
     for (int seed = 1; seed <= cases; ++seed) {

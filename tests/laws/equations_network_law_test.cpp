@@ -149,7 +149,7 @@ void check(std::uint64_t seed, Grain grain, ExecutionMode mode, int& completed) 
         ADD_FAILURE() << "seed " << seed << '\n' << chart_text(chart) << network_text(*network);
 }
 
-TEST(EquationsNetworkLaw, TheNetworkDoesWhatItsEquationsSay) {
+TEST(EquationsNetworkLaw, NetworkAgreesWithItsEquations) {
     const int cases = law_size(150);
     for (const Grain grain : {Grain::Phased, Grain::Atomic}) {
         for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {

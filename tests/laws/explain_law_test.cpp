@@ -569,7 +569,7 @@ TEST(ExplainLaw, ReportedProofCoresAgreeWithTheReferenceSemantics) {
 }
 
 // The independent computation: the mutants of the text, of which one kind omits an operand.
-TEST(ExplainLaw, AConditionWithoutATermIsWhatTheTextWithoutItSays) {
+TEST(ExplainLaw, RemovingATermAgreesWithTheTextWithoutIt) {
     int same = 0;
     for (int seed = 1; seed <= law_size(25); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -777,7 +777,7 @@ void expect_some(std::map<Grain, LostCounts>& counts) {
     }
 }
 
-TEST(ExplainLaw, WhatIsNeverClearedAgainIsClearedInNoStateOfTheReferenceSemantics) {
+TEST(ExplainLaw, DeadTransitionsAreNeverClearedInTheReferenceSemantics) {
     std::map<Grain, LostCounts> counts;
     for (int seed = 1; seed <= law_size(25); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -797,7 +797,7 @@ TEST(ExplainLaw, WhatIsNeverClearedAgainIsClearedInNoStateOfTheReferenceSemantic
     expect_some(counts);
 }
 
-TEST(ExplainLaw, WhatIsNeverClearedAgainInAnUntimedLoopIsNotInItsNetworkWithoutClocks) {
+TEST(ExplainLaw, DeadTransitionsOfAnUntimedLoopAreDeadInItsNetworkWithoutClocks) {
     std::map<Grain, LostCounts> counts;
     for (int seed = 1; seed <= law_size(6); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

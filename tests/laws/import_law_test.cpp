@@ -88,7 +88,7 @@ TEST(ImportLaw, RandomGrafcetsOfAgrafeReadBackAsTheSameChart) { check_random(ran
 TEST(ImportLaw, RandomTextualChartsReadBackAsTheSameChart) { check_random(random_sfc, 150, 10); }
 TEST(ImportLaw, RandomChartsOfPlcopenReadBackAsTheSameChart) { check_random(random_plcopen, 150, 10); }
 
-TEST(ImportLaw, MutatedFilesReadBackAsTheSameChartOrAreRefused) {
+TEST(ImportLaw, MutatedFilesAreReadBackUnchangedOrRejected) {
     const std::string* const fixtures[] = {&fixtures::agrafe, &fixtures::plcopen, &fixtures::sfc};
     for (const std::string* fixture : fixtures) {
         Tally tally;

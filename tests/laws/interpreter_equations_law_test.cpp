@@ -133,7 +133,7 @@ std::string equations_text(const Chart& chart) {
     return out.str();
 }
 
-TEST(InterpreterEquationsLaw, TheEquationsDoWhatTheRulesOfTheStandardSay) {
+TEST(InterpreterEquationsLaw, EquationsAgreeWithTheRulesOfTheStandard) {
     Met met;
     for (int seed = 1; seed <= law_size(500); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));

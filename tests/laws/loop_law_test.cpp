@@ -82,7 +82,7 @@ TEST(LoopLaw, TheFlagIsSetOnEveryEdgeOfThePlantThatAssignsAnInputAndOnNoOther) {
     }
 }
 
-TEST(LoopLaw, SettledStatesOfTheAtomicGrainAreSettledStatesOfThePhasedOne) {
+TEST(LoopLaw, QuiescentStatesOfTheAtomicGrainAreQuiescentInThePhasedGrain) {
     int compared = 0;
     for (int seed = 1; seed <= law_size(60); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -105,7 +105,7 @@ TEST(LoopLaw, SettledStatesOfTheAtomicGrainAreSettledStatesOfThePhasedOne) {
     EXPECT_GT(compared, law_size(60) / 6);
 }
 
-TEST(LoopLaw, ASettledStateLetsNoUrgentEdgeFire) {
+TEST(LoopLaw, QuiescentStateEnablesNoUrgentEdge) {
     for (int seed = 1; seed <= law_size(60); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));

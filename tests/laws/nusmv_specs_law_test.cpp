@@ -139,7 +139,7 @@ struct OneInput {
     }
 };
 
-TEST(NusmvSpecsLaw, WhatIsReachedFromOneInitialStateOnlyIsReachable) {
+TEST(NusmvSpecsLaw, StateReachedFromOnlyOneInitialStateIsReachable) {
     OneInput one;
     auto& symbol = one.system.modules[one.system.main].symbols[{0}];
     symbol.kind = System::StateSymbol{{}, one.input};  // it keeps its initial value

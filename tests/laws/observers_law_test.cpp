@@ -338,7 +338,7 @@ private:
     bool judged_ = false, failed_possible_ = false;
 };
 
-TEST(ObserversLaw, SeeEveryStateOfEveryRunAndFailWhereTheirSentencesSaySo) {
+TEST(ObserversLaw, CheckEveryStateOfEveryRunAndFailIfTheirSentenceIsViolated) {
     std::map<std::pair<int, int>, std::pair<int, int>> met;  // by kind and scope: satisfying, violating runs
     for (int seed = 1; seed <= law_size(320); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

@@ -247,7 +247,7 @@ decltype(PdrOptions::reach) liar(Random& random) {
     };
 }
 
-TEST(PdrLaw, NothingThatALiarSaysGoesIntoAVerdict) {
+TEST(PdrLaw, WrongResultsOfASearchNeverBecomeVerdicts) {
     std::size_t believed = 0, doubted = 0, vacuous = 0, faults = 0;
     for (int seed = 1; seed <= law_size(400); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

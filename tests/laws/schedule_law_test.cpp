@@ -182,7 +182,7 @@ std::string violation(const Chart& chart, std::uint64_t seed, ExecutionMode mode
     return {};
 }
 
-TEST(ScheduleLaw, TheTransitionSystemOfARandomChartDoesWhatItsEquationsSay) {
+TEST(ScheduleLaw, TransitionSystemAgreesWithItsEquations) {
     const int cases = law_size(150);
     std::cout << "seeds 1 to " << cases << '\n';
     for (int seed = 1; seed <= cases; ++seed) {

@@ -101,7 +101,7 @@ std::string violation_or_error(const Chart& chart, std::uint64_t seed, Execution
     }
 }
 
-TEST(StructuredTextLaw, TheControllerDoesWhatTheRulesOfTheStandardSay) {
+TEST(StructuredTextLaw, ControllerAgreesWithTheRulesOfTheStandard) {
     Met met;
     for (int seed = 1; seed <= law_size(300); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));

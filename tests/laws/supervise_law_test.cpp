@@ -312,7 +312,7 @@ TEST(SuperviseLaw, ConditionsAreThoseOfANaiveGameAndNoOtherForbidsLess) {
     EXPECT_GT(counts.several, 0);
 }
 
-TEST(SuperviseLaw, WhatIsFoundForRandomLoopsIsProvedByBothEngines) {
+TEST(SuperviseLaw, ConditionsForRandomLoopsAreProvedByBothEngines) {
     int found = 0, none = 0, unknown = 0;
     for (int seed = 1; seed <= law_size(8); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

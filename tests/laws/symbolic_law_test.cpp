@@ -302,7 +302,7 @@ void expect_no_more_said(const System& system, const SymbolicResult& whole, Cut&
 }
 
 /// Every model of a loop, with its plant and without; in some its automata are interleaved.
-TEST(SymbolicLaw, StepsByKindSayWhatStepsAtOnceSayOfRandomLoops) {
+TEST(SymbolicLaw, EventClustersGiveTheSameVerdictsOnRandomLoops) {
     std::size_t systems = 0, saturated = 0, runs = 0;
     Cut cut;
     for (int seed = 1; seed <= law_size(12); ++seed) {

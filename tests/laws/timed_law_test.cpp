@@ -399,7 +399,7 @@ Id<Expr> same_state(Network& network, const Network& other, const TaddState& sta
     return network.exprs.conjunction(conjuncts);
 }
 
-TEST(TimedEngineLaw, EverySettledStateOfGrainAtomicIsReachedInGrainPhased) {
+TEST(TimedEngineLaw, EveryQuiescentStateOfGrainAtomicIsReachedInGrainPhased) {
     int compared = 0;
     for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(law_size(40)); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

@@ -150,7 +150,7 @@ TEST(TogetherLaw, BoundsEndInUnknown) {
     }
 }
 
-TEST(TogetherLaw, ACallerWhoStopsAtAnyTimeGetsWhatIsKnown) {
+TEST(TogetherLaw, CancellationAtAnyTimeReturnsTheResultsSoFar) {
     const System system = untimed_sample("pick_and_place/pick_and_place.grafcet", {});
     const PdrResult whole = check_together(system, {});
     for (std::size_t calls = 1; calls <= 8; calls *= 2) {

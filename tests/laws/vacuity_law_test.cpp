@@ -198,7 +198,7 @@ void compare(const Model& model, const NaiveTadd& tadd, const Graph& graph, cons
     check_untimed(model, watched, property, vacuous, tally);
 }
 
-TEST(VacuityLaw, EveryEngineMarksWhatNoStateOfTheLoopExercises) {
+TEST(VacuityLaw, EveryEngineMarksVacuousProperties) {
     Tally tally;
     for (int seed = 1; seed <= law_size(60); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));

@@ -258,7 +258,7 @@ std::string watched_lamp(const std::string& sentence) {
            sentence + ";\n}\n";
 }
 
-TEST(NusmvEngine, FindsOfSentencesInDiscreteTimeWhatTheTimedEngineDoes) {
+TEST(NusmvEngine, AgreesWithTheTimedEngineOnSentencesInDiscreteTime) {
     const auto program = app::find_program("NuSMV");
     if (!program) GTEST_SKIP() << "NuSMV is not on the PATH";
     std::size_t compared = 0, violated = 0;
@@ -329,7 +329,7 @@ TEST(NusmvEngine, FindsOfSentencesInDiscreteTimeWhatTheTimedEngineDoes) {
     EXPECT_GT(violated, 3U);
 }
 
-TEST(NusmvEngine, AProgramThatSaysNothingGivesNoVerdict) {
+TEST(NusmvEngine, ProgramWithoutOutputGivesNoVerdict) {
     Random random(3);
     TransitionSystem system = random_system(random);
     ask_more(system, random);

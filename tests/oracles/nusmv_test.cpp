@@ -119,7 +119,7 @@ TEST(NusmvOracle, AgreesWithAnExplicitSearchOnRandomLoopsInEveryApproachAndSched
     EXPECT_GT(compared.systems, compared.given_up);
 }
 
-TEST(NusmvOracle, TakesTheGoldenModels) {
+TEST(NusmvOracle, AcceptsTheGoldenModels) {
     if (!nusmv_is_installed()) GTEST_SKIP() << "NuSMV is not on the PATH";
     for (const auto& entry : std::filesystem::recursive_directory_iterator(GRAFVERIF_SOURCE_DIR "/tests/golden")) {
         if (entry.path().extension() != ".smv") continue;

@@ -56,7 +56,7 @@ TEST(Utap, AcceptsTheProjectsOfTheSamples) {
     }
 }
 
-TEST(Utap, RefusesABrokenProject) {
+TEST(Utap, RejectsAMalformedProject) {
     if (std::system("command -v syntaxcheck > /dev/null 2>&1") != 0)
         GTEST_SKIP() << "syntaxcheck of utap is not on the PATH";
     EXPECT_NE(complaints("<nta><declaration>bool a b;</declaration><system>system;</system></nta>"), "");

@@ -201,7 +201,7 @@ std::chrono::duration<double> usual(const Words& verb) {
     return steady_clock::now() - start;
 }
 
-TEST(Kill, AtAnyMomentLeavesNoTornFile) {
+TEST(Kill, AtAnyTimeLeavesNoPartialFile) {
     const Folder folder;
     const std::string lamps =
         folder.write("lamps.grafcet",
@@ -281,7 +281,7 @@ TEST(Init, RejectsInvalidNamesAndWritesNothingWithoutPermission) {
     EXPECT_NE(nowhere.err.find("[cannot-write]"), std::string::npos) << nowhere.err;
 }
 
-TEST(Init, TwoAtOnceLeaveOneWholeProjectAndNothingIsWrittenOver) {
+TEST(Init, TwoConcurrentRunsLeaveOneCompleteProjectAndOverwriteNothing) {
     const Folder folder;
     const ProgramResult both = in_shell(folder,
                                         "export HOME=/proc/no/such/home\n"

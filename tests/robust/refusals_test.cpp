@@ -65,7 +65,7 @@ public:
     Refusal& operator=(const Refusal&) = delete;
 };
 
-TEST(RefusedMemory, LeavesVerdictsOfTheSolversUnknownOrCorrect) {
+TEST(RefusedMemory, VerdictsOfTheSolversAreUnknownOrCorrect) {
 #ifdef SANITIZED
     GTEST_SKIP() << "sanitizers have their own allocator";
 #endif

@@ -127,7 +127,7 @@ TEST(SmallShapes, AreAcceptedByEveryCommand) {
 }
 
 /// Empty frames: empty files, empty charts, empty loops.
-TEST(SmallShapes, OfNothingAreRefusedByName) {
+TEST(SmallShapes, EmptyOnesAreRejectedByName) {
     const app::Folder folder;
     for (const char* text : {"", "\n", "// nothing\n", "grafcet g {}\n", "closed_loop l {}\n", "component c() {}\n",
                              "grafcet g { initial step 0; }\nclosed_loop l {}\n",

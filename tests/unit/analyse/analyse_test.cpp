@@ -121,7 +121,7 @@ TEST(Analyse, BranchesThatFireTogetherAreShownByTheInputsThatDoIt) {
     EXPECT_EQ(cleared(*both->evidence), (std::vector<std::vector<std::string>>{{"t0", "t1"}}));
 }
 
-TEST(Analyse, AConstraintOrAnExclusionRulesOutWhatTheWiringRulesOut) {
+TEST(Analyse, ConstraintsAndExclusionsRemoveImpossibleFindings) {
     const std::string body = R"(
         initial step 0;
         step 1;
@@ -164,7 +164,7 @@ TEST(Analyse, ARaceInTheFirstEvolutionIsFoundThere) {
     ASSERT_NE(find(found, "action-race", "n"), nullptr);
 }
 
-TEST(Analyse, ACounterThatLeavesItsRangeIsFoundAfterAsManyRoundsAsItTakes) {
+TEST(Analyse, CounterThatLeavesItsRangeIsFoundAfterManyRounds) {
     const Analysis found = analysed(R"(
         input a; internal n : int -1..2 = 0;
         initial step 0;
@@ -351,7 +351,7 @@ TEST(Analyse, AnAcceptedFindingIsNotOpen) {
 
 // -- time -------------------------------------------------------------------------------------------------------------
 
-TEST(Analyse, EvidenceThatNeedsTimeSaysWhen) {
+TEST(Analyse, TimedEvidenceHasTimes) {
     const Analysis found = analysed(R"(
         input a, b; output O;
         initial step 0 { O := true on activation; }
@@ -464,7 +464,7 @@ TEST(Analyse, ACounterThatStopsAtItsThresholdIsDecidedWithoutCountingToItsEnd) {
     }
 }
 
-TEST(Analyse, WhatOnePartDecidesDoesNotWaitForTheOthers) {
+TEST(Analyse, ResultOfOnePartDoesNotWaitForOthers) {
     AnalyseOptions options;
     options.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(2);
     options.first_slice = 4'000'000;
@@ -491,7 +491,7 @@ TEST(Analyse, RepeatedAnalysisGivesTheSameResult) {
     }
 }
 
-TEST(Analyse, EventsExcludedByAnAbortedRunAreNotTransferredFromAPart) {
+TEST(Analyse, EventsExcludedByAnAbortedRunAreNotTransferredFromParts) {
     // Part b alone reaches b1 in its second instant; the other part races in the first one, for all inputs.
     const Analysis found = analysed(R"(
         input x; output o, p;
@@ -508,7 +508,7 @@ TEST(Analyse, EventsExcludedByAnAbortedRunAreNotTransferredFromAPart) {
     EXPECT_NE(find(found, "transition-never-fired", "t"), nullptr) << "no run goes on";
 }
 
-TEST(Analyse, RunsOfAPartWithoutPossibleTimesAreNotRunsOfTheChart) {
+TEST(Analyse, RunsOfPartsWithoutPossibleTimesAreNotRunsOfTheChart) {
     // After a rise of `a` the chart is never stable, because of part g; in the shortest run of the other part a timer
     // expires too late.
     const Analysis found = analysed(R"(
@@ -591,7 +591,7 @@ TEST(Analyse, TwoPartsThatFallOutOfStepAreARegionThatIsNeverLeft) {
     EXPECT_EQ(found.findings[0].evidence->rows.size(), 2U + 1U) << "power-on, and a rise of `b` alone";
 }
 
-TEST(Analyse, AWayBackThroughARaceIsNotDenied) {
+TEST(Analyse, PathBackThroughARaceIsNotExcluded) {
     // The states after the race are not explored: they may lead back to 0.
     const Analysis found = analysed(R"(
         input a, b;

@@ -52,7 +52,7 @@ Analysed analysed(std::string text) {
     return made;
 }
 
-TEST(Findings, AsTextTellThePlaceTheRunAndWhatIsAccepted) {
+TEST(Findings, AsTextHaveLocationRunAndAcceptedFindings) {
     const Analysed made = analysed(std::string(two_buttons));
     std::ostringstream out;
     print_findings(made.analysis, made.sources, Colour::Plain, out);
@@ -139,7 +139,7 @@ void expect_sarif(const nlohmann::json& log) {
     }
 }
 
-TEST(Findings, AsSarifAreALogThatTheStandardKnows) {
+TEST(Findings, AsSarifAreAValidLog) {
     const Analysed made = analysed(std::string(two_buttons));
     std::ostringstream out;
     SarifLog found;
@@ -170,7 +170,7 @@ TEST(Exclusions, AcceptQuotesCommentsAndAllLineEndings) {
     EXPECT_EQ(rows->front().second.index, 1U);
 }
 
-TEST(Exclusions, AreReadWithSemicolonsAsSpreadsheetsWriteThemWhereTheCommaIsTheDecimalSign) {
+TEST(Exclusions, AcceptSemicolonsAsSeparators) {
     Analysed made = analysed(std::string(two_buttons));
     for (const char* head : {"", "sep=;\r\n", "# the panel, as wired\r\n"}) {
         SCOPED_TRACE(head);

@@ -62,7 +62,7 @@ TEST(Asked, PropertiesAloneAreInAModelThatIsWritten) {
     }
 }
 
-TEST(Asked, PropertiesAloneAreInWhatIsBuilt) {
+TEST(Asked, OnlySelectedPropertiesAreBuilt) {
     const Folder folder;
     const std::string file = folder.write("room.grafcet", asked_of), out = folder.file("out");
     for (const char* property : {"pears", "cherries"}) {

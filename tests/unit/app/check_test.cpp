@@ -99,7 +99,7 @@ closed_loop lamps {
     property D: no deadlock;
 })";
 
-TEST(Check, DecidesACellOfALineAndSaysWhatItLeftOut) {
+TEST(Check, DecidesAFragmentOfALineAndNamesTheOmittedParts) {
     const std::vector<std::string> command = {
         "check", (root / "samples/transfer_line/transfer_line.grafcet").string(), "--property", "held_2", "--format",
         "json"};
@@ -120,7 +120,7 @@ TEST(Check, DecidesACellOfALineAndSaysWhatItLeftOut) {
     EXPECT_EQ(Json::parse(grafverif(whole).out)["properties"][0]["verdict"], "unknown");
 }
 
-TEST(Check, SaysWhatAVerdictLeftOutAndWhyItMay) {
+TEST(Check, StatesOmittedSubsystemsWithTheReason) {
     const Folder folder;
     const std::string file = folder.write("lamps.grafcet", two_lamps);
     std::string text = grafverif({"check", file}).out;
@@ -157,7 +157,7 @@ TEST(Check, ChecksThePropertiesNamedAndTimelock) {
     EXPECT_TRUE(names[2].starts_with("no_timelock")) << names[2];
 }
 
-TEST(Check, ReportsAValueOutOfRangeWithTheWayThere) {
+TEST(Check, ReportsAValueOutOfRangeWithATrace) {
     const Folder folder;
     std::string text = counter("property a: always N <= 2;");
     text.replace(text.find(" && N < 2"), 9, "");
@@ -202,7 +202,7 @@ TEST(Check, WritesJunitAndTraces) {
     EXPECT_NE(folder.read("a.vcd").find("$enddefinitions"), std::string::npos);
 }
 
-TEST(Check, SaysThatThereIsNoTraceToWrite) {
+TEST(Check, ReportsThatThereIsNoTraceToWrite) {
     const Folder folder;
     const Result result = grafverif({"check", folder.write("counter.grafcet", counter("property b: always N <= 2;")),
                                      "--trace-svg", folder.file("a.svg")});
@@ -211,7 +211,7 @@ TEST(Check, SaysThatThereIsNoTraceToWrite) {
     EXPECT_EQ(folder.entries(), 1u);
 }
 
-TEST(Check, EndsWithWhatIsKnownWhenTimeIsUp) {
+TEST(Check, ReportsResultsSoFarAtTheTimeLimit) {
     const Result result = grafverif({"check", sample("testing_station/testing_station.grafcet"), "--timeout", "0s"});
     EXPECT_EQ(result.code, ExitCode::Unknown);
     EXPECT_NE(result.out.find("P14, P15, no_deadlock, no_timelock: unknown\n    why: stopped at the time limit"),
@@ -219,7 +219,7 @@ TEST(Check, EndsWithWhatIsKnownWhenTimeIsUp) {
         << result.out;
 }
 
-TEST(Check, TakesTheFirstInterruptAsAWish) {
+TEST(Check, FirstInterruptRequestsAnOrderlyEnd) {
     void (*const before)(int) = std::signal(SIGINT, SIG_DFL);
     {
         const Interrupt interrupt;
@@ -236,7 +236,7 @@ TEST(Check, RepeatedRunsPrintTheSame) {
     EXPECT_EQ(grafverif({"check", file}).out, grafverif({"check", file}).out);
 }
 
-TEST(Check, NamesTheEmbeddedEngineWhereVerifytaIsNotInstalled) {
+TEST(Check, NamesTheEmbeddedEngineIfVerifytaIsNotInstalled) {
     const Folder nothing;
     const Path path(nothing.file(""));
     const Result result = grafverif({"check", sample("blinker/blinker.grafcet"), "--engine", "verifyta"});

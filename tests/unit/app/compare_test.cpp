@@ -149,7 +149,7 @@ TEST(Compare, TimesDistinguishCharts) {
     EXPECT_EQ(json["changes"][0]["subject"], "transition t1");
 }
 
-TEST(Compare, TwoTimesInTurnAreNotTheirSumWhereAScanComesLate) {
+TEST(Compare, TwoSequentialTimesDifferFromTheirSumIfAScanIsLate) {
     const std::string once = with(lamp, "when off", "when 2s/X1");
     const std::string twice = with(with(once, "step 1 { L; }", "step 1 { L; }\n    step 2 { L; }"),
                                    "1 -> 0 when 2s/X1;", "1 -> 2 when 1s/X1;\n    transition t2: 2 -> 0 when 1s/X2;");
@@ -269,7 +269,7 @@ TEST(Compare, ADivisionByZeroIsAStopLikeTheWantOfAStableSituation) {
     }
 }
 
-TEST(Compare, WhatIsStoppedIsUnknown) {
+TEST(Compare, StoppedComparisonIsUnknown) {
     const std::string station = (root / "samples/testing_station/testing_station.grafcet").string();
     const Result result = grafverif({"compare", station, station, "--chart", "testing_station", "--timeout", "1ms"});
     EXPECT_EQ(result.code, ExitCode::Unknown) << result.out;

@@ -35,7 +35,7 @@ std::string verdict(const nlohmann::json& report, const std::string& name) {
     return "none";
 }
 
-TEST(Constants, GiveTheirValueToWhatReadsThem) {
+TEST(Constants, AreReplacedByTheirValues) {
     const Folder folder;
     const std::string file = folder.write("tank.grafcet", tank);
     const auto as_written = checked(file, {});

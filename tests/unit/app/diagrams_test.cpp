@@ -78,7 +78,7 @@ TEST(Diagrams, AChartWithoutInputsHasATest) {
 }
 
 #if !defined(__SANITIZE_ADDRESS__)
-TEST(Diagrams, MemoryThatTheSystemRefusesEndsInUnknown) {
+TEST(Diagrams, RefusedMemoryGivesUnknownVerdicts) {
     const Folder folder;
     const std::string program = GRAFVERIF_PROGRAM, file = folder.write("ring.grafcet", long_ring(3000));
     const std::string command = "ulimit -v 81920 && exec '" + program + "' check '" + file +

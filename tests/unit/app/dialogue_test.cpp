@@ -18,7 +18,7 @@ using std::chrono::steady_clock;
 
 DialogueLimits impatient() { return {.patience = milliseconds(150)}; }
 
-TEST(Dialogue, EachLineIsAnsweredByOne) {
+TEST(Dialogue, EachLineGetsOneResponse) {
     {
         Dialogue dialogue("while read line; do echo \"<$line>\"; done", {});
         EXPECT_EQ(dialogue.ask("a"), (Reply{Kind::Line, "<a>"}));
@@ -27,7 +27,7 @@ TEST(Dialogue, EachLineIsAnsweredByOne) {
     EXPECT_TRUE(no_child());
 }
 
-TEST(Dialogue, SomeLinesHaveNoAnswer) {
+TEST(Dialogue, SomeLinesHaveNoResponse) {
     Dialogue dialogue("while read line; do case $line in wait*) ;; *) echo \"$line\";; esac; done", {});
     dialogue.tell("wait 5s");
     EXPECT_EQ(dialogue.ask("a").text, "a");
@@ -39,7 +39,7 @@ TEST(Dialogue, LongLinesGoThroughBothWays) {
     EXPECT_EQ(dialogue.ask(line), (Reply{Kind::Line, line}));
 }
 
-TEST(Dialogue, AProgramThatEndsSaysHow) {
+TEST(Dialogue, EndOfTheProgramIsExplained) {
     struct Case {
         const char* command;
         const char* text;

@@ -26,7 +26,7 @@ pugi::xml_node group(pugi::xml_document& document, const std::vector<std::string
 
 std::string class_of(const pugi::xml_node& node) { return node.attribute("class").value(); }
 
-TEST(Draw, NothingLiesOnAnythingElseInAnySampleOrElementOfTheStandard) {
+TEST(Draw, ElementsDoNotOverlapInAnySampleOrElementOfTheStandard) {
     int drawn = 0;
     for (const fs::path& folder : {root / "samples", root / "bench/stations", root / "tests/unit/app/elements"})
         for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -54,7 +54,7 @@ TEST(Draw, StepsOfTheSituationAreMarked) {
     EXPECT_EQ(by_class("step-watchdog_out-W0"), "step initial active");
 }
 
-TEST(Draw, AStepThatIsNotThereIsRefused) {
+TEST(Draw, UnknownStepIsRejected) {
     const std::string door = (root / "samples/oven_door/oven_door.grafcet").string();
     const Result result = grafverif({"draw", door, "--situation", "1,99"});
     EXPECT_EQ(result.code, ExitCode::Input);
@@ -75,7 +75,7 @@ TEST(Draw, AmbiguousStepNamesAreRejected) {
     EXPECT_EQ(class_of(group(document, {"draw", file, "--situation", "G2.1"}, "step-G2-1")), "step initial active");
 }
 
-TEST(Draw, LogicIsWrittenAsTheStandardOrTheFileDoes) {
+TEST(Draw, LogicIsWrittenAsInTheStandardOrAsInTheFile) {
     const Folder folder;
     const std::string file =
         folder.write("logic.grafcet",

@@ -256,7 +256,7 @@ TEST(WriteFiles, WritesDirectlyToDevicesAndPipes) {
 
 const std::string door = (root / "samples/oven_door/oven_door.grafcet").string();
 
-TEST(Outputs, StandardOutputHasNames) {
+TEST(Outputs, StandardOutputHasSeveralNames) {
     const std::string equations = grafverif({"equations", door}).out;
     for (const char* name : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"})
         EXPECT_EQ(grafverif({"equations", door, "-o", name}).out, equations) << name;
@@ -316,7 +316,7 @@ TEST(Outputs, OfOneRunAreDifferentFiles) {
               ExitCode::Input);
 }
 
-TEST(ReadFile, TakesRegularFilesAloneAndNeverWaits) {
+TEST(ReadFile, AcceptsOnlyRegularFilesAndNeverBlocks) {
     const Folder folder;
     ASSERT_EQ(::mkfifo(folder.file("pipe").c_str(), 0600), 0);
     fs::create_symlink("pipe", folder.file("link"));
@@ -339,7 +339,7 @@ std::string chart(const std::string& name) {
            "!x; }\n";
 }
 
-TEST(FilesBelow, LeavesOutTheKernelAndEndsWhenAsked) {
+TEST(FilesBelow, SkipsKernelFileSystemsAndStopsOnRequest) {
     const Folder folder;
     folder.write("one.grafcet", "");
     std::size_t most = 100;
@@ -367,7 +367,7 @@ TEST(Include, FileWithSeveralPathsIsReadOnce) {
     EXPECT_NE(grafverif({"equations", folder.file("self.grafcet")}).err.find("[include-cycle]"), std::string::npos);
 }
 
-TEST(Include, PipesDevicesAndFoldersAreRefused) {
+TEST(Include, PipesDevicesAndFoldersAreRejected) {
     const Folder folder;
     ASSERT_EQ(::mkfifo(folder.file("pipe").c_str(), 0600), 0);
     fs::create_directory(folder.file("folder"));

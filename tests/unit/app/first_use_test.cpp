@@ -19,7 +19,7 @@ constexpr const char* lone =
 
 bool says(const Result& result, const std::string& what) { return result.err.find(what) != std::string::npos; }
 
-TEST(FirstUse, ImportSaysOfWhatItIsNotForWhatItIs) {
+TEST(FirstUse, ImportRejectsUnknownFormatsWithHint) {
     const Folder folder;
     struct Case {
         std::string text, message;
@@ -40,7 +40,7 @@ TEST(FirstUse, ImportSaysOfWhatItIsNotForWhatItIs) {
     }
 }
 
-TEST(FirstUse, ImportWritesNothingThatAVerbWouldRefuse) {
+TEST(FirstUse, ImportWritesOnlyChartsThatCommandsAccept) {
     const Folder folder;
     const std::string file = folder.write(
         "flawed.xmi",
@@ -105,7 +105,7 @@ TEST(FirstUse, MisspeltOptionOrNameGetsASuggestion) {
     EXPECT_TRUE(says(grafverif({"draw", station, "--situation", "W22"}), "no step `W22`;"));
 }
 
-TEST(FirstUse, ANumberWithoutItsUnitIsRefusedWithTheWordToWrite) {
+TEST(FirstUse, NumberWithoutUnitIsRejectedWithASuggestion) {
     for (const auto& [arguments, advice] : {
              std::pair(std::vector<std::string>{"check", station, "--timeout", "5"},
                        "`--timeout 5` has no unit; write `5s`"),
@@ -139,7 +139,7 @@ TEST(FirstUse, ACommandIsTakenAsASeparateWordOnly) {
     EXPECT_TRUE(says(grafverif({"check", "--", "--engine-command=touch " + ran}), "no such file"));
 }
 
-TEST(FirstUse, AnOptionThatWouldMeanNothingIsRefused) {
+TEST(FirstUse, OptionWithoutEffectIsRejected) {
     const Folder folder;
     const std::string file = folder.write("one.grafcet", "grafcet c { input x; output o; initial step 0 { o; } }\n");
     struct Case {
@@ -214,7 +214,7 @@ TEST(FirstUse, ColoursAreUsedOnTerminalsByDefault) {
     }
 }
 
-TEST(FirstUse, SeveralLoopsAreNamedWithTheWayToChoose) {
+TEST(FirstUse, SeveralLoopsAreListedWithTheSelectingOption) {
     const Folder folder;
     const std::string loop = " { controller lone; environment X = free(OUT = x); }\n";
     const Result result = grafverif(
@@ -223,7 +223,7 @@ TEST(FirstUse, SeveralLoopsAreNamedWithTheWayToChoose) {
         << result.err;
 }
 
-TEST(FirstUse, AReasonNamesWhatStoppedTheEngine) {
+TEST(FirstUse, ReasonNamesTheCauseOfTheStop) {
     Options options;
     EXPECT_EQ(with_who_stopped("stopped after 3 states", true, options),
               "stopped by Ctrl-C or another signal after 3 states");

@@ -191,7 +191,7 @@ TEST(Hostile, WordsOfTheCommandLine) {
             expect_clean(arguments);
 }
 
-TEST(Hostile, WhatOtherProgramsSay) {
+TEST(Hostile, OutputOfOtherProgramsIsClean) {
     const Folder folder;
     const Path path(folder.file("") + ":/usr/bin:/bin");
     const std::string two_tanks = (root / "samples/tanks/tanks.grafcet").string(),

@@ -55,7 +55,7 @@ TEST(Aiger, IsWrittenInBothFormsWithAMapToTheChart) {
     EXPECT_TRUE(grafverif({"aiger", tanks, "--format", "aig"}).out.starts_with("aig "));
 }
 
-TEST(Aiger, WhatItCannotSayIsNamed) {
+TEST(Aiger, InexpressiblePropertiesAreNamed) {
     const Folder folder;
     const std::string file =
         folder.write("lamp.grafcet", lamp("property again: always possible X1; property lit: reachable L;"));
@@ -65,7 +65,7 @@ TEST(Aiger, WhatItCannotSayIsNamed) {
     EXPECT_NE(result.out.find("\nb0 lit\n"), std::string::npos) << result.out;
 }
 
-TEST(Btor2, SaysWhatIsAboutStatesAndNamesTheRest) {
+TEST(Btor2, ContainsPropertiesOfStatesAndNamesTheOthers) {
     const Result result = grafverif({"btor2", tanks, "--plant", "automata"});
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
     EXPECT_NE(result.err.find("property `back_to_rest` is left out of the BTOR2 model"), std::string::npos);
@@ -90,7 +90,7 @@ TEST(Pdr, ProvesShowsRunsAndOmitsPropertiesOfRuns) {
     EXPECT_NE(result.out.find("why: it is about runs"), std::string::npos) << result.out;
 }
 
-TEST(Bmc, ShowsTheShortestRunsAndSaysHowFarItLooked) {
+TEST(Bmc, ShowsShortestRunsAndTheSearchedLength) {
     const Folder folder;
     const std::string file = folder.write(
         "lamp.grafcet", lamp("property one: never L && M; property lit: reachable M; property dark: never M;\n"
@@ -111,7 +111,7 @@ TEST(Bmc, ShowsTheShortestRunsAndSaysHowFarItLooked) {
     EXPECT_NE(near.out.find("no run of up to 1 step violates it"), std::string::npos) << near.out;
 }
 
-TEST(Auto, SaysWhichEngineGaveAVerdictAndTakesTimedModelsToTheTimedOne) {
+TEST(Auto, NamesTheDecidingEngineAndUsesTheTimedOneForTimedModels) {
     const Folder folder;
     const std::string file = folder.write(
         "lamp.grafcet", lamp("property one: never L && M; property dark: never M; property back: X1 leads to X0;"));
@@ -126,7 +126,7 @@ TEST(Auto, SaysWhichEngineGaveAVerdictAndTakesTimedModelsToTheTimedOne) {
     EXPECT_EQ(grafverif({"check", file, "--engine", "auto"}).out, grafverif({"check", file}).out);
 }
 
-TEST(Auto, DecidesByCellsWhatTheyTellAndTheRestByEngines) {
+TEST(Auto, DecidesByLocalizationFirstAndTheRestByEngines) {
     const std::string line = (root / "samples/transfer_line/transfer_line.grafcet").string();
     const std::vector<std::string> command = {"check",    line,      "--untimed", "--engine", "auto", "--plant",
                                               "automata", "--grain", "atomic",    "--format", "json"};
@@ -246,7 +246,7 @@ TEST(Abc, AProgramThatLiesIsNotBelieved) {
     }
 }
 
-TEST(EngineCommand, WhatIsClaimedIsCheckedOrUnknown) {
+TEST(EngineCommand, ResultsAreValidatedOrUnknown) {
     for (const Lie& lie : {
              Lie{"never L && M", "echo 0; echo b0; echo . ; true",
                  "unchecked: the program says that no run gets there"},
@@ -280,7 +280,7 @@ TEST(EngineCommand, ShareOfOneQueryIsDistinguishedFromTheTimeLimit) {
     EXPECT_NE(result.out.find("why: stopped at the time limit of 0.6 s", first), std::string::npos) << result.out;
 }
 
-TEST(EngineCommand, AProgramThatIsNotThereIsNoVerdict) {
+TEST(EngineCommand, MissingProgramGivesNoVerdict) {
     const Folder folder;
     const std::string out = verdict_on(folder, {"never L", "", ""}, {"--engine-command", "no-such-checker"});
     EXPECT_NE(out.find("why: the program gave no verdict, and ended with status 127"), std::string::npos) << out;

@@ -133,7 +133,7 @@ TEST(Mutate, IncompleteLineOfTheStateFileIsCheckedAgain) {
     EXPECT_NE(folder.read("state").find(known.substr(known.rfind('{'))), std::string::npos);
 }
 
-TEST(Mutate, AStateFileServesTheSameQuestionOnly) {
+TEST(Mutate, StateFileIsUsedForTheSameQueryOnly) {
     const Folder folder;
     const std::string part = "component quiet(output OUT) {\n    initial location there;\n}\n";
     folder.write("part.grafcet", part);

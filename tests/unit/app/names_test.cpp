@@ -171,7 +171,7 @@ void can_be_named(const Names& names) {
         EXPECT_EQ(grafverif({"simulate", file}, forced).out.find(refusal), std::string::npos);
 }
 
-TEST(Names, ATraceShowsWhatAPropertyAndAScriptCanName) { can_be_named(names_of_trace({})); }
+TEST(Names, TraceNamesAreValidInPropertiesAndScripts) { can_be_named(names_of_trace({})); }
 
 TEST(Names, SoDoesATraceOfTheModelWithoutTime) {
     Names timed = names_of_trace({});
@@ -216,7 +216,7 @@ TEST(Names, PropertyIsSelectedByItsNameInAnyOutput) {
     EXPECT_EQ(grafverif({"check", file, "--property", "steps", "-q"}).code, ExitCode::Done);
 }
 
-TEST(Names, ASimulationSaysOfANameThatCouldBeSeveralWhich) {
+TEST(Names, SimulationListsTheCandidatesOfAnAmbiguousName) {
     const Folder folder;
     const std::string file = folder.write("both.grafcet", loop(""));
     const Result result = grafverif({"simulate", file},

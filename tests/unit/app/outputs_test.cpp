@@ -88,7 +88,7 @@ TEST(Depfile, IsUnchangedIfNothingIsWritten) {
     EXPECT_EQ(folder.read("out.d"), "before");
 }
 
-TEST(Depfile, IsRefusedWhereItWouldSayNothing) {
+TEST(Depfile, IsRejectedIfItWouldBeEmpty) {
     const Folder folder;
     const std::string main = folder.write("main.grafcet", chart("c") + loop("l", "c"));
     for (const std::vector<std::string>& arguments :
@@ -127,7 +127,7 @@ std::string joined(const std::vector<std::string>& names) {
     return text;
 }
 
-TEST(Depfile, RefusesNamesThatItsReaderHasNoWayToSay) {
+TEST(Depfile, RejectsNamesThatItsReaderCannotRepresent) {
     using enum DepfileReader;
     const auto refused = [](DepfileSide side, DepfileReader reader) {
         std::string text;
@@ -252,7 +252,7 @@ TEST(Depfile, RepresentsNamesExactlyForCMake) {
     EXPECT_EQ(read.substr(0, expected.size()), expected);
 }
 
-TEST(Build, TakesSeveralFilesAndAllTheirLoopsAtOnce) {
+TEST(Build, AcceptsSeveralFilesWithAllTheirLoops) {
     const Folder folder;
     const std::string one = folder.write("one.grafcet", chart("c") + loop("first", "c") + loop("second", "c"));
     const std::string two = folder.write("two.grafcet", chart("c") + loop("third", "c"));
@@ -430,7 +430,7 @@ void with_each_path_option(const Folder& folder, const std::string& file, const 
         }
 }
 
-TEST(StandardOutput, TakesTheDocumentOfEveryOptionThatNamesAFileOrTheOptionIsRefused) {
+TEST(StandardOutput, ReceivesTheDocumentOfEveryFileOptionOrTheOptionIsRejected) {
     const Folder folder;
     const std::string file = folder.write("one.grafcet", violated);
     std::size_t documents = 0;
@@ -453,7 +453,7 @@ TEST(StandardOutput, TakesTheDocumentOfEveryOptionThatNamesAFileOrTheOptionIsRef
     EXPECT_GT(documents, 25U);
 }
 
-TEST(Paths, WhatIsReadIsAFileAndNothingWaitsForAPipe) {
+TEST(Paths, InputsAreRegularFilesAndPipesNeverBlock) {
     const Folder folder;
     const std::string file = folder.write("one.grafcet", violated), pipe = folder.file("pipe");
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

@@ -20,7 +20,7 @@ constexpr const char* pulse =
     "input go; output L; initial step 0; step 1 { L; }\n"
     "transition a: 0 -> 1 when go; transition b: 1 -> 0 when 3s/X1;";
 
-TEST(Plc, AnswersEachLineOfInputsByItsOutputs) {
+TEST(Plc, RespondsToEachLineOfInputsWithOutputs) {
     const Result result = grafverif({"plc", tanks}, "0,0,0,1,1\n1,1,0,1,1\n0 0 1 1 1\n");
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
     EXPECT_EQ(result.out, "0,0,0,0\n0,1,1,0\n0,0,1,1\n");
@@ -31,7 +31,7 @@ TEST(Plc, WritesOutputsInEveryCycleWithoutStabilitySearch) {
     EXPECT_EQ(grafverif(arguments, "0,0,0,1,1\n1,1,0,1,1\n1,1,0,1,1\n").out, "0,0,0,0\n1,1,0,0\n0,1,1,0\n");
 }
 
-TEST(Plc, RunsInTheModeThatTheLoopsOfTheFileSay) {
+TEST(Plc, RunsInTheModeOfTheLoopsInTheFile) {
     const Folder folder;
     const std::string file =
         folder.write("c.grafcet",
@@ -91,7 +91,7 @@ TEST(Plc, ReadsHugeLinesWithoutKeepingThem) {
     EXPECT_EQ(result.out, "error: the line is longer than 4096 bytes\n1\n");
 }
 
-TEST(Plc, TakesIntegersWithinTheirRange) {
+TEST(Plc, AcceptsIntegersWithinTheirRange) {
     const std::string level = "input l: int -2..5; output H; initial step 0 { H if l > 3; }";
     EXPECT_EQ(played(level, "3\n5\n-2\ntrue\n").out, "0\n1\n0\n0\n");
     EXPECT_EQ(played(level, "6\n").out, "error: `6` of `l` is outside -2 to 5\n");
@@ -127,7 +127,7 @@ TEST(Plc, StopsWithAReasonIfTheChartCannotContinue) {
     }
 }
 
-TEST(Plc, RefusesAChartThatCannotRun) {
+TEST(Plc, RejectsAChartThatCannotRun) {
     const Result result = played("input a; step 0;", "0\n");
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_EQ(result.out, "");

@@ -37,7 +37,7 @@ TEST(Process, SignalIsDistinguishedFromAnExitCode) {
     EXPECT_EQ(shell("kill -TERM $$"), (ProgramResult{End::Signalled, 15, "", ""}));
 }
 
-TEST(Process, TheDeadlineEndsTheProgramAndWhatItStarted) {
+TEST(Process, DeadlineEndsTheProgramAndItsChildren) {
     const auto start = steady_clock::now();
     const ProgramResult result = shell("echo begun; sleep 60 & sleep 60", "", {.deadline = start + milliseconds(200)});
     EXPECT_EQ(result.end, End::TimedOut);
@@ -62,9 +62,7 @@ TEST(Process, AProgramLeftInTheBackgroundHoldsNothingUp) {
     EXPECT_LT(steady_clock::now() - start, std::chrono::seconds(20));
 }
 
-TEST(Process, WhatCannotBeStartedIsAnError) {
-    EXPECT_THROW(run_program({"/does/not/exist"}, "", {}), std::system_error);
-}
+TEST(Process, FailureToStartIsAnError) { EXPECT_THROW(run_program({"/does/not/exist"}, "", {}), std::system_error); }
 
 TEST(Process, ProgramsAreFoundOnThePathIfTheyCanBeRun) {
     const Folder first, second;

@@ -12,14 +12,14 @@
 namespace grafverif::app {
 namespace {
 
-TEST(Program, SaysWhatItIsAndItsVersion) {
+TEST(Program, PrintsItsDescriptionAndVersion) {
     EXPECT_EQ(grafverif({"--version"}).out, "grafverif " GRAFVERIF_VERSION "\n");
     const Result help = grafverif({"--help"});
     EXPECT_EQ(help.code, ExitCode::Done);
     EXPECT_NE(help.out.find("Usage: grafverif VERB"), std::string::npos);
 }
 
-TEST(Program, RefusesWrongUsageWithExitCodeTwo) {
+TEST(Program, RejectsWrongUsageWithExitCodeTwo) {
     struct Case {
         std::vector<std::string> arguments;
         std::string complaint;
@@ -58,7 +58,7 @@ TEST(Build, WritesTheProjectItsQueriesAndTheNusmvModel) {
     EXPECT_EQ(folder.entries(), 4u);
 }
 
-TEST(Build, WarnsOfPropertiesThatATargetCannotSay) {
+TEST(Build, WarnsOfPropertiesThatATargetCannotExpress) {
     const Folder folder;
     const Result result = grafverif({"build", station, "-o", folder.file("out"), "--create"});
     EXPECT_NE(result.err.find("property `no_timelock` is left out of the UPPAAL model"), std::string::npos)
@@ -89,7 +89,7 @@ TEST(Build, IsDeterministic) {
     }
 }
 
-TEST(Build, WritesNothingWhenTheInputIsWrong) {
+TEST(Build, WritesNothingIfTheInputHasErrors) {
     const Folder folder;
     const std::string broken = folder.write("broken.grafcet", "grafcet a { input x; step 1; }\n");
     const Result result = grafverif({"build", broken, "-o", folder.file("out"), "--create"});
@@ -98,7 +98,7 @@ TEST(Build, WritesNothingWhenTheInputIsWrong) {
     EXPECT_EQ(folder.entries(), 1u);
 }
 
-TEST(Build, LeavesExistingOutputsUntouchedOnError) {
+TEST(Build, KeepsExistingOutputsOnError) {
     const Folder folder;
     ASSERT_EQ(grafverif({"build", station, "-o", folder.file("out"), "--create"}).code, ExitCode::Done);
     const std::string before = folder.read("out/station.xml");
@@ -110,7 +110,7 @@ TEST(Build, LeavesExistingOutputsUntouchedOnError) {
     EXPECT_EQ(folder.entries(), 4u) << "a draft was left behind";
 }
 
-TEST(Build, TakesOnlyAClosedLoop) {
+TEST(Build, AcceptsOnlyAClosedLoop) {
     const Folder folder;
     const std::string chart = folder.write("lone.grafcet",
                                            "grafcet a { input x; output L; initial step 0; step 1 { L; }\n"
@@ -155,7 +155,7 @@ TEST(Diagnostics, ComeAsJsonWhenAsked) {
     EXPECT_EQ(parsed[0]["severity"], "error");
 }
 
-TEST(Choice, NamesTheCandidatesWhereAFileHasSeveral) {
+TEST(Choice, NamesTheCandidatesIfAFileHasSeveral) {
     const Folder folder;
     const std::string chart =
         "{ input x; output L; initial step 0; step 1 { L; } transition t: 0 -> 1 when x; transition u: 1 -> 0 when !x; "

@@ -31,7 +31,7 @@ std::vector<Json> objects_in(const std::string& text) {
     return lines;
 }
 
-TEST(Reports, OfJunitSayWhereAPropertyStandsAndHowItsStoryBegins) {
+TEST(Reports, OfJunitHaveTheLocationAndTheBeginningOfTheTrace) {
     const Folder folder;
     const std::string file = folder.write("lamp.grafcet", lamp_loop("l"));
     EXPECT_EQ(grafverif({"check", file, "--junit", folder.file("r.xml")}).code, ExitCode::Verdict);
@@ -49,7 +49,7 @@ TEST(Reports, OfJunitSayWhereAPropertyStandsAndHowItsStoryBegins) {
         << "what nobody asked for stands where its loop does";
 }
 
-TEST(Reports, OfJsonSayWhereAPropertyStands) {
+TEST(Reports, OfJsonHaveTheLocationOfAProperty) {
     const Folder folder;
     const std::string file = folder.write("lamp.grafcet", lamp_loop("l"));
     const Json p = Json::parse(grafverif({"check", file, "--format", "json"}).out)["properties"][0];
@@ -160,7 +160,7 @@ TEST(Reports, OfSeveralFilesAreOne) {
     EXPECT_TRUE(objects_in(result.out)[0]["story"][0].get<std::string>().starts_with("  time  what happened"));
 }
 
-TEST(Reports, OfAnEarlierRunNeverStand) {
+TEST(Reports, OfAnEarlierRunAreRemoved) {
     const Folder folder;
     const std::string file = folder.write("lamp.grafcet", lamp_loop("l"));
     const std::string junit = folder.file("r.xml"), sarif = folder.file("r.sarif"), vcd = folder.file("t.vcd"),
@@ -222,7 +222,7 @@ TEST(Reports, OfPagesAndFindingsAreGoneAfterAnError) {
     EXPECT_EQ(checked(folder.read("f.sarif"))[0]["ruleId"], "unexpected");
 }
 
-TEST(Reports, SayThatTheirRunDidNotEnd) {
+TEST(Reports, StateThatTheirRunDidNotFinish) {
     const Folder folder;
     const std::string file = folder.write("lamp.grafcet", lamp_loop("l"));
     grafverif({"check", file, "--junit", folder.file("r.xml"), "--sarif", folder.file("r.sarif")});
@@ -254,7 +254,7 @@ TEST(Reports, TakeTheirPlaceFromNoOtherFile) {
     EXPECT_TRUE(folder.read("notes.txt").starts_with("<?xml")) << "it was asked for";
 }
 
-TEST(List, NamesWhatThereIsToCheck) {
+TEST(List, NamesTheAvailableChecks) {
     const Folder folder;
     const std::string file = folder.write("two.grafcet", lamp_loop("first") + lamp_loop("second"));
     EXPECT_EQ(grafverif({"check", file, "--list"}).out,

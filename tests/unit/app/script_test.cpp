@@ -29,7 +29,7 @@ ScriptRun script(const std::string& model, const std::vector<std::string>& optio
     return {static_cast<int>(result.code), result.out, result.err};
 }
 
-TEST(Script, WaitUntilIsMetByWhatWasTrueWithinTheCurrentInstant) {
+TEST(Script, WaitUntilIsMetByAStateOfTheCurrentInstant) {
     for (const std::vector<std::string>& of :
          {std::vector<std::string>{"--loop", "l"}, {"--loop", "search"}, {"--chart", "c"}}) {
         SCOPED_TRACE(of.back());
@@ -46,7 +46,7 @@ TEST(Script, WaitUntilIsMetByWhatWasTrueWithinTheCurrentInstant) {
     }
 }
 
-TEST(Script, WaitUntilDoesNotCountWhatTheLastCommandEnded) {
+TEST(Script, WaitUntilIgnoresStatesBeforeTheLastCommand) {
     const ScriptRun run = script(passing, {"--loop", "l"}, "GO = true\nwait 3s\nGO = false\nwait until X3\n");
     EXPECT_EQ(run.code, 1);
     EXPECT_NE(run.err.find(":4: not met: expected `X3`"), std::string::npos) << run.err;
@@ -54,7 +54,7 @@ TEST(Script, WaitUntilDoesNotCountWhatTheLastCommandEnded) {
     EXPECT_EQ(plain.code, 1) << "without a time, `expect` is about the state now";
 }
 
-TEST(Script, UndoRestoresWhatWaitUntilExamines) {
+TEST(Script, UndoRestoresTheStatesForWaitUntil) {
     const ScriptRun run =
         script(passing, {"--loop", "l"}, "GO = true\nGO = false\nundo\nwait until X1\nwait until X2\n");
     EXPECT_EQ(run.code, 0) << run.err;

@@ -30,7 +30,7 @@ const std::string lamp_in_a_loop =
     "environment Off = free(OUT = OFF); property LIT \"it can be lit\": reachable LAMP; property NEVER: never LAMP; "
     "}\n";
 
-TEST(Watch, NoticesWhatAnEditorDoesToAFile) {
+TEST(Watch, DetectsChangesByAnEditor) {
     const Folder folder;
     const std::string file = folder.write("a.grafcet", "one"), other = folder.file("b.grafcet");
     Watch watch;
@@ -58,7 +58,7 @@ TEST(Watch, NoticesWhatAnEditorDoesToAFile) {
     EXPECT_TRUE(watch.changed());
 }
 
-TEST(Watch, NoticesATextOfTheSameLengthWhoseTimeWasSetBack) {
+TEST(Watch, DetectsATextOfTheSameLengthWithATimeSetBack) {
     const Folder folder;
     const std::string file = folder.write("a.grafcet", "one");
     Watch watch;
@@ -206,7 +206,7 @@ TEST(ServeBench, RemovesTextDirectionControls) {
     EXPECT_EQ(bystander.wait_for_verdicts()["models"][0]["properties"][0]["text"], "?dloit can be lit");
 }
 
-TEST(ServeBench, FollowsWhatIsIncludedEvenBeforeItIsThere) {
+TEST(ServeBench, FollowsIncludedFilesEvenBeforeTheyExist) {
     const Folder folder;
     Bystander bystander(folder.write("main.grafcet", "include \"parts/lamp.grafcet\";\n"));
     bystander.wait_for([](const Json& state) { return state["readable"] == false; });
@@ -262,7 +262,7 @@ TEST(Play, MakesTheMovesFromThePowerOnEachTime) {
     }
 }
 
-TEST(Play, DrawsMovesThatAScriptTakes) {
+TEST(Play, DrawsMovesThatAScriptAccepts) {
     const Folder folder;
     const std::string file = folder.write("lamp.grafcet", lamp_in_a_loop);
     Bystander bystander(file);

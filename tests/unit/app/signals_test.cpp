@@ -158,7 +158,7 @@ TEST(Signals, TheSecondOneEndsTheProgram) {
         testing::KilledBySignal(SIGHUP), "asked");
 }
 
-TEST(Signals, WaitUntilWhatMustBeDoneIsDone) {
+TEST(Signals, WaitForUninterruptibleSections) {
     EXPECT_EXIT(
         {
             const Uninterrupted whole;
@@ -168,7 +168,7 @@ TEST(Signals, WaitUntilWhatMustBeDoneIsDone) {
         testing::KilledBySignal(SIGTERM), "done");
 }
 
-TEST(Process, WhatLeavesItsGroupEndsWithItToo) {
+TEST(Process, ChildOutsideItsGroupEndsWithItToo) {
     const Folder folder;
     const ProgramResult result = run_program(
         {"/bin/sh", "-c",

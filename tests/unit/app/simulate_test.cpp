@@ -229,7 +229,7 @@ TEST(Simulate, WaitsTheRequestedTimeForAChartAlone) {
               std::string::npos);
 }
 
-TEST(Simulate, AsksForAChoiceWhereThePlantHasOne) {
+TEST(Simulate, AsksForAChoiceIfThePlantHasOne) {
     const Folder folder;
     const std::string to_the_test = "wait 1s\nSTART = true\nwait 40s\n";
     const Result stopped = grafverif({"simulate", station, "--script", folder.write("a.txt", to_the_test)});
@@ -265,7 +265,7 @@ TEST(Simulate, OffersEveryEdgeToTheUserIfVerbose) {
     EXPECT_NE(squeezed(result.out).find("1 PLC: P2\n> "), std::string::npos);
 }
 
-TEST(Simulate, SavesWhatWasDoneAsAScriptThatExpectsWhatWasSeen) {
+TEST(Simulate, SavesASessionAsAScriptWithExpectations) {
     const Folder folder;
     const std::string saved = folder.file("saved.txt");
     const Result typed = grafverif({"simulate", blinker},
@@ -330,7 +330,7 @@ TEST(Simulate, NoticesAChartThatNeverStabilises) {
         << result.err;
 }
 
-TEST(Simulate, WalksAtRandomTheSameWayForTheSameSeed) {
+TEST(Simulate, RandomWalkIsDeterminedByTheSeed) {
     const Result first = grafverif({"simulate", station, "--random", "7", "--steps", "300"});
     EXPECT_EQ(first.code, ExitCode::Done) << first.err;
     EXPECT_EQ(grafverif({"simulate", station, "--random", "7", "--steps", "300"}).out, first.out);
@@ -378,7 +378,7 @@ TEST(SimulateChart, RunsOnTheRulesWithItsInputsSetByHand) {
               "inputs change N = 7 0 none\n");
 }
 
-TEST(SimulateChart, DoesWhatALoopWithFreeInputsDoes) {
+TEST(SimulateChart, AgreesWithALoopWithFreeInputs) {
     const Folder folder;
     const std::string lone =
         "grafcet c { input A, B; output P, Q; initial step 0; step 1 { P; } step 2 { Q := true on activation; } step "
@@ -452,7 +452,7 @@ TEST(SimulateChart, RejectsInvalidInputsAndUndoesTheLastCommand) {
     }
 }
 
-TEST(SimulateChart, NoticesWhatNeverStabilisesInBothModes) {
+TEST(SimulateChart, DetectsInstabilityInBothModes) {
     const Folder folder;
     const std::string file =
         folder.write("endless.grafcet",

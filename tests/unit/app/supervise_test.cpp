@@ -49,7 +49,7 @@ TEST(Supervise, UnavoidableViolationIsShownAsARun) {
     EXPECT_FALSE(says(none.out, "may_")) << none.out;
 }
 
-TEST(Supervise, JsonSaysAllOfIt) {
+TEST(Supervise, JsonIsComplete) {
     const Result made = grafverif({"supervise", crossing, "--conditions", "transitions", "--format", "json"});
     ASSERT_EQ(made.code, ExitCode::Done) << made.err;
     const auto json = nlohmann::json::parse(made.out);
@@ -119,7 +119,7 @@ TEST(Supervise, PropertiesThatItDoesNotConsiderAreNamed) {
     }
 }
 
-TEST(Supervise, BadInputIsRefusedWithAdvice) {
+TEST(Supervise, BadInputIsRejectedWithAdvice) {
     struct Case {
         std::vector<std::string> arguments = {};
         std::string says = {};

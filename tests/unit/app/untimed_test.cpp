@@ -186,7 +186,7 @@ TEST(CheckUntimed, AChartWithoutALoopIsCheckedWithFreeInputs) {
     EXPECT_EQ(grafverif({"check", tank_sample, "--chart", "tanks", "--property", "reachable"}).code, ExitCode::Done);
 }
 
-TEST(CheckUntimed, WhatAnUntimedModelCannotSayIsUnknown) {
+TEST(CheckUntimed, PropertyThatAnUntimedModelCannotExpressIsUnknown) {
     const Result result = grafverif({"check", tank_sample, "--untimed", "--property", "no_timelock"});
     EXPECT_EQ(result.code, ExitCode::Unknown);
     EXPECT_NE(result.out.find("no_timelock: unknown\n"), std::string::npos) << result.out;
@@ -203,7 +203,7 @@ TEST(CheckUntimed, AskingForAnEngineThatKnowsNoTimeIsEnough) {
         << wrong.err;
 }
 
-TEST(CheckUntimed, AProgramThatIsNotThereIsNamedWithTheWayOut) {
+TEST(CheckUntimed, MissingProgramIsNamedWithARemedy) {
     const Result result = grafverif({"check", tank_sample, "--engine", "nuXmv"});
     if (result.code == ExitCode::Done) GTEST_SKIP() << "nuXmv is on the PATH";
     EXPECT_EQ(result.code, ExitCode::Input);
@@ -275,7 +275,7 @@ TEST(CheckUntimed, AProgramThatLiesIsNotBelieved) {
     }
 }
 
-TEST(CheckUntimed, AnswersToWhatWasNotAskedAreNotReported) {
+TEST(CheckUntimed, UnrequestedResultsAreNotReported) {
     const Folder folder;
     const Path path(install_nusmv(folder, said("-- invariant a  is true\ngrafverif: 1\n-- invariant b  is false\n")) +
                     ":/usr/bin:/bin");
@@ -285,7 +285,7 @@ TEST(CheckUntimed, AnswersToWhatWasNotAskedAreNotReported) {
     EXPECT_NE(result.out.find("room: 1 hold"), std::string::npos) << result.out;
 }
 
-TEST(CheckUntimed, AFormulaThatNamesWhatTheModelHasNotSpoilsNoOther) {
+TEST(CheckUntimed, FormulaWithAnUnknownNameAffectsNoOther) {
     const Folder folder;
     const std::string file =
         folder.write("lamp.grafcet", lamp("property F: ctl \"AG EF lamp.X_9\"; property P: never L && M;"));
@@ -338,7 +338,7 @@ TEST(Models, APropertyThatNeedsMoreThan32BitsIsLeftOutAndDecidedByUs) {
     }
 }
 
-TEST(Models, WhatNeedsMoreThan32BitsIsRefusedWhereItStands) {
+TEST(Models, TermOfMoreThan32BitsIsRejectedAtItsLocation) {
     const Folder folder;
     const std::string chart =
         folder.write("chart.grafcet", counter("N := N * 300000000 / 1000000000 on activation;", ""));

@@ -70,7 +70,7 @@ TEST(BddLimits, MemoryBoundHoldsWithinAnOperationAndAllFunctionsRemain) {
     }
 }
 
-TEST(BddLimits, ASpaceWithoutAnyMemorySaysSo) {
+TEST(BddLimits, SpaceWithoutMemoryReportsIt) {
     BddSpace space({.memory = 1000});
     EXPECT_EQ(cause_of([&] {
                   space.add_variables(3);
@@ -139,7 +139,7 @@ TEST(BddLimits, LongOperationStopsOnRequestOfAnotherThread) {
     }
 }
 
-TEST(BddLimits, StoppingAtAnyPointLeavesTheSpaceWhole) {
+TEST(BddLimits, StoppingAtAnyPointKeepsTheSpaceConsistent) {
     for (int micros = 0; micros < 4000; micros += 150) {
         std::atomic<bool> stop = false;
         BddSpace space({.memory = 1U << 20U, .stop = &stop});

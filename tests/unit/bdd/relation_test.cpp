@@ -61,7 +61,7 @@ struct RandomSteps {
     }
 };
 
-TEST(Relation, LeadsWhereStepsLeadOneByOne) {
+TEST(Relation, ImagesAgreeWithSingleSteps) {
     for (int seed = 1; seed <= law_size(200); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         RandomSteps steps(random);

@@ -69,7 +69,7 @@ std::vector<bool> reached(const std::vector<Kind>& kinds, std::uint32_t first) {
     return found;
 }
 
-TEST(Saturation, FindsWhatStepsLeadToOneByOne) {
+TEST(Saturation, AgreesWithSingleSteps) {
     std::size_t states = 0;
     for (int seed = 1; seed <= law_size(200); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));

@@ -22,7 +22,7 @@ TimedResult by_cells(const Network& network, TimedOptions options = {}) {
     return check_timed_by_cells(network, options, {.whole = 10, .local = 100'000});
 }
 
-TEST(Cells, ACellIsAPartialChartWithTheInstancesThatTalkToItAlone) {
+TEST(Cells, FragmentIsAPartialChartWithItsExclusiveInstances) {
     const Network network = line();
     const NetworkCells cells = cells_of(network);
     EXPECT_EQ(cells.names, (std::vector<std::string>{"cell_1", "cell_2", "cell_3", "Buffer_1", "Buffer_2"}));
@@ -36,7 +36,7 @@ TEST(Cells, ACellIsAPartialChartWithTheInstancesThatTalkToItAlone) {
     EXPECT_EQ(cell_of("PLC"), NetworkCells::none);
 }
 
-TEST(Cells, ALocalNetworkKeepsItsCellAndWhatTheRestMayDoToIt) {
+TEST(Cells, AbstractionKeepsItsFragmentAndTheEffectsOfTheRest) {
     const Network network = line();
     const NetworkCells cells = cells_of(network);
     const LocalNetwork local = localized(network, cells, {1}, {});
@@ -50,7 +50,7 @@ TEST(Cells, ALocalNetworkKeepsItsCellAndWhatTheRestMayDoToIt) {
     EXPECT_EQ(local.network.templates[{5}].edges.size(), 1U) << "which wakes the PLC";
 }
 
-TEST(Cells, AnUrgentEdgeStopsTimeOnlyWhereEveryFreeValueEnablesIt) {
+TEST(Cells, UrgentEdgeStopsTimeOnlyIfEveryFreeValueEnablesIt) {
     Sketch s;
     const auto x = s.boolean("x"), done = s.boolean("done");
     const auto a = s.process("A", 1), b = s.process("B", 2, 1);
@@ -67,7 +67,7 @@ TEST(Cells, AnUrgentEdgeStopsTimeOnlyWhereEveryFreeValueEnablesIt) {
     EXPECT_EQ(told(by_cells(network), "p"), "holds");
 }
 
-TEST(Cells, WhatHoldsByANeighbourAloneTakesTheNeighbour) {
+TEST(Cells, PropertyGuaranteedByANeighbourAddsTheNeighbour) {
     Sketch s;
     const auto x = s.boolean("x"), y = s.boolean("y");
     const auto a = s.process("A", 2, 1), b = s.process("B", 1), c = s.process("C", 1, 1);
@@ -109,7 +109,7 @@ TEST(Cells, LocalizationLeavesTimeForTheCompleteSearchAndIsMentionedIfThatIsStop
     EXPECT_EQ(verdict.reason, "stopped after 4 states; localization explored 14 states before");
 }
 
-TEST(Cells, WhatHoldsOfANeighbourKeepsItFromBreakingIt) {
+TEST(Cells, InvariantOfANeighbourExcludesItsViolation) {
     Sketch s;
     const auto x = s.boolean("x"), y = s.boolean("y"), z = s.boolean("z");
     const auto a = s.process("A", 1, 1), b = s.process("B", 1), c = s.process("C", 1, 1);
@@ -145,7 +145,7 @@ TEST(Cells, NoVerdictIfAnotherFragmentMayHaveAModelError) {
     EXPECT_EQ(found.errors.size(), 1U);
 }
 
-TEST(Cells, AGuardThatKeepsAValueInRangeIsSeen) {
+TEST(Cells, GuardThatKeepsAValueInRangeIsDetected) {
     Sketch s;
     const auto n = s.integer("n", 0, 2), m = s.integer("m", 0, 2);
     const auto a = s.process("A", 1);
@@ -177,7 +177,7 @@ Network may_race(bool by_b) {
     return expand(s.network);
 }
 
-TEST(Cells, ThatNothingRacesSaysWhichCellsWereSearchedAndWhyNoOther) {
+TEST(Cells, RaceVerdictNamesTheSearchedFragmentsAndTheReason) {
     for (const bool by_b : {false, true}) {
         const Verdict found =
             verdict(check_timed_by_cells(may_race(by_b), {}, {.whole = 3, .local = 100}, {}, check_timed), "none");
@@ -206,7 +206,7 @@ TEST(Cells, VerdictsNoteHowFarTimelocksWereSearched) {
         for (const std::string& said : each.notes) EXPECT_FALSE(said.starts_with(looked)) << each.property;
 }
 
-TEST(Cells, WhatTheFirstLookFoundStaysWhereTheNextOneIsStopped) {
+TEST(Cells, ResultsOfTheFirstSearchRemainIfTheNextIsStopped) {
     Sketch s;
     const auto x = s.boolean("x"), y = s.boolean("y");
     for (const auto variable : {x, y}) {

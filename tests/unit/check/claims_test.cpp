@@ -57,7 +57,7 @@ TEST(Flags, WithoutThemTimeNeverPassesAndUppaalSeesNoDeadlock) {
     }
 }
 
-TEST(Stable, APressAtRestIsAlwaysAnswered) {
+TEST(Stable, PressInAQuiescentStateAlwaysHasAnEffect) {
     const auto answered = [](Network network) {  // Fig. 26, 27: START pressed during step 23
         const Id<Expr> pressed = network.exprs.conjunction(is(network, "X_0"), is(network, "START"));
         const Id<Expr> gone = network.exprs.negation(pressed);

@@ -61,7 +61,7 @@ TEST(Parts, AVariableThatOneWritesAndAnotherReadsTies) {
     EXPECT_EQ(parts.of_variable, (std::vector<std::uint32_t>{0, NetworkParts::none}));
 }
 
-TEST(Parts, WhatCarriesNothingFromOneToAnotherTiesNothing) {
+TEST(Parts, ScratchAndRaceFlagsDoNotConnectParts) {
     Sketch s;
     const auto race = s.boolean("race"), scratch = s.boolean("scratch");
     s.network.race = race;
@@ -87,7 +87,7 @@ TEST(Parts, TimelocksAreNotSearchedIfTheOptionsExcludeThem) {
         EXPECT_EQ(apart.verdicts[k].property, whole.verdicts[k].property);
 }
 
-TEST(Parts, EachVerdictSaysWhatItLeavesOut) {
+TEST(Parts, EachVerdictNamesItsOmittedParts) {
     Sketch s;
     const Pulse lamp(s), other(s, "other"), third(s, "third");
     ask_of(s, lamp);
@@ -166,7 +166,7 @@ TEST(Parts, DeadlocksAreCheckedPerPart) {
     EXPECT_TRUE(replay(s.network, verdict(result, "alive").run.value()));
 }
 
-TEST(Parts, AnErrorOfOneLeavesWhatAddsNoState) {
+TEST(Parts, ErrorOfOnePartPreservesVerdictsThatDoNotNeedIt) {
     Sketch s;
     const Pulse lamp(s);
     ask_of(s, lamp);
@@ -207,7 +207,7 @@ TEST(Parts, ErrorOfOnePartInvalidatesVerdictsAboutQuiescentStates) {
     EXPECT_FALSE(apart(result, "dark"));
 }
 
-TEST(Parts, InexactVerdictOfAPartDoesNotNeedTheCompleteNetwork) {
+TEST(Parts, InexactVerdictOfOnePartDoesNotNeedTheCompleteNetwork) {
     Sketch s;
     const Pulse lamp(s), other(s, "other");
     const auto strict = s.process("strict", 2, 1);
@@ -231,7 +231,7 @@ TEST(Parts, InexactVerdictOfAPartDoesNotNeedTheCompleteNetwork) {
     EXPECT_EQ(result.states, 10U) << "of 5 and 5";
 }
 
-TEST(Parts, WhatIsTooLargeAloneIsNotSearchedWithOthersThatLetTimePass) {
+TEST(Parts, PartThatIsTooLargeAloneIsNotSearchedWithOthers) {
     Sketch s;
     const Pulse lamp(s);
     ask_of(s, lamp);

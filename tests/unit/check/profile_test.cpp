@@ -41,7 +41,7 @@ TEST(StateProfile, StatesTheFactorOfEachPart) {
     EXPECT_DOUBLE_EQ(found.parts[1].factor.value(), 3);
 }
 
-TEST(StateProfile, SaysOneOfWhatTheRestDetermines) {
+TEST(StateProfile, GivesFactorOneToDeterminedParts) {
     Sketch s;
     const auto on = s.boolean("on"), lit = s.boolean("lit");
     const auto hand = s.process("hand", 1), bulb = s.process("bulb", 1);
@@ -146,7 +146,7 @@ std::uint64_t different(const std::vector<Values>& states, const std::vector<Pla
     return kept.size();
 }
 
-TEST(StateProfileLaw, CountsWhatSetsOfWholeStatesCount) {
+TEST(StateProfileLaw, AgreesWithSetsOfCompleteStates) {
     Random random(41);
     const int cases = law_size(60);
     std::size_t compared = 0;

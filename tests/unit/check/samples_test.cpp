@@ -8,7 +8,7 @@
 namespace grafverif {
 namespace {
 
-TEST(TimedEngineOnSamples, ProvesOfTheTestingStationWhatIsPublished) {
+TEST(TimedEngineOnSamples, GivesThePublishedVerdictsOfTheTestingStation) {
     for (const Grain grain : {Grain::Phased, Grain::Atomic}) {
         const TimedResult result =
             checked(read_sample("testing_station/testing_station.grafcet", {.grain = grain}).network);
@@ -24,7 +24,7 @@ TEST(TimedEngineOnSamples, StoresTheTestingStationIn64BytesAState) {
     EXPECT_LE(result.bytes, 64 * result.states);
 }
 
-TEST(TimedEngineOnSamples, ProvesOfTheOvenDoorWhatIsPublished) {
+TEST(TimedEngineOnSamples, GivesThePublishedVerdictsOfTheOvenDoor) {
     const TimedResult result = checked(read_sample("oven_door/oven_door.grafcet").network);
     EXPECT_GE(result.verdicts.size(), 5u);
     for (const Verdict& verdict : result.verdicts)

@@ -96,7 +96,7 @@ TEST(Symbolic, TheFirstValueOutsideItsRangeIsShown) {
     EXPECT_EQ(result.fault->run.states.size(), 4u);
 }
 
-TEST(Symbolic, NothingThatFollowsAStepOutOfARangeIsBelievedWhereTheSearchIsStopped) {
+TEST(Symbolic, StoppedSearchIgnoresSuccessorsOfAStepOutOfARange) {
     System system = empty_system();
     Exprs& exprs = system.exprs;
     const Id<Expr> number = add_state(system, "number", integer_type(0, 3), exprs.integer(0));
@@ -122,7 +122,7 @@ TEST(Symbolic, NothingThatFollowsAStepOutOfARangeIsBelievedWhereTheSearchIsStopp
     EXPECT_EQ(result.verdicts.at(0).outcome, Outcome::Unknown);
 }
 
-TEST(Symbolic, WhatTurnsTogetherStandsTogetherInTheOrderOfVariables) {
+TEST(Symbolic, RelatedVariablesAreAdjacentInTheOrder) {
     System system = empty_system();
     constexpr std::size_t rings = 3, bits = 4;
     std::vector<std::vector<Id<Expr>>> ring(rings);

@@ -29,7 +29,7 @@ struct Lamp {
     }
 };
 
-TEST(TimedEngine, DecidesWhatHoldsInSingleStates) {
+TEST(TimedEngine, DecidesPropertiesOfSingleStates) {
     Lamp lamp;
     Sketch& s = lamp.s;
     const Id<Expr> follows = s.op(Op::Equal, s.is(lamp.on), s.is(lamp.lit));
@@ -54,7 +54,7 @@ TEST(TimedEngine, DecidesWhatHoldsInSingleStates) {
     EXPECT_TRUE(result.time_passes);
 }
 
-TEST(TimedEngine, RefusesStatesOfMoreWordsThanItCanNumber) {
+TEST(TimedEngine, RejectsStatesOfTooManyWords) {
     for (const bool too_wide : {false, true}) {
         Sketch s;
         constexpr std::int64_t of_its_own_word = std::int64_t{1} << 33U;
@@ -69,7 +69,7 @@ TEST(TimedEngine, RefusesStatesOfMoreWordsThanItCanNumber) {
     }
 }
 
-TEST(TimedEngine, GivesShortestRunsInWhichADelayCountsOne) {
+TEST(TimedEngine, GivesShortestRunsCountingADelayAsOneStep) {
     Lamp lamp;
     lamp.s.property("dark", Pattern::Never, {lamp.s.is(lamp.lit)});
     const TimedResult result = checked(lamp.s.network);
@@ -125,7 +125,7 @@ Sketch pendulum() {
     return s;
 }
 
-TEST(TimedEngine, DecidesLivenessWhereEveryBoundForcesAnEdge) {
+TEST(TimedEngine, DecidesLivenessIfEveryBoundForcesAnEdge) {
     Sketch s = pendulum();
     s.property("there", Pattern::Inevitable, {s.at({0}, 1)});
     s.property("back", Pattern::LeadsTo, {s.at({0}, 1), s.at({0}, 0)});
@@ -141,7 +141,7 @@ TEST(TimedEngine, DecidesLivenessWhereEveryBoundForcesAnEdge) {
     EXPECT_EQ(told(result, "no_timelock"), "holds");
 }
 
-TEST(TimedEngine, ShowsALassoWhereALoopAvoidsTheGoal) {
+TEST(TimedEngine, ShowsALassoIfALoopAvoidsTheGoal) {
     Sketch s = pendulum();
     s.edge({0}, {.from = 1, .to = 1, .reset = {0}});
     s.property("back", Pattern::LeadsTo, {s.at({0}, 1), s.at({0}, 0)});
@@ -150,7 +150,7 @@ TEST(TimedEngine, ShowsALassoWhereALoopAvoidsTheGoal) {
     EXPECT_EQ(found.run, shown({fire(0, 0), fire(0, 2)}, 1));
 }
 
-TEST(TimedEngine, ShowsWhereEverythingEnds) {
+TEST(TimedEngine, ShowsDeadlocks) {
     Sketch s = pendulum();
     const auto broken = s.boolean("broken");
     s.network.templates[{0}].edges[{1}].guard = s.no(s.is(broken));
@@ -191,7 +191,7 @@ Sketch hidden_lock() {
     return s;
 }
 
-TEST(TimedEngine, DoesNotSayThatHoldsWhatATimeLockBetweenTheTicksBreaks) {
+TEST(TimedEngine, DoesNotProvePropertiesThatATimelockBetweenTicksViolates) {
     Sketch s = hidden_lock();
     s.property("on", Pattern::Inevitable, {s.at({0}, 2)});
     s.property("deadlock", Pattern::NoDeadlock);
@@ -263,7 +263,7 @@ TEST(TimedEngine, KnowsOnlyOneSideOfStrictConstraints) {
         << verdict(result, "anywhere").reason;
 }
 
-TEST(TimedEngine, StopsWhereAVariableLeavesItsRange) {
+TEST(TimedEngine, StopsIfAVariableLeavesItsRange) {
     Sketch s;
     const auto n = s.integer("n", 0, 3);
     const auto p = s.process("p", 1);
@@ -296,7 +296,7 @@ TEST(TimedEngine, StopsAtUndefinedValues) {
     EXPECT_EQ(result.errors[0].edge, Id<Network::Edge>{1});
 }
 
-TEST(TimedEngine, StopsWhereStoredActionsRace) {
+TEST(TimedEngine, StopsIfStoredActionsRace) {
     Sketch s;
     s.network.race = s.boolean("race");
     const auto p = s.process("p", 3);
@@ -327,7 +327,7 @@ Sketch counter() {
     return s;
 }
 
-TEST(TimedEngine, SaysWhichBoundEndedTheSearch) {
+TEST(TimedEngine, NamesTheBoundThatEndedTheSearch) {
     const Sketch s = counter();
     const TimedResult few = checked(s.network, {.max_states = 1000});
     EXPECT_EQ(told(few, "end"), "unknown (bound)");
@@ -364,7 +364,7 @@ TEST(TimedEngine, ReportsProgressAndStopsOnRequest) {
     EXPECT_LE(result.states, 1u << 20U);
 }
 
-TEST(TimedEngine, AnswersTheSameWhenAskedTwice) {
+TEST(TimedEngine, RepeatedCheckGivesTheSameResult) {
     Lamp lamp;
     lamp.s.property("dark", Pattern::Never, {lamp.s.is(lamp.lit)});
     lamp.s.property("lit", Pattern::LeadsTo, {lamp.s.is(lamp.on), lamp.s.no(lamp.s.is(lamp.on))});
@@ -404,7 +404,7 @@ TEST(TimedEngine, ExpandsTheStepsOfAReachabilityProperty) {
     EXPECT_EQ(told(result, "S.X3"), "violated");
 }
 
-TEST(TimedEngine, SaysWhatItDoesNotRead) {
+TEST(TimedEngine, ListsElementsThatItDoesNotRead) {
     Lamp lamp;
     lamp.s.network.properties.add({.name = "raw", .pattern = Pattern::RawUppaal, .raw = "A[] not deadlock"});
     lamp.s.property("possible", Pattern::AlwaysPossible, {lamp.s.is(lamp.lit)});

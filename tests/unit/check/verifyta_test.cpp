@@ -58,7 +58,7 @@ TEST(Verifyta, ExitCodesAreNotDocumentedAndDecideNothing) {
     EXPECT_EQ(read_verifyta(printed("", 0)).reason, "verifyta gave no verdict: exit code 0");
 }
 
-TEST(Verifyta, WhatItComplainsOfIsTheReason) {
+TEST(Verifyta, ItsErrorMessageIsTheReason) {
     EXPECT_EQ(read_verifyta(printed("", 1, "\n model.xml:1: [error] Syntax error.\nmore\n")).reason,
               "verifyta gave no verdict: model.xml:1: [error] Syntax error.");
     EXPECT_EQ(read_verifyta(printed("", 1, "\033[31merror:\033[0m no licence\n")).reason,
@@ -111,7 +111,7 @@ TEST(Verifyta, ChecksOneFormulaAtATime) {
     EXPECT_EQ(asked.told({"b"}), "b violated\nno_timelock unknown, undeclared\n");
 }
 
-TEST(Verifyta, ProvesNothingOfAModelWhereStoredActionsMayRace) {
+TEST(Verifyta, ProvesNothingIfStoredActionsMayRace) {
     Asked asked;
     asked.s.network.race = asked.s.boolean("race");
     const auto add = [&](const std::string& race) {

@@ -91,7 +91,7 @@ TEST(Cycle, TheTimerIsThatOfFigure33bWithOurRepairs) {
               "\n");
 }
 
-TEST(Cycle, EveryCycleWritesOutputsOnEveryWayBackAndBeforeTheFirstCycle) {
+TEST(Cycle, OutputsAreWrittenOnEveryPathBackAndBeforeTheFirstCycle) {
     const Network network = composed(lone_controller(small_chart().chart), {.mode = ExecutionMode::EveryCycle});
     const std::string text = between(network_text(network), "template plc_cycle", "template timer");
     EXPECT_NE(text.find("    initial location init\n"), std::string::npos) << text;
@@ -111,7 +111,7 @@ TEST(Cycle, ActionsOfInitialStepsRunBeforeTheFirstCycle) {
         << "written with the other outputs: " << text;
 }
 
-TEST(Cycle, StoredValuesReadWhatStoodBeforeTheCycle) {
+TEST(Cycle, StoredValuesReadTheValuesBeforeTheCycle) {
     HandChart hand = small_chart();
     const auto c = hand.variable("C", Chart::VariableKind::Internal, integer_type(0, 3), 1);
     const auto d = hand.variable("D", Chart::VariableKind::Internal, integer_type(0, 3), 2);

@@ -67,7 +67,7 @@ struct Explored {
     }
 };
 
-TEST(Urgency, NoSensorIsLateWhereItsEdgesAreUrgent) {
+TEST(Urgency, SensorsWithUrgentEdgesAreNeverLate) {
     for (const Grain grain : {Grain::Phased, Grain::Atomic}) {
         const Explored cured(axis, {.grain = grain});
         ASSERT_TRUE(cured.all.complete);

@@ -31,7 +31,7 @@ TEST(LocationAutomatonOfTanks, HasTheCountsOfThePaper) {
     EXPECT_EQ(assumed.unstable, 0U);
 }
 
-TEST(LocationAutomaton, WhatALimitLeavesOfItAreLeastCountsOfWhatThereIs) {
+TEST(LocationAutomaton, LimitedAutomatonHasLowerBoundsOfTheCounts) {
     for (const ExecutionMode mode : {search, every_cycle}) {
         const LocationAutomaton all = automaton(tanks(), mode);
         for (std::uint64_t limit = 1; limit <= all.locations.size(); ++limit) {
@@ -179,7 +179,7 @@ TEST(LocationAutomaton, TheLevelThatATimerWatchesIsPartOfTheLocation) {
               "    -> 1 {1}  when not a; ends a/2s\n");
 }
 
-TEST(LocationAutomaton, OfTimersOfOneStepNoneEndsBeforeAShorterOne) {
+TEST(LocationAutomaton, TimersOfOneStepExpireInOrderOfDuration) {
     const LocationAutomaton found = automaton(
         "input a, b; output O; initial step 1; step 2 { O; } step 3; step 4;"
         "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when 3s/X2 && !b; transition t2: 2 -> 4 when 5s/X2 && "
@@ -199,7 +199,7 @@ TEST(LocationAutomaton, OfTimersOfOneStepNoneEndsBeforeAShorterOne) {
     EXPECT_EQ(waits, (std::vector<std::int64_t>{2000, 3000}));
 }
 
-TEST(LocationAutomaton, RefusesWhatCannotBeTested) {
+TEST(LocationAutomaton, RejectsChartsThatCannotBeTested) {
     EXPECT_EQ(refusal("output O; initial step 1 { O; }"),
               "[nothing-to-test] `chart` has no inputs; a test drives inputs and compares outputs");
     EXPECT_EQ(refusal("input a; initial step 1; step 2; transition t0: 1 -> 2 when a;"),

@@ -24,7 +24,7 @@ TEST(Families, HaveTheCountsOfThePublishedMethod) {
 /// n^m.
 std::uint64_t power(std::uint64_t n, std::uint64_t m) { return m == 0 ? 1 : n * power(n, m - 1); }
 
-TEST(Families, GrowAsTheirFormulasSay) {
+TEST(Families, GrowAsTheirFormulasState) {
     for (const std::size_t steps : {2U, 3U, 20U}) {
         const AutomatonCounts ring = counts(automaton(body(bench::basic_sequence(steps))));
         EXPECT_EQ(ring.locations, steps + 1);

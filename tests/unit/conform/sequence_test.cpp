@@ -181,7 +181,7 @@ TEST(TestSequence, OfAFallTimeSeesItRunAndEnd) {
               "1,8,2s,2,0,0,{1}\n");
 }
 
-TEST(TestSequence, AsksForLessWhereTheInputsAreTooMany) {
+TEST(TestSequence, SuggestsALowerCoverageForTooManyInputs) {
     std::string text = "input i0";
     for (int k = 1; k < 40; ++k) text += ", i" + std::to_string(k);
     text +=
@@ -195,7 +195,7 @@ TEST(TestSequence, AsksForLessWhereTheInputsAreTooMany) {
     EXPECT_EQ(step_count(test_of(found, TestCover::Evolutions)), 2U);
 }
 
-TEST(MealyMachine, IsMinimisedByWhatItAnswers) {
+TEST(MealyMachine, IsMinimizedByItsOutputs) {
     const MealyMachine found =
         machine(automaton("input a; output O; initial step 1; step 2 { O; } step 3; step 4 { O; }"
                           "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when !a;"
@@ -219,7 +219,7 @@ TEST(MealyMachine, IsMinimisedWithinItsBounds) {
     }
 }
 
-TEST(TestSequence, OfALeastMachineHoldsInputsOnlyWhereTheAnswerStaysTheSame) {
+TEST(TestSequence, OfAMinimizedMachineHoldsInputsOnlyIfTheOutputIsUnchanged) {
     // {1} has the outputs of {1,2} in the following cycle: one state, which is entered with another output.
     const std::string text =
         "input a; output O, P; initial step 2 { O; } initial step 1 { P; } transition t0: 2 -> 1 when true;"

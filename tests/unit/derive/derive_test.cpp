@@ -106,7 +106,7 @@ TEST(Derive, ReplacesAnOutputReadInAConditionByItsEquation) {
     EXPECT_EQ(firing(e, 1), "X_2 and X_1 and ((X_2 and a) or a)");
 }
 
-TEST(Derive, LeavesAStoredOutputReadInAConditionAsItIs) {
+TEST(Derive, KeepsAStoredOutputReadInACondition) {
     const Equations e = equations(
         "output LOCK; initial step 1; step 2 { LOCK := true on activation; }"
         "transition t0: 1 -> 2 when !LOCK;");
@@ -156,7 +156,7 @@ TEST(Derive, ActivationAndDeactivationOfOneStepNeverRace) {
     EXPECT_EQ(text(e, e.stored[0].race), "false");
 }
 
-TEST(Derive, TheFirstEvolutionStoresWhatInitialStepsStore) {
+TEST(Derive, FirstEvolutionRunsStoredActionsOfInitialSteps) {
     const Equations e = equations(
         "input a; internal N: int 0..9 = 4, M: int 0..9 = 0; initial step 1 { N := N + 1 on activation; } "
         "step 2 { N := 0 on activation; M := 1 on activation; } transition t0: 1 -> 2 when a;");

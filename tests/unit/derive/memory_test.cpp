@@ -116,7 +116,7 @@ TEST(Memory, OneListContainsTheStateBetweenCycles) {
     EXPECT_FALSE(acts_at_first(idle));
 }
 
-TEST(Memory, OnlyWhatCanGoWrongIsAFault) {
+TEST(Memory, OnlyPossibleFaultsAreListed) {
     const std::string chart =
         "input a; internal N: int 0..9 = 0; initial step 1 { N := 1 on deactivation; }"
         "step 2 { N := 2 on activation; } transition t0: 1 -> 2 when a do N := ";

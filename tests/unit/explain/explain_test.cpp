@@ -131,7 +131,7 @@ TEST(Explain, TheValuesThatMakeAPropertyFailAreMarkedWithTheMoveThatCouldHaveBee
     EXPECT_NE(json.find(R"("left_out": [)"), std::string::npos) << json;
 }
 
-TEST(Explain, WhatIsNeverAnsweredIsACauseFromTheMomentThatAsksOn) {
+TEST(Explain, MissingResponseIsACauseFromItsPremiseOn) {
     const Report report = report_of(lamps, "property comes: X0 && green leads to red;");
     const std::string text = text_of(report);
     EXPECT_NE(text.find("* causes: at 0 s: X0, green; from 0 s on: !red\n"), std::string::npos) << text;
@@ -172,7 +172,7 @@ TEST(Explain, DeadTransitionsAfterThePointOfNoReturnAreNamed) {
               "(X1 stays false), wait (armed stays false)\n");
 }
 
-TEST(Explain, WhereInputsAreFreeTheirChangesThatCouldHaveBeenLeftOutAreNamedOneByOne) {
+TEST(Explain, FreeInputChangesOfTheShortestChangeAreNamedOneByOne) {
     const char* chart = R"(grafcet c {
     input a, b;
     output green, red;
@@ -204,7 +204,7 @@ TEST(Explain, WhereInputsAreFreeTheirChangesThatCouldHaveBeenLeftOutAreNamedOneB
     EXPECT_NE(text.find("    without 3s/X1 at 1 the property holds"), std::string::npos) << text;
 }
 
-TEST(Explain, NoLongerTimeOverAStepIsOverBeforeAShorterOneWithoutWhatCouldHaveBeenLeftOut) {
+TEST(Explain, ShortestChangeKeepsTheOrderOfTimersOfOneStep) {
     const Report report = untimed_report_of(R"(grafcet c {
     input a;
     output red;
@@ -372,7 +372,7 @@ TEST(Explain, UncoveredStepsTermsGuardsAndEdgesAreListed) {
     EXPECT_EQ(needing(why, "calm"), "guard down -> rising of Lift; guard up -> down of Lift; ");
 }
 
-TEST(Explain, WhatIsLeftOutOfOneInstanceLeavesTheRangesOfTheOthersAsTheyAre) {
+TEST(Explain, AblationOfOneInstanceKeepsTheRangesOfOthers) {
     Reading reading = read_string(std::string(lamps) + R"(
 component level(output X: int 0..MOST; MOST) {
     clock t;

@@ -68,7 +68,7 @@ TEST(LspText, NamesFilesByAddress) {
     EXPECT_EQ(uri_of_path("untitled:Untitled-1"), "untitled:Untitled-1");
 }
 
-TEST(LspDiagnostics, FollowWhatIsTyped) {
+TEST(LspDiagnostics, FollowEdits) {
     Client client;
     client.begin();
     client.open(address,
@@ -101,7 +101,7 @@ TEST(LspDiagnostics, NameTheOtherPlace) {
     EXPECT_EQ(related[0]["location"]["range"]["start"], at(1, 10));
 }
 
-TEST(LspDiagnostics, AreMendedByWhatTheHintSays) {
+TEST(LspDiagnostics, AreFixedByTheHint) {
     Client client;
     client.begin();
     const std::string text =

@@ -141,7 +141,7 @@ TEST(LspNames, AreRenamedEverywhereAtOnce) {
     EXPECT_EQ(texts[1], with(loop, "X1 leads", "X7 leads"));
 }
 
-TEST(LspNames, AreNotRenamedToWhatMeansSomethingElse) {
+TEST(LspNames, AreNotRenamedIfTheMeaningWouldChange) {
     Editor editor;
     const auto obstacle = [&](const std::string& text, const char* name) {
         const Marked here = marked(text);
@@ -191,7 +191,7 @@ const std::string steady =
     "    property soon: START leads to MOVE within SLOW;\n"
     "}\n";
 
-TEST(LspNames, ConstantsOfALoopAreNamesWhereverTheyAreRead) {
+TEST(LspNames, ConstantsOfALoopAreNamesInAllTheirUses) {
     Editor editor;
     editor.open("press.grafcet", press);
     for (const std::string read :
@@ -224,7 +224,7 @@ TEST(LspNames, ConstantsOfALoopAreNamesWhereverTheyAreRead) {
               3U);
 }
 
-TEST(LspCompletion, OffersConstantsWhereAConstantCanStand) {
+TEST(LspCompletion, OffersConstantsWhereAConstantIsAllowed) {
     Editor editor;
     editor.open("press.grafcet", press);
     const auto at = [&](const std::string& before, const std::string& half) {
@@ -280,7 +280,7 @@ TEST(LspCompletion, OffersValidProposals) {
                                         "before", "after", "between", "until"}));
 }
 
-TEST(LspCompletion, KnowsWhatAChartDeclaresBeforeItsBracesAreClosed) {
+TEST(LspCompletion, KnowsDeclarationsOfAnIncompleteChart) {
     Editor editor;
     const std::string begin = press.substr(0, press.find("    transition"));
     const std::string end = press.substr(press.find("    transition"));
@@ -295,7 +295,7 @@ TEST(LspCompletion, KnowsWhatAChartDeclaresBeforeItsBracesAreClosed) {
     EXPECT_TRUE(holds(editor.labels("loop.grafcet", with(loop, "}\n", "    property p: never Start.@")), "idle"));
 }
 
-TEST(LspCompletion, SaysWhatParametersAreFor) {
+TEST(LspCompletion, DescribesParameters) {
     Editor editor;
     const Json items = editor.at("textDocument/completion", "loop.grafcet", with(loop, "(ON = MOVE)", "(@)"))["items"];
     ASSERT_EQ(items.size(), 1U);

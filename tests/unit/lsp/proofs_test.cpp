@@ -31,7 +31,7 @@ std::vector<std::string> titles(const Json& lenses) {
     return found;
 }
 
-TEST(LspProofs, TellWhatIsViolatedWithTheStepsThatLeadThere) {
+TEST(LspProofs, ReportViolationsWithTheirSteps) {
     Client client;
     client.begin();
     client.open(address, blinking);
@@ -86,7 +86,7 @@ TEST(LspProofs, AgreeWithCheck) {
     }
 }
 
-TEST(LspProofs, TellWhatAnalyseFinds) {
+TEST(LspProofs, ReportFindingsOfAnalyse) {
     Client client;
     client.begin();
     client.open(
@@ -100,7 +100,7 @@ TEST(LspProofs, TellWhatAnalyseFinds) {
     EXPECT_NE(std::ranges::find(codes, "step-never-active"), codes.end()) << told;
 }
 
-TEST(LspProofs, TellWhatOnlyTheModelShows) {
+TEST(LspProofs, ReportErrorsOfTheDerivedModels) {
     Client client;
     client.begin();
     client.open(address,

@@ -11,7 +11,7 @@ const std::string good = "grafcet a {\n    input A;\n    initial step 0;\n    tr
 
 int code_of(const Json& answer) { return answer.contains("error") ? answer["error"].value("code", 0) : 0; }
 
-TEST(LspServer, SaysWhatItCanAndEndsWhenAsked) {
+TEST(LspServer, ListsItsCapabilitiesAndEndsOnRequest) {
     Client client({.version = "1.2"});
     const Json answer = client.begin();
     EXPECT_EQ(answer["serverInfo"]["name"], "grafverif");
@@ -23,7 +23,7 @@ TEST(LspServer, SaysWhatItCanAndEndsWhenAsked) {
     EXPECT_EQ(client.ending(), Ending::Asked);
 }
 
-TEST(LspServer, EndsWithoutShutdownAndSaysSo) {
+TEST(LspServer, EndsWithoutShutdownAndReportsIt) {
     Client client;
     client.begin();
     client.notify("exit", nullptr);
@@ -38,7 +38,7 @@ TEST(LspServer, EndsWithTheClientEvenDuringAMessage) {
     EXPECT_EQ(client.ending(), Ending::Gone);
 }
 
-TEST(LspServer, EndsWhereTheClientsProcessIsGone) {
+TEST(LspServer, EndsIfTheClientsProcessIsGone) {
     Client client({.is_alive = [](std::int64_t process) { return process != 77; }});
     client.result("initialize", {{"processId", 77}, {"rootUri", nullptr}, {"capabilities", Json::object()}});
     EXPECT_EQ(client.ending(), Ending::Gone);
@@ -119,7 +119,7 @@ TEST(LspServer, AnswersARequestThatIsCancelledInTime) {
     EXPECT_TRUE(code == -32800 || code == -32602) << code;  // it may have been done before
 }
 
-TEST(LspServer, TakesMessagesCutAnywhere) {
+TEST(LspServer, AcceptsMessagesSplitAnywhere) {
     Client client;
     client.begin();
     std::string bytes =

@@ -51,7 +51,7 @@ TEST(Page, ShowsTheVerdictTheAssumptionsAndTheFormulas) {
     EXPECT_NE(made.page.find("data-run=\"idle\""), std::string::npos);
 }
 
-TEST(Page, FoldsWhatHoldsAndOpensWhatDoesNot) {
+TEST(Page, FoldsHoldingPropertiesAndOpensOthers) {
     const Made made = page_of_text(press);
     EXPECT_NE(made.page.find("<details class=\"property bad\" id=\"property-idle\" open"), std::string::npos);
     EXPECT_NE(made.page.find("<details class=\"property ok\" id=\"property-sound\">"), std::string::npos);
@@ -137,14 +137,14 @@ TEST(Page, ShowsEachComponentDrawnAndAsTables) {
         << made.page;
 }
 
-TEST(Page, OfAChartAloneSaysThatItsInputsAreFree) {
+TEST(Page, OfAChartAloneStatesThatItsInputsAreFree) {
     const Made made = page_of_text(press.substr(0, press.find("closed_loop")));
     EXPECT_NE(made.page.find("There is no plant: every input may change at any time."), std::string::npos);
     EXPECT_NE(made.page.find("property-reachable.X2"), std::string::npos);
     EXPECT_EQ(made.page.find("id=\"plant\""), std::string::npos);
 }
 
-TEST(Page, SaysHowLongARunIsThatIsTooLongToBePlayed) {
+TEST(Page, StatesTheLengthOfARunThatIsTooLongToPlay) {
     const Reading reading = read_string(press, "test.grafcet");
     const Model& model = *reading.model;
     Diagnostics diagnostics;
@@ -162,7 +162,7 @@ TEST(Page, SaysHowLongARunIsThatIsTooLongToBePlayed) {
     EXPECT_EQ(count_of(page_of(content), "\"loop_from\":"), 1U) << "two would be too long together";
 }
 
-TEST(Page, SaysThatAllIsWellOnlyWhereTheChartIsKnownToHaveNoErrors) {
+TEST(Page, SummaryIsPositiveOnlyIfTheChartHasNoErrors) {
     const Reading reading = read_string(press, "test.grafcet");
     const Model& model = *reading.model;
     Diagnostics diagnostics;
@@ -178,7 +178,7 @@ TEST(Page, SaysThatAllIsWellOnlyWhereTheChartIsKnownToHaveNoErrors) {
               "(see Findings).");
 }
 
-TEST(Page, CountsWhatTheRunsUsed) {
+TEST(Page, CountsUsedStepsAndTransitions) {
     const std::string page = page_of_text(press).page;
     const std::string coverage = between(page, "<section id=\"coverage\">", "</section>");
     EXPECT_NE(coverage.find("3 of 3"), std::string::npos) << coverage;

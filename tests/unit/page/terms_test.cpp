@@ -86,7 +86,7 @@ closed_loop moving {
     EXPECT_EQ(node(property, all["args"][3])["op"], "step");
 }
 
-TEST(Terms, ReadAContinuousOutputAsItsActionsSay) {
+TEST(Terms, ReplaceAContinuousOutputByItsActions) {
     const Reading reading = read_string(R"(
 grafcet two {
     input A;

@@ -130,7 +130,7 @@ closed_loop room {
 }
 )";
 
-TEST(PublicApi, ObserversSayTheSameInContinuousAndDiscreteTime) {
+TEST(PublicApi, ObserversAgreeInContinuousAndDiscreteTime) {
     const Reading reading = read_string(blinking, "room.grafcet");
     ASSERT_TRUE(reading.model) << reading.complaints();
     Diagnostics diagnostics;

@@ -214,7 +214,7 @@ TEST(Plant, AUnitNamedFinerThanTheDurationsAskIsFound) {
     EXPECT_EQ(found->coarser_ms, unit);
 }
 
-TEST(Plant, DurationsOfVeryManyUnitsAreWarnedOfAndThenRefused) {
+TEST(Plant, DurationsOfVeryManyUnitsCauseAWarningThenAnError) {
     Station station;
     station[0].arguments[4] = std::int64_t{10'001};
     station[1].arguments[4] = std::int64_t{1};

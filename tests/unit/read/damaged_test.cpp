@@ -40,7 +40,7 @@ void check_damaged(const std::string& text, bool lossy) {
     ASSERT_TRUE(read_text(sources.add({"back.grafcet", once}), sources, {}, again)) << text << '\n' << once;
 }
 
-TEST(DamagedImport, CutAnywhereIsReadOrRefused) {
+TEST(DamagedImport, TruncatedAnywhereIsAcceptedOrRejected) {
     std::mt19937 random(1);
     for (int i = 0; i < law_size(300); ++i) {
         const std::string& text = fixture(random());
@@ -49,7 +49,7 @@ TEST(DamagedImport, CutAnywhereIsReadOrRefused) {
     }
 }
 
-TEST(DamagedImport, WithBytesChangedIsReadOrRefused) {
+TEST(DamagedImport, WithChangedBytesIsAcceptedOrRejected) {
     std::mt19937 random(2);
     const std::string likely = "<>/\"=&;:()[] 0123456789ATNR.@#!\x80\xFF";
     for (int i = 0; i < law_size(1500); ++i) {

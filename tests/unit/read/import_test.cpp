@@ -102,7 +102,7 @@ TEST(Import, ImportsTheCompleteMetaModelOfAgrafe) {
     EXPECT_EQ(result.text, fixtures::agrafe_text) << result.said;
 }
 
-TEST(Import, TakesOverInternalVariablesThatContinuousActionsDriveAsOutputs) {
+TEST(Import, ImportsInternalVariablesOfContinuousActionsAsOutputs) {
     std::string driven = fixtures::agrafe;
     const std::string output = "name=\"M\" variableDeclarationType=\"output\"";
     driven.replace(driven.find(output), output.size(), "name=\"M\" variableDeclarationType=\"internal\"");
@@ -118,7 +118,7 @@ TEST(Import, TakesOverInternalVariablesThatContinuousActionsDriveAsOutputs) {
     EXPECT_NE(result.said.find("`M` becomes an output: continuous actions drive it"), std::string::npos) << result.said;
 }
 
-TEST(Import, TakesOverVariablesWithoutAKindAsOutputsWhereActionsDriveThem) {
+TEST(Import, ImportsVariablesWithoutAKindAsOutputsIfActionsDriveThem) {
     std::string driven = fixtures::agrafe, refused = fixtures::agrafe;
     const std::string kind = " variableDeclarationType=\"output\"";
     driven.erase(driven.find(kind), kind.size());
@@ -141,13 +141,13 @@ TEST(Import, CutsNamesSoThatTheirNumbersAndPrefixesFit) {
     EXPECT_NE(imported(text).text, "") << imported(text).said;
 }
 
-TEST(Import, TakesOverPlcopenWithPrioritiesInTheConditions) {
+TEST(Import, ImportsPlcopenWithPrioritiesInTheConditions) {
     const Imported result = imported(fixtures::plcopen);
     EXPECT_EQ(result.text, fixtures::plcopen_text) << result.said;
     EXPECT_NE(result.said.find("[explicit-priority]"), std::string::npos) << result.said;
 }
 
-TEST(Import, TakesOverTextualChartsWithTheirActionBlocks) {
+TEST(Import, ImportsTextualChartsWithTheirActionBlocks) {
     const Imported result = imported(fixtures::sfc);
     for (const char* line :
          {"// a press", "step Left { down; lamp := true on activation; }",
@@ -210,7 +210,7 @@ TEST(Import, KeepsEveryNegationOfANetwork) {
     }
 }
 
-TEST(Import, RefusesNetworksThatRememberOrLackAWire) {
+TEST(Import, RejectsNetworksWithMemoryOrMissingWires) {
     struct Case {
         std::string network = {}, message = {};
     };
@@ -231,7 +231,7 @@ TEST(Import, RefusesNetworksThatRememberOrLackAWire) {
     }
 }
 
-TEST(Import, MakesNothingOfAConditionThatItTakesOverInPartOnly) {
+TEST(Import, OmitsConditionsThatItCannotImportCompletely) {
     const std::string behind_an_edge =
         R"(<contact localId="8" edge="rising"><connectionPointIn><connection refLocalId="5"/></connectionPointIn><variable>b</variable></contact>)" +
         contact("", "<connection refLocalId=\"8\"/>");
@@ -239,7 +239,7 @@ TEST(Import, MakesNothingOfAConditionThatItTakesOverInPartOnly) {
     EXPECT_NE(result.text.find("S1 -> S2 when unknown_condition;"), std::string::npos) << result.text << result.said;
 }
 
-TEST(Import, RefusesStatementsUnderTheQualifiersThatOutliveTheirStep) {
+TEST(Import, RejectsStatementsUnderQualifiersThatOutliveTheirStep) {
     for (const char* qualifier : {"S", "R", "D, T#1s"}) {
         std::string text = fixtures::sfc;
         text.replace(text.find("horn(P);"), 8, "work(" + std::string(qualifier) + ");");
@@ -258,7 +258,7 @@ TEST(Import, ReadsOtherEncodings) {
               fixtures::plcopen_text);
 }
 
-TEST(Import, LeavesOutOnlyWhenAskedTo) {
+TEST(Import, OmitsElementsOnlyOnRequest) {
     std::string text = fixtures::sfc;
     text.replace(text.find(":= go;"), 6, ":= go AND LREAL_TO_BOOL(3.5);");
     EXPECT_NE(imported(text).said.find("[cannot-import]"), std::string::npos);

@@ -61,7 +61,7 @@ void check(const std::string& text) {
     ASSERT_EQ(formatted(again), once);
 }
 
-TEST(DamagedText, CutAnywhereIsReadOrRefused) {
+TEST(DamagedText, TruncatedAnywhereIsAcceptedOrRejected) {
     std::mt19937 random(1);
     const std::vector<std::string> all = texts();
     ASSERT_GT(all.size(), 50u);
@@ -75,7 +75,7 @@ TEST(DamagedText, CutAnywhereIsReadOrRefused) {
     }
 }
 
-TEST(DamagedText, WithBytesChangedIsReadOrRefused) {
+TEST(DamagedText, WithChangedBytesIsAcceptedOrRejected) {
     std::mt19937 random(2);
     const std::vector<std::string> all = texts();
     const std::string likely = "{}();:,.=<>!&|+-*/%\"'_ \n\t0123456789aXs\\#\x80\xE2\xFF";

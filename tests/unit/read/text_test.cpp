@@ -150,7 +150,7 @@ TEST(ReadChart, SupportsTheCompleteStandard) {
     EXPECT_EQ(chart.variables[{4}].initial, 1);
 }
 
-TEST(ReadChart, ActivatesWhatForcingEnclosingAndMacroStepsActivate) {
+TEST(ReadChart, AcceptsStepsActivatedByForcingEnclosingAndMacroSteps) {
     EXPECT_TRUE(read("grafcet g {\n"
                      "    input a;\n"
                      "    initial step 0 { force p := {20}; }\n"
@@ -215,7 +215,7 @@ TEST(ReadErrors, StaySearchableInHugeCharts) {
 
 // -- components -------------------------------------------------------------------------------------------------------
 
-TEST(ReadComponent, TakesTheTypesOfConstantsFromTheirDefaults) {
+TEST(ReadComponent, InfersTypesOfConstantsFromTheirDefaults) {
     const Component component =
         *model(
              "component c(output X: int L..H = L; L = 0, H, B = true, T = 2 * S, S = 1s, D: duration, K = H + L) {\n"
@@ -245,7 +245,7 @@ TEST(ReadComponent, PartsClocksFromData) {
     EXPECT_EQ(component.locations[{0}].invariant.size(), 2u);
 }
 
-TEST(ReadComponent, TakesItsSummaryFromTheCommentAboveIt) {
+TEST(ReadComponent, UsesTheCommentAboveItAsSummary) {
     const auto summary = [](const std::string& text) {
         return model(text + "component c() {\n    initial location l;\n}\n").components.begin()->summary;
     };
@@ -322,7 +322,7 @@ TEST(ReadIncludes, ReadsEachFileOnceRelativeToItsIncluder) {
     EXPECT_EQ(names, "c b a main ");
 }
 
-TEST(ReadIncludes, RefusesCyclesAndWhatIsNotThere) {
+TEST(ReadIncludes, RejectsCyclesAndMissingFiles) {
     EXPECT_EQ(read("include \"main.grafcet\";\n").codes, std::vector<std::string>{"include-cycle"});
     EXPECT_EQ(read("include \"a.grafcet\";\n",
                    {{"a.grafcet", "include \"./b.grafcet\";\n"}, {"b.grafcet", "include \"a.grafcet\";\n"}})
@@ -341,7 +341,7 @@ TEST(ReadIncludes, FollowsLongChains) {
 
 // -- printing ---------------------------------------------------------------------------------------------------------
 
-TEST(PrintModel, PrintsWhatReadsBackAsItself) {
+TEST(PrintModel, PrintedTextIsReadBackUnchanged) {
     const std::vector<std::string> texts = {
         lamp,
         "grafcet g {\n input a, L: int 0..9, b;\n output O, P: int 0..3;\n internal N: int -2..5 = -1, M = true, K;\n "

@@ -123,7 +123,7 @@ TEST(Svg, ShadesTheLoopAndMarksAdvancesOfTime) {
     EXPECT_TRUE(of_class(other, "loop").empty());
 }
 
-TEST(Svg, SaysThatColumnsAreEventsAndNumbersThem) {
+TEST(Svg, StatesThatColumnsAreEventsAndNumbersThem) {
     Drawn drawn;
     draw(sample_run(), drawn);
     std::vector<std::string> numbers;
@@ -133,7 +133,7 @@ TEST(Svg, SaysThatColumnsAreEventsAndNumbersThem) {
     EXPECT_NE(foot_of(drawn).find("A column is an event"), std::string::npos);
 }
 
-TEST(Svg, DrawsTheEventsAskedForAndSaysWhichTheyAre) {
+TEST(Svg, DrawsTheRequestedEventsAndNamesThem) {
     Drawn drawn;
     draw(sample_run(), drawn, {1, 3});
     std::vector<std::string> numbers;

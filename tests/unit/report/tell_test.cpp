@@ -122,7 +122,7 @@ TEST(Tell, ListsTheEvolutionsOfOneSearchInOrder) {
     EXPECT_NE(table(trace).find("chain: N 0 -> 2"), std::string::npos);
 }
 
-TEST(Tell, SplitsACycleWhereThePlantMovesInItsMidst) {
+TEST(Tell, SplitsACycleIfThePlantMovesDuringIt) {
     const LoopUnderTest loop = read_loop(R"(
         grafcet watch { input GO; output L; initial step 0; step 1 { L; } transition t: 0 -> 1 when GO; }
         closed_loop one { controller watch; environment Go = free(OUT = GO); }
@@ -172,7 +172,7 @@ TEST(Tell, LoopWithoutVisibleEventsHasARow) {
     EXPECT_EQ(trace.rows.back().what, "cycles go on for ever, no time passes, nothing changes");
 }
 
-TEST(Tell, HidesWhatIsInternalUnlessAskedForEverything) {
+TEST(Tell, HidesInternalEventsByDefault) {
     const LoopUnderTest loop = read_sample("testing_station/testing_station.grafcet");
     Random random(2);
     const auto run = random_walk(loop.network, random, 300);
@@ -229,7 +229,7 @@ TEST(TellLaw, TracesOfRandomWalksAreWellFormed) {
 }
 
 /// The last row always shows the current state of the run.
-TEST(TellLaw, TheStepsOfATraceEndWhereTheRunEnds) {
+TEST(TellLaw, StepsOfATraceEndWithTheRun) {
     for (const char* sample :
          {"oven_door/oven_door.grafcet", "tanks/tanks.grafcet", "testing_station/faulty.grafcet"}) {
         for (const Grain grain : {Grain::Phased, Grain::Atomic}) {

@@ -120,7 +120,7 @@ TEST(Terminal, PrintsTheSeparateAssumptionsOfEachGroup) {
         << told;
 }
 
-TEST(Terminal, ClaimsOfUndecidedPropertiesNothingThatItClaimsOfDecidedOnes) {
+TEST(Terminal, UndecidedPropertiesHaveNoImplications) {
     Report report{"tanks", {"symbolic", "every-cycle", "", 0, "no plant"}, {}, {}};
     report.answers = {{{.property = "A", .outcome = Outcome::Holds, .states = "9"}, "", {}, "so with every plant", ""},
                       {{.property = "B", .reason = "it is about time"}, "", {}, "", ""}};
@@ -212,7 +212,7 @@ TEST(Terminal, PaintsVerdicts) {
         EXPECT_NE(out.str().find(painted), std::string::npos) << painted << " in\n" << out.str();
 }
 
-TEST(Terminal, SaysOnceWhatKeepsItFromSeveralVerdicts) {
+TEST(Terminal, PrintsTheSharedReasonOfUnknownVerdictsOnce) {
     Report report = sample_report();
     for (const char* name : {"Q1", "Q2"})
         report.answers.push_back({{.property = name,
@@ -254,7 +254,7 @@ TEST(Terminal, PrintsTheStateProfile) {
         << told;
 }
 
-TEST(Terminal, ShowsWitnessesOnlyWhereAskedFor) {
+TEST(Terminal, ShowsWitnessesOnlyOnRequest) {
     Report report = sample_report();
     report.answers = {{{.property = "R", .pattern = Pattern::Reachable, .outcome = Outcome::Holds}, "", sample_run()}};
     EXPECT_EQ(text(report).find("witness"), std::string::npos);
@@ -269,7 +269,7 @@ TEST(Terminal, ShowsModelErrorsFirst) {
     EXPECT_NE(text(report).find("1 place where the model breaks off"), std::string::npos);
 }
 
-TEST(Terminal, CutsNoCharacterAndCountsTheColumnsThatItTakes) {
+TEST(Terminal, WrapsBetweenCharactersAndCountsTheirColumns) {
     using Lines = std::vector<std::string>;
     EXPECT_EQ(wrapped("Förderer läuft", 8), (Lines{"Förderer", "läuft"}));
     EXPECT_EQ(wrapped("ÄÖÜäöü", 4), (Lines{"ÄÖÜä", "öü"}));

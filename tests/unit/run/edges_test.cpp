@@ -77,7 +77,7 @@ TEST(Events, RunTheirActionOncePerEdgeWhileTheStepIsActive) {
     EXPECT_EQ(situation(chart), "1");
 }
 
-TEST(Clearing, RunsItsActionsAlsoWhereTheStepStaysActive) {
+TEST(Clearing, RunsItsActionsEvenIfTheStepStaysActive) {
     Play chart = play(
         "input a; internal N: int 0..9 = 0; initial step 1 { N := 9 on activation; }"
         "transition t1: 1 -> 1 when rise(a) do N := N - 1;");

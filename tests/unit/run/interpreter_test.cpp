@@ -29,7 +29,7 @@ TEST(FirstEvolution, RunsTheActivationActionsOfInitialStepsAndClearsNothing) {
     EXPECT_EQ(value(chart, "N"), 2);
 }
 
-TEST(FirstEvolution, ReadsTheInputsOfThatMoment) {
+TEST(FirstEvolution, ReadsTheCurrentInputs) {
     Play chart = play(
         "input a; internal M = false; initial step 1 { M := a on activation; }"
         "step 2; transition t1: 1 -> 2 when false;");

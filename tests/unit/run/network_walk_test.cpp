@@ -26,7 +26,7 @@ NetworkState rested(const Network& network, NetworkState state) {
     return state;
 }
 
-TEST(NetworkWalk, TimeStandsWhileAnUrgentEdgeWaits) {
+TEST(NetworkWalk, TimeStopsWhileAnUrgentEdgeIsEnabled) {
     const LoopUnderTest loop = read_loop(valve_loop);
     const NetworkState start = initial_state(loop.network);
     EXPECT_FALSE(leeway(loop.network, start).may_pass);
@@ -50,7 +50,7 @@ TEST(NetworkWalk, AnInvariantLimitsHowFarTimeGoes) {
     EXPECT_EQ(leeway(loop.network, rested(loop.network, state)), (Leeway{true, {}, {}}));
 }
 
-TEST(NetworkWalkLaw, LeewaySaysExactlyHowFarTimeMayPass) {
+TEST(NetworkWalkLaw, LeewayIsExactlyTheTimeThatMayPass) {
     for (const char* sample :
          {"oven_door/oven_door.grafcet", "tanks/tanks.grafcet", "testing_station/testing_station.grafcet"}) {
         const Network network = read_sample(sample).network;

@@ -144,7 +144,7 @@ TEST(Replay, CatchesADroppedAssignment) {
     EXPECT_GE(caught * 10, mutants * 6) << caught << " of " << mutants;
 }
 
-TEST(Replay, SaysWhereARunLeavesTheRules) {
+TEST(Replay, ReportsWhereARunViolatesTheRules) {
     LoopUnderTest loop = read_sample("blinker/blinker.grafcet");
     auto& write = plc(loop.network).procedures[loop.network.controllers[{0}].write].assignments;
     ASSERT_FALSE(write.empty());
@@ -156,7 +156,7 @@ TEST(Replay, SaysWhereARunLeavesTheRules) {
     EXPECT_EQ(found->what, "output LAMP is 1, by the rules 0");
 }
 
-TEST(Replay, RefusesAMoveThatCannotBeMade) {
+TEST(Replay, RejectsAnImpossibleMove) {
     const LoopUnderTest loop = read_sample("blinker/blinker.grafcet");
     const grafverif::Run too_early{{Delay{5}}, {}};  // the first cycle comes first
     const auto found = disagreement(project(loop.network, too_early), loop.charts());

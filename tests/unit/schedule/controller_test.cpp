@@ -148,7 +148,7 @@ TEST(ScheduleController, RunsTheActionsOfInitialStepsInTheFirstEvolution) {
     EXPECT_EQ(t["n"], 1);
 }
 
-TEST(ScheduleController, ClearsNothingInTheFirstEvolutionAndIsNotSettledBeforeIt) {
+TEST(ScheduleController, ClearsNothingInTheFirstEvolutionAndIsNotQuiescentBeforeIt) {
     Stepper s = power_on(
         "input a; internal n = false; initial step 1 { n := true on activation; } step 2;"
         "transition t: 1 -> 2 when true;",
@@ -255,7 +255,7 @@ TEST(ScheduleController, LeavesInputsAndTimerEndsFree) {
     EXPECT_EQ(free, (std::vector<std::string>{"a", "T_X1_3s_Q"}));
 }
 
-TEST(ScheduleController, TakesAnInternalThatNothingWritesForAConstant) {
+TEST(ScheduleController, TreatsAnUnwrittenInternalAsAConstant) {
     const Stepper s =
         start("internal armed = true; initial step 1; step 2; transition t1: 1 -> 2 when armed;", searching);
     EXPECT_EQ(s["armed"], 1);
@@ -264,14 +264,14 @@ TEST(ScheduleController, TakesAnInternalThatNothingWritesForAConstant) {
     EXPECT_EQ(moved["X_2"], 1);
 }
 
-TEST(ScheduleController, GivesItsOwnSymbolsNamesThatTheChartLeaves) {
+TEST(ScheduleController, GivesItsSymbolsNamesUnusedByTheChart) {
     const Stepper s =
         start("input stable, settled; output A; internal A_now = false; initial step 1 { A if stable; }", searching);
     EXPECT_TRUE(has_symbol(s.system, s.system.instances[{0}].name + ".stable_2"));
     EXPECT_TRUE(has_symbol(s.system, s.system.instances[{0}].name + ".A_now_2"));
 }
 
-TEST(ScheduleController, SaysWhatItsVerdictsAreWorth) {
+TEST(ScheduleController, StatesTheImplicationsOfItsVerdicts) {
     const TransitionSystem search = schedule_controller(equations("initial step 1;"), searching);
     EXPECT_NE(search.scope.find("holds with every plant in grain atomic"), std::string::npos);
     EXPECT_NE(search.scope.find("written when the situation is stable"), std::string::npos);
@@ -279,7 +279,7 @@ TEST(ScheduleController, SaysWhatItsVerdictsAreWorth) {
     EXPECT_NE(every.scope.find("written in every cycle"), std::string::npos);
 }
 
-TEST(Ranges, WhatMayLeave64BitsIsTakenToHaveNoValue) {
+TEST(Ranges, TermThatMayExceed64BitsIsUndefined) {
     Exprs exprs;
     const TypeOf few = [](const Expr&) { return integer_type(0, 3); };
     const Id<Expr> x = exprs.leaf(Op::Variable, 0);

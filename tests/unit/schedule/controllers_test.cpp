@@ -69,7 +69,7 @@ TEST(ScheduleControllers, TranslatesPropertiesOverInputsOutputsInternalsAndSteps
     expect_line(text, "INVARSPEC NAME P4 := count(press.X_0, press.X_1) = 1;");
 }
 
-TEST(ScheduleControllers, OmitsWhatTheControllersAloneCannotAnswerAndSaysWhy) {
+TEST(ScheduleControllers, OmitsPropertiesThatNeedThePlantWithAReason) {
     struct Case {
         const char* property;
         const char* reason;
@@ -162,7 +162,7 @@ TEST(ScheduleControllers, LetsAControllerRunAheadOfTheOther) {
     EXPECT_EQ(value_of(system, state, "two.X_1"), 1);
 }
 
-TEST(ScheduleControllers, CallsTheSystemSettledWhenEachControllerIs) {
+TEST(ScheduleControllers, SystemIsQuiescentIfEachControllerIs) {
     const TransitionSystem system = scheduled(two(""));
     const auto least = [](std::string_view, Type type) { return type.low; };
     SystemState state = first_state(system, least);

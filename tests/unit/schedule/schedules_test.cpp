@@ -56,7 +56,7 @@ TEST(Schedules, ConstraintsAreAssumedOfFreeInputsAndProvedOfAPlant) {
     EXPECT_EQ(verdicts(untimed_text(text, with(Schedule::Sequenced)))["constraint_1"], Outcome::Holds);
 }
 
-TEST(Schedules, ConstraintsMayLeaveOneOfVeryManyCombinationsOfInputs) {
+TEST(Schedules, ConstraintsMayPermitOneOfVeryManyCombinationsOfInputs) {
     std::string chart = "grafcet g { input n: int -32000..32000, m: int -32000..32000; output o; input ";
     std::string drivers;
     std::string loop =

@@ -114,7 +114,7 @@ TEST(Layered, AChainIsOneStraightLine) {
         for (const Layered::Arrow& arrow : layout::layered(chain, direction).arrows) EXPECT_EQ(arrow.points.size(), 2u);
 }
 
-TEST(Layered, ALayerHoldsWhatIsEquallyFarFromTheFirstNode) {
+TEST(Layered, LayerContainsNodesAtEqualDistanceFromTheFirstNode) {
     States states{.nodes = {{40, 30}, {40, 30}, {40, 30}, {40, 30}},
                   .arrows = {{2, 0, {}}, {2, 3, {}}, {0, 1, {}}, {3, 1, {}}, {1, 2, {}}},
                   .first = 2};

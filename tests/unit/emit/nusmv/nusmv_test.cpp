@@ -152,7 +152,7 @@ TEST(EmitNusmv, PassesItsNativeFormulasThrough) {
     expect_lines(text, "LTLSPEC NAME P_ := G F press.X_1;\n");
 }
 
-TEST(EmitNusmv, FormulasThatTheModelCannotAnswerAreOmittedInTheirPlaces) {
+TEST(EmitNusmv, FormulasThatTheModelCannotExpressAreOmittedInTheirPlaces) {
     Small small;
     small.main().symbols.add({"move", {}, System::ChoiceSymbol{}, "", {}});
     Property before{.name = "before", .pattern = Pattern::NoDeadlock};

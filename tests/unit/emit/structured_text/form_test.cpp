@@ -102,7 +102,7 @@ TEST(StructuredTextForm, IsTheSameEachTimeAndHasNoLongLines) {
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 240u) << line;
 }
 
-TEST(StructuredTextForm, WhatAPlcMayComputeOtherwiseIsRefused) {
+TEST(StructuredTextForm, TermsThatAPlcMayComputeDifferentlyAreRejected) {
     struct Case {
         const char* value;
         const char* reason;

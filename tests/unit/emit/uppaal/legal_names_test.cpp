@@ -11,7 +11,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-TEST(LegalNames, KeepWhatIsLegal) {
+TEST(LegalNames, KeepLegalNames) {
     const Names names = {"START", "X_2", "H_Act", "_"};
     EXPECT_EQ(legal_names(Target::Uppaal, names), names);
     EXPECT_EQ(legal_names(Target::Nusmv, names), names);
@@ -60,7 +60,7 @@ TEST(LegalNames, TellNoUpperFromLowerCaseInStructuredText) {
     EXPECT_EQ(legal_names(Target::Uppaal, Names{"a", "A"}), (Names{"a", "A"}));
 }
 
-TEST(LegalNames, SpellWhatNoIdentifierMayHold) {
+TEST(LegalNames, SpellOutIllegalCharacters) {
     EXPECT_EQ(legal_names(Target::Uppaal, Names{"2", "P.X7", "a-b", "", "\xC3\xA9"}),
               (Names{"_2", "P_X7", "a_b", "_", "e"}));
 }
@@ -83,7 +83,7 @@ TEST(LegalNames, StayClearOfNamesTaken) {
     EXPECT_EQ(legal_names(Target::Uppaal, Names{"W", "P0"}, {"W", "W_"}), (Names{"W_2", "P0"}));
 }
 
-TEST(LegalNames, NameOnlyWhatChanged) {
+TEST(LegalNames, ListOnlyChangedNames) {
     const Names names = {"X", "Y"}, legal = legal_names(Target::Uppaal, names);
     EXPECT_EQ(renamings(names, legal), (std::vector<Renaming>{{"X", "X_"}}));
 }

@@ -25,7 +25,7 @@ TEST(LowerForUppaal, SplitsATemplateWhoseProcessesStartAtSeveralLocations) {
     EXPECT_EQ(template_of(network, 2), "end_sensor");
 }
 
-TEST(LowerForUppaal, LetsEveryProcessStartWhereItsTemplateDoes) {
+TEST(LowerForUppaal, LetsEveryProcessStartAtTheInitialLocationOfItsTemplate) {
     const Network before = test::station(), network = uppaal::lower(before);
     ASSERT_EQ(network.processes.size(), before.processes.size());
     for (const Id<Network::Process> id : network.processes.ids()) {
@@ -44,7 +44,7 @@ TEST(LowerForUppaal, KeepsTheMeaning) {
     }
 }
 
-TEST(LowerForUppaal, KeepsTheNameWhereAllStartAtOneOtherLocation) {
+TEST(LowerForUppaal, KeepsTheNameIfAllStartAtOneOtherLocation) {
     Network network = test::station();
     network.processes[{2}].initial = {1};  // now both sensors start there
     const Network lowered = uppaal::lower(network);

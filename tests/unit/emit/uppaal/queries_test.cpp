@@ -38,7 +38,7 @@ std::map<std::string, Query> queries(const Network& network) {
 
 const std::string settled = "(handling.W && stable && !EVOL_PL && !EVOL_TI && !T_X1_3s_P)";
 
-TEST(UppaalQueries, SayEachPattern) {
+TEST(UppaalQueries, ExpressEachPattern) {
     const std::map<std::string, Query> found = queries(test::station());
     const std::vector<std::pair<std::string, std::string>> cases = {
         {"P1", "A[] not (GO_IN && GO_OUT)"},
@@ -76,7 +76,7 @@ TEST(UppaalQueries, TellNameTextAndOutcome) {
     EXPECT_EQ(found.at("P1").outcome, "success");
 }
 
-TEST(UppaalQueries, ExpectNothingOfASingleStepWhereSomeStepIsOutOfReach) {
+TEST(UppaalQueries, HaveNoExpectationForSingleStepsIfSomeStepIsUnreachable) {
     Network network = test::station();
     network.properties[{7}].expected_violated = true;
     ASSERT_EQ(network.properties[{7}].pattern, Pattern::ReachableAllSteps);
