@@ -45,6 +45,7 @@ Json json_of(const Told& told, const UriOf& uri_of) {
                  {"source", "grafverif"},
                  {"message", told.message}};
     if (!told.code.empty()) json["code"] = told.code;
+    if (!told.page.empty()) json["codeDescription"] = {{"href", told.page}};
     for (const Related& related : told.related)
         json["relatedInformation"].push_back(
             {{"location", json_of(related.where, uri_of)}, {"message", related.message}});

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "support/documentation.hpp"
 #include "support/printable.hpp"
 
 namespace grafverif::lsp {
@@ -24,8 +25,8 @@ Place Places::of(Span where) const {
 std::vector<Told> told(const Diagnostics& diagnostics, const Places& places) {
     std::vector<Told> all;
     for (const Diagnostic& diagnostic : diagnostics.all()) {
-        Told one{
-            places.of(diagnostic.where), diagnostic.severity, diagnostic.code, printable(diagnostic.message), {}, {}};
+        Told one{places.of(diagnostic.where), diagnostic.severity, diagnostic.code, printable(diagnostic.message)};
+        one.page = diagnostic_page(diagnostic.code);
         for (const Diagnostic& note : diagnostic.notes) {
             if (note.where.source.valid()) one.related.push_back({places.of(note.where), printable(note.message)});
             else one.message += "\n" + printable(note.message);

@@ -38,6 +38,7 @@ struct Told {
     std::string code = {}, message = {};
     std::vector<Related> related = {};
     std::optional<Edit> fix = {};
+    std::string page = {};  ///< address of its documentation; empty: none
     auto operator<=>(const Told&) const = default;
 };
 

@@ -9,6 +9,7 @@
 #include "report/report.hpp"
 #include "report/table.hpp"
 #include "report/terminal.hpp"
+#include "support/documentation.hpp"
 #include "support/json_text.hpp"
 
 namespace grafverif {
@@ -206,8 +207,11 @@ void add_diagnostics(const std::vector<Diagnostic>& diagnostics, const Sources& 
         const bool error = diagnostic.severity == Severity::Error;
         if (!error && !warnings) continue;
         const std::string meaning = error ? "an error in the input" : "a warning about the input";
+        const std::size_t rule = rule_index(log, diagnostic.code, meaning, level(diagnostic.severity));
+        if (std::string page = diagnostic_page(diagnostic.code); !page.empty())
+            log.rules[rule]["helpUri"] = std::move(page);
         Json object = {{"ruleId", diagnostic.code},
-                       {"ruleIndex", rule_index(log, diagnostic.code, meaning, level(diagnostic.severity))},
+                       {"ruleIndex", rule},
                        {"level", level(diagnostic.severity)},
                        {"message", text_json(diagnostic.message)}};
         if (sources.contains(diagnostic.where.source)) object["locations"] = {location(diagnostic.where, sources)};

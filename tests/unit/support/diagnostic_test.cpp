@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "support/documentation.hpp"
 #include "support/render.hpp"
 
 namespace grafverif {
@@ -157,6 +158,14 @@ TEST(Diagnostics, StoresABoundedNumberAndCountsAll) {
     EXPECT_EQ(diagnostics.errors(), 1000u);
     EXPECT_EQ(diagnostics.all().size(), Diagnostics::limit);
     EXPECT_TRUE(diagnostics.full());
+}
+
+TEST(Diagnostics, HaveAPageIfTheSiteIsPublished) {
+    const std::string page = "https://example.org/docs/reference/diagnostics.html#unknown-step";
+    EXPECT_EQ(diagnostic_page("unknown-step", "https://example.org/docs"), page);
+    EXPECT_EQ(diagnostic_page("unknown-step", "https://example.org/docs/"), page);
+    EXPECT_EQ(diagnostic_page("unknown-step", ""), "");
+    EXPECT_EQ(diagnostic_page("", "https://example.org/docs"), "");
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Addresses of the documentation site.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace grafverif {
+
+/// Where the site is published, from the CMake variable GRAFVERIF_DOCUMENTATION_URL; empty if it is not published.
+std::string_view documentation_url();
+
+/// The entry of a diagnostic on the site at `base`; empty without a base.
+std::string diagnostic_page(std::string_view code, std::string_view base = documentation_url());
+
+}  // namespace grafverif
