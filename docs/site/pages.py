@@ -13,6 +13,7 @@ LINK = re.compile(r"(!?)\[((?:[^][]|\[[^][]*\])*)\]\(([^)\s]+)\)")
 FENCE = re.compile(r"^(```|~~~)")
 HEADING = re.compile(r"^(#{1,6}) +(.*?) *$")
 GLOSSARY = "reference/glossary.md"
+MAX_LINES = 250
 
 
 def slug(heading):
@@ -86,6 +87,8 @@ class Site:
                 self.problem(place, 1, "the page has no title; begin it with `# Title`")
             elif len([1 for _, level, _ in titles if level == 1]) > 1:
                 self.problem(place, titles[0][0], "the page has several titles; keep one `# Title`")
+            if text.count("\n") > MAX_LINES and not place.startswith("samples/"):
+                self.problem(place, MAX_LINES, f"the page has more than {MAX_LINES} lines; split it")
             for number, line, code in prose(text):
                 if not code:
                     for match in LINK.finditer(re.sub(r"`[^`]*`", lambda code: " " * len(code[0]), line)):

@@ -133,7 +133,7 @@ class Trace(_Tabular):
                            tuple(each["situation"]), each["inputs"], each["outputs"], each["time"])
                       for each in document["steps"]]
         self.loop_from: int | None = document["loop_from"]
-        self.run: dict[str, Any] = document["run"]  #: all that there is to know: docs/trace.md
+        self.run: dict[str, Any] = document["run"]  #: all that there is to know: docs/reference/trace-format.md
         self.drawing = Drawing(svg)  #: a timing diagram
         self._text = text
 

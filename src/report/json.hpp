@@ -3,7 +3,7 @@
 //
 // JSON: `errors` has the model errors; `profile` (report/profile.hpp) and `why` (report/why.hpp) exist if available. In
 // a trace, inputs and outputs are objects by name, all of them in every step; `run` has the complete run
-// (docs/trace.md).
+// (docs/reference/trace-format.md).
 //
 //   {"model", "properties":[PROPERTY], "errors":[{"code", "message", "trace"}], "profile", "why"}
 //   PROPERTY  {"name", "text", "file", "line", "column", "verdict", "expected", "declared", "engine", "mode", "grain",

@@ -9,7 +9,7 @@
 namespace grafverif {
 
 nlohmann::ordered_json trace_json(const ChartRun& run);
-/// The member `run`: the complete run (docs/trace.md).
+/// The member `run`: the complete run (docs/reference/trace-format.md).
 nlohmann::ordered_json run_json(const ChartRun& run);
 
 }  // namespace grafverif

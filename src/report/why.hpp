@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Proof cores of properties that hold, as text and as JSON (docs/why.md).
+// Proof cores of properties that hold, as text and as JSON (docs/explanation/why.md).
 #pragma once
 
 #include <iosfwd>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Vacuity of observed properties: the probes of all engines compared with reachability in the graph of the loop without
-// observer, by the definition of docs/properties.md.
+// observer, by the definition of docs/reference/properties.md.
 #include <gtest/gtest.h>
 
 #include <iostream>

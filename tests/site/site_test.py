@@ -63,6 +63,10 @@ class Site(unittest.TestCase):
         self.add_page("```text\n# Title\n```\n")
         self.assert_problem("docs/new.md:1: the page has no title")
 
+    def test_page_that_is_too_long(self):
+        self.add_page("# New\n" + "\n" * 250)
+        self.assert_problem("docs/new.md:250: the page has more than 250 lines")
+
     def test_page_that_is_not_in_the_index(self):
         (self.root / "docs/new.md").write_text("# New\n")
         self.assert_problem("`new.md` is not linked")

@@ -63,7 +63,7 @@ struct Scope {
     bool operator==(const Scope&) const = default;
 };
 
-/// Names of instances reduced by the input abstraction of a verdict (docs/explanation/engines.md, "Input abstraction").
+/// Names of instances reduced by the input abstraction of a verdict (docs/explanation/decomposition.md, "Input abstraction").
 struct InputsAbstracted {
     std::vector<std::string> chosen = {}, untimed = {}, paced = {};
     bool operator==(const InputsAbstracted&) const = default;

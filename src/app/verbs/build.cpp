@@ -82,9 +82,10 @@ Verb build_usage() {
             "the loop\n"
             "What cannot be translated exactly is refused with its line, and nothing is written. After an error or a "
             "signal all\n"
-            "files are written or none has changed; docs/files.md tells what is promised. --depfile tells a build "
+            "files are written or none has changed; docs/reference/files.md tells what is promised. --depfile tells a "
+            "build "
             "system what\n"
-            "they were made from (docs/build_systems.md).",
+            "they were made from (docs/how-to/build-systems.md).",
             {"grafverif build samples/testing_station/testing_station.grafcet",
              "grafverif build station.grafcet -o models --create --grain atomic --target uppaal",
              "grafverif build station.grafcet -o models --name station --depfile models/station.d",

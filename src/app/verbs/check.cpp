@@ -132,7 +132,8 @@ Verb check_usage() {
         "themselves, then asks all three; `--engine abc` and `--engine-command` ask hardware model checkers.\n"
         "Formats: text, JSON (--format json, --json-lines), JUnit XML (--junit), SARIF (--sarif); traces also as VCD "
         "and SVG.\n"
-        "Reports are of this run or not there, whatever ends it; docs/ci.md tells what build servers make of them.",
+        "Reports are of this run or not there, whatever ends it; docs/how-to/ci.md tells what build servers make of "
+        "them.",
         {"grafverif check samples/testing_station/testing_station.grafcet",
          "grafverif check station.grafcet --property P15 --grain atomic --trace-svg P15.svg",
          "grafverif check station.grafcet --format json --timeout 5min --max-memory 8G",

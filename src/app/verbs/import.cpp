@@ -41,7 +41,7 @@ Verb import_usage() {
             "told from what is written. Every other verb takes such files directly. What cannot be taken over is an "
             "error with its\n"
             "place in FILE; with --lossy it is left out, with a warning, and named at the head of the text. "
-            "docs/import.md tells\n"
+            "docs/how-to/import.md tells\n"
             "what of each format works.",
             {"grafverif import plant.xml -o plant.grafcet", "grafverif import --lossy --diagnostics json press.xml"},
             {Accepts::Output}};

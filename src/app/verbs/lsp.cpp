@@ -145,19 +145,19 @@ ExitCode lsp(Job& job, const Streams& streams) {
 }
 
 Verb lsp_usage() {
-    return {
-        "lsp",
-        "",
-        0,
-        0,
-        "serve an editor: what is wrong while it is typed, names, completion, verdicts",
-        "Speaks the Language Server Protocol 3.17 on standard input and output, for editors that start it by "
-        "themselves: see\n"
-        "docs/lsp.md for two lines of configuration. What is open in the editor stands for the files on the disk, and "
-        "for\n"
-        "all that include them. Nothing is written. It ends when the editor says so, or is gone.",
-        {"grafverif lsp"},
-        {Accepts::Lsp}};
+    return {"lsp",
+            "",
+            0,
+            0,
+            "serve an editor: what is wrong while it is typed, names, completion, verdicts",
+            "Speaks the Language Server Protocol 3.17 on standard input and output, for editors that start it by "
+            "themselves: see\n"
+            "docs/how-to/language-server.md for two lines of configuration. What is open in the editor stands for the "
+            "files on the disk, and "
+            "for\n"
+            "all that include them. Nothing is written. It ends when the editor says so, or is gone.",
+            {"grafverif lsp"},
+            {Accepts::Lsp}};
 }
 
 }  // namespace grafverif::app

@@ -211,23 +211,24 @@ ExitCode test(Job& job, const Streams& streams) {
 }
 
 Verb test_usage() {
-    return {"test",
-            "FILE",
-            1,
-            1,
-            "test an implementation against a chart, scan by scan",
-            "Runs the controller PROGRAM through a test sequence and compares its outputs with those of the chart in "
-            "every\n"
-            "scan. PROGRAM is a command for the shell; it reads one line of inputs and answers by one line of outputs "
-            "for each\n"
-            "scan (docs/conformance.md). Without --sequence the test is the one that `testgen` makes of the chart.\n"
-            "Exit code 1: the controller does not conform. Formats: text, JSON, JUnit XML (--junit).",
-            {"grafverif test tanks.grafcet --against ./my_controller",
-             "grafverif test tanks.grafcet --against ./my_controller --cover evolutions --go-on --junit report.xml",
-             "grafverif test tanks.grafcet --sequence table2.csv --against \"grafverif plc tanks.grafcet --mode "
-             "every-cycle\""},
-            {Accepts::Bench, Accepts::Sequence, Accepts::Chart, Accepts::Mode, Accepts::Clock, Accepts::Format,
-             Accepts::Cover, Accepts::Minimise}};
+    return {
+        "test",
+        "FILE",
+        1,
+        1,
+        "test an implementation against a chart, scan by scan",
+        "Runs the controller PROGRAM through a test sequence and compares its outputs with those of the chart in "
+        "every\n"
+        "scan. PROGRAM is a command for the shell; it reads one line of inputs and answers by one line of outputs "
+        "for each\n"
+        "scan (docs/how-to/test-a-plc.md). Without --sequence the test is the one that `testgen` makes of the chart.\n"
+        "Exit code 1: the controller does not conform. Formats: text, JSON, JUnit XML (--junit).",
+        {"grafverif test tanks.grafcet --against ./my_controller",
+         "grafverif test tanks.grafcet --against ./my_controller --cover evolutions --go-on --junit report.xml",
+         "grafverif test tanks.grafcet --sequence table2.csv --against \"grafverif plc tanks.grafcet --mode "
+         "every-cycle\""},
+        {Accepts::Bench, Accepts::Sequence, Accepts::Chart, Accepts::Mode, Accepts::Clock, Accepts::Format,
+         Accepts::Cover, Accepts::Minimise}};
 }
 
 }  // namespace grafverif::app

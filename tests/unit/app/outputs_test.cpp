@@ -418,7 +418,7 @@ void with_each_path_option(const Folder& folder, const std::string& file, const 
             if ((option.value != "FILE" && option.value != "DIR") || option.name == "include") continue;
             SCOPED_TRACE(verb.name + " --" + option.name);
             const auto listed = std::ranges::find(path_options, option.name, &PathOption::name);
-            ASSERT_NE(listed, path_options.end()) << "docs/files.md has rules for every path";
+            ASSERT_NE(listed, path_options.end()) << "docs/reference/files.md has rules for every path";
             Words words = call(verb, file, folder);
             if (accepts(verb, Accepts::Walk) && (option.name == "script" || option.name == "junit")) words.resize(2);
             if (accepts(verb, Accepts::Walk) && option.name == "junit")

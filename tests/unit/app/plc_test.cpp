@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `plc`: the chart controlled by the line protocol of docs/conformance.md.
+// `plc`: the chart controlled by the line protocol of docs/how-to/test-a-plc.md.
 #include <gtest/gtest.h>
 
 #include "run_program.hpp"

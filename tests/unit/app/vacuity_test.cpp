@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Properties that hold vacuously: every form of docs/properties.md, in every engine and every output.
+// Properties that hold vacuously: every form of docs/reference/properties.md, in every engine and every output.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -177,7 +177,7 @@ TEST(PublicApi, CounterexamplesExplainTheirSentence) {
     }
 }
 
-/// Every form of docs/properties.md, violated.
+/// Every form of docs/reference/properties.md, violated.
 const std::string forms = R"(grafcet chart {
     input BUTTON;
     output LAMP;

@@ -214,7 +214,7 @@ Verb supervise_usage() {
         "interleaved,\n"
         "grain atomic. With -o the file with these conditions is written; it has been proved by two engines then. "
         "Where there\n"
-        "are none, a run shows what no controller prevents. docs/supervise.md says what is guaranteed.",
+        "are none, a run shows what no controller prevents. docs/how-to/supervise.md says what is guaranteed.",
         {"grafverif supervise station.grafcet", "grafverif supervise station.grafcet --property P15 -o safe.grafcet",
          "grafverif supervise station.grafcet --marked 'X0 && V_IN' --format json"},
         {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Mode, Accepts::Supervision, Accepts::Format}};
