@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "support/documentation.hpp"
 #include "support/printable.hpp"
+#include "support/text/documentation.hpp"
 
 namespace grafverif::lsp {
 

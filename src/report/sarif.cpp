@@ -9,8 +9,8 @@
 #include "report/report.hpp"
 #include "report/table.hpp"
 #include "report/terminal.hpp"
-#include "support/documentation.hpp"
 #include "support/json_text.hpp"
+#include "support/text/documentation.hpp"
 
 namespace grafverif {
 

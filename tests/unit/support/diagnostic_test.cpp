@@ -7,8 +7,8 @@
 #include <sstream>
 #include <string>
 
-#include "support/documentation.hpp"
 #include "support/render.hpp"
+#include "support/text/documentation.hpp"
 
 namespace grafverif {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "support/documentation.hpp"
+#include "support/text/documentation.hpp"
 
 namespace grafverif {
 
