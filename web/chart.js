@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The drawn chart of one controller, its steps and transitions lit as they are at a moment of a run.
+// View of one controller's chart, with active steps and cleared transitions highlighted at an event of a run.
 import {draw, make} from "./dom.js";
 import {follow, lightStep, lightTransition} from "./marks.js";
 
 export class ChartView {
-    // `choose(kind, place)`: the reader points at a transition or a step.
+    // `choose(kind, place)`: called when the user selects a transition or a step.
     constructor(chart, run, controller, choose) {
         this.chart = chart;
         this.run = run;

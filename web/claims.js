@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the terms of a property are worth all along a run, of the closed loop as it is. A term changes where one of its own
-// terms does, and nowhere else: its history is made of theirs. What the run does not tell is `undefined`.
+// Values of the terms of a property along a run, evaluated on the state of the closed loop. A term can change only if
+// one of its operands does, so its history is computed from theirs. Values that the run does not contain are
+// `undefined`.
 import {History} from "./run.js";
 import {valueOf} from "./terms.js";
 
@@ -10,13 +11,13 @@ export class Claims {
         this.property = property;
         this.terms = property.terms;
         this.histories = [];
-        for (const node of this.terms) this.histories.push(this.historyOf(node));  // operands stand before what they are of
+        for (const node of this.terms) this.histories.push(this.historyOf(node));  // operands precede their terms
     }
 
     value(term, moment) { return this.histories[term].value(moment); }
-    // The moment from which on it has had its value.
+    // The event since which the term has its current value.
     since(term, moment) { return this.histories[term].since(moment); }
-    // The first state of the model from `moment` on in which it has the value; null: there is none.
+    // The first state of the model from event `moment` on in which the term has this value; null if there is none.
     first(term, value, moment) {
         const history = this.histories[term], {at, values} = history;
         for (let k = Math.max(history.place(moment), 0); k < at.length; ++k) {
@@ -27,14 +28,14 @@ export class Claims {
         return null;
     }
 
-    // The leaves that gave the term its value when it last changed: they changed then, and it could not be what it is without.
+    // The leaves that caused the last change of the term: they changed at that event and are necessary for its value.
     causes(term, moment) {
         const since = this.since(term, moment), found = new Set();
         const seek = (each) => {
             if (this.since(each, since) !== since) return;
             const args = this.terms[each].args ?? [], value = this.value(each, since);
             if (args.length === 0) return found.add(each);
-            // Of an `and` that is false the false ones, of an `or` that is true the true ones; else all.
+            // The false operands of a false `and`, the true operands of a true `or`; otherwise all operands.
             const {op} = this.terms[each], decisive = (op === "and" && value === 0) || (op === "or" && value === 1);
             for (const arg of args) if (!decisive || this.value(arg, since) === value) seek(arg);
         };
@@ -63,7 +64,7 @@ export class Claims {
         return made;
     }
 
-    // Where the run tells of a leaf, and what its values mean.
+    // The history of a leaf in the run, with the interpretation of its values; null if the run does not contain it.
     leaf(node) {
         const {run} = this, {steps, signals, locations} = run, controller = run.controllers[node.controller];
         const known = (history, of = (value) => (value === undefined ? undefined : Number(value))) => history && {history, of};
@@ -83,7 +84,7 @@ export class Claims {
     }
 }
 
-// The terms at one moment, as a tree of terms asks for them.
+// Values of the terms at one event, in the interface that termTree uses.
 export class ClaimReader {
     constructor(claims, moment) { Object.assign(this, {claims, moment}); }
     value(term) { return this.claims.value(term, this.moment); }

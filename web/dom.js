@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Elements of the page, built of names, attributes and text alone: nothing that anybody wrote is ever read as markup.
+// Creates elements of the page from names, attributes and text only: user input is never interpreted as markup.
 
 export function make(tag, attributes = {}, ...children) { return fill(document.createElement(tag), attributes, children); }
 
@@ -16,5 +16,5 @@ function fill(element, attributes, children) {
     return element;
 }
 
-// Text in which backticks enclose code.
+// Converts text to elements; backticks enclose code.
 export const prose = (text) => text.split("`").map((part, k) => (k % 2 === 1 ? make("code", {}, part) : part));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The automaton of an instance of the plant, drawn, with the location lit where it is.
+// View of the automaton of a plant instance, with its current location highlighted.
 import {make} from "./dom.js";
 
 export class InstanceView {
-    // `plant`: per name of an instance the figure of its component. Without any drawing there is no `element`.
+    // `plant`: maps names of instances to figures of their components. `element` is missing if there are no drawings.
     constructor(plant, run) {
         this.run = run;
         this.figures = run.trace.instances.map(({name}) => (Object.hasOwn(plant, name) ? document.querySelector(`#${plant[name]} svg`) : null));
@@ -23,7 +23,7 @@ export class InstanceView {
         const svg = this.figures[instance].cloneNode(true);
         svg.setAttribute("role", "img");
         svg.setAttribute("aria-label", `The automaton of ${this.run.trace.instances[instance].name}`);
-        // The tip of its arrows is that of the drawing it was copied from.
+        // Ids must be unique; arrow heads refer to the marker of the original drawing.
         for (const each of svg.querySelectorAll("[id]")) each.removeAttribute("id");
         this.nodes = [...svg.querySelectorAll("rect.node")];
         this.place.replaceChildren(svg);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A long list of which only what is in sight exists, so that ten thousand rows scroll as ten do.
+// Virtual list: only visible rows exist, so that scrolling is independent of the number of rows.
 import {make} from "./dom.js";
 
-const height = 28;  // of a row, as page.css has it
+const height = 28;  // of a row, the same as in page.css
 
 export class RowList {
-    // `row(k)`: the cells of row k. `choose(k)`: it was clicked.
+    // `row(k)`: returns the contents of row k. `choose(k)`: called when row k is clicked.
     constructor(label, count, row, choose) {
         this.count = count;
         this.row = row;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The page of `serve`: the newest state of the file, asked for again and again, and shown. Everything is built of text; what
-// anybody wrote in a file is never read as markup, save the drawings, which the server made and the browser reads as SVG.
+// The page of `serve`: polls the newest state of the file and shows it. Everything is built from text: the contents of
+// a file are never interpreted as markup, except drawings, which the server generates and the browser parses as SVG.
 import {make, prose} from "./dom.js";
 import {follow, lightStep, lightTransition} from "./marks.js";
 import {Simulator} from "./simulator.js";
@@ -19,7 +19,7 @@ export async function ask(path, body) {
     return answer.json();
 }
 
-// The drawings of the charts, in which steps are lit.
+// The drawings of the charts, with active steps highlighted.
 class Drawings {
     constructor(place) {
         Object.assign(this, {place, reading: null, lit: [], fired: [], marks: []});
@@ -29,7 +29,7 @@ class Drawings {
         if (!state.readable || state.reading === this.reading) return;
         this.reading = state.reading;
         const answer = await ask("/drawings");
-        if (answer.reading !== this.reading || answer.drawings.length !== state.charts.length) return;  // it has changed again
+        if (answer.reading !== this.reading || answer.drawings.length !== state.charts.length) return;  // changed again
         this.marks = (answer.marks ?? []).filter(Boolean);
         this.place.replaceChildren(...state.charts.map((chart, place) => make("figure", {},
             make("figcaption", {}, make("h3", {}, chart.name)),
@@ -69,7 +69,7 @@ const outcomes = {holds: "holds", violated: "is violated", unknown: "is not know
 
 const kindOf = (property) => property.verdict === "unknown" ? "unknown" : property.as_expected ? "good" : "bad";
 
-// The unexpected first, then what is violated as expected, then what holds.
+// Order of properties: unexpected verdicts first, then expected violations, then properties that hold.
 const rank = (property) => ({bad: 0, unknown: 1, good: property.verdict === "violated" ? 2 : 3}[kindOf(property)]);
 
 function propertyElement(property) {
@@ -100,7 +100,7 @@ function modelElement(model) {
         ...[...model.properties].sort((a, b) => rank(a) - rank(b)).map(propertyElement));
 }
 
-// Nothing is well while a part of the file is not judged.
+// Overall result; not positive while a part of the file has no result.
 function verdictWords(state) {
     const are = (count) => count === 1 ? "is" : "are";
     const properties = state.models.flatMap((model) => model.properties);
@@ -143,7 +143,7 @@ class Page {
         this.simulator.take(state);
     }
 
-    // What is there is old, and says so.
+    // Marks the displayed contents as outdated.
     age(old) {
         for (const place of [by("charts"), by("models")]) {
             place.classList.toggle("stale", old);
@@ -157,7 +157,7 @@ class Page {
         by("status").textContent = `\u2717 ${error instanceof TypeError ? "grafverif does not answer any more; start it again and open the address that it prints" : error.message}`;
     }
 
-    // A page that nobody sees asks for nothing: browsers keep only a few connections to one place.
+    // A hidden page does not poll, because browsers limit the number of connections to one server.
     async run() {
         for (let pause = 0;;) {
             if (document.hidden) await new Promise((seen) => document.addEventListener("visibilitychange", seen, {once: true}));

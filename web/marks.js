@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What lights an element of a drawn chart: a class, and a sign beside it, for colour never says it alone.
+// Highlights elements of a drawn chart by a class and by an additional mark, because colour alone is not accessible.
 import {draw} from "./dom.js";
 
-// An active step has a token in it, as IEC 60848 marks it: a dot in the lower half.
+// An active step contains a token as in IEC 60848: a dot in the lower half.
 export function lightStep(group, on) {
     group?.classList.toggle("active", on);
     sign(group, on, "token", (box) => draw("circle", {class: "token", cx: box.x + box.width / 2, cy: box.y + box.height - 7, r: 4}));
@@ -22,7 +22,7 @@ function sign(group, on, name, drawn) {
     if (box && (box.width > 0 || box.height > 0)) group.append(drawn(box));
 }
 
-// Brings the first active step into sight in `view`, without moving the page.
+// Scrolls `view` to the first active step, without scrolling the page.
 export function follow(view, steps) {
     const group = steps.find((step) => step?.classList.contains("active") && step.querySelector(".token"));
     if (!group) return;

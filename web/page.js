@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The page: which run is played, and at which moment, is the page's address. What the page knows stands in its element
-// `data`; see src/page/data.hpp.
+// The page: its address selects the run in the player and its event. The data of the page are in its element `data`;
+// see src/page/data.hpp.
 import {make} from "./dom.js";
 import {Player} from "./player.js";
 import {Decision} from "./terms.js";
@@ -10,7 +10,7 @@ export class Page {
         this.data = data;
         this.place = place;
         this.players = new Map();
-        this.Decision = Decision;  // for who wants to know what a term is worth
+        this.Decision = Decision;  // interface for other scripts: values of terms
         this.select = make("select", {"aria-label": "Run to play", onchange: () => this.open(this.select.value)},
             ...data.runs.map((run) => make("option", {value: run.name}, run.title)));
         this.stage = make("div", {});
@@ -20,14 +20,14 @@ export class Page {
         if (data.runs.length > 0 && !this.follow(true)) this.open(data.runs[0].name, null, true);
     }
 
-    // Arrows move a player that is in sight while nothing has the focus; other keys then scroll the page.
+    // If no element has the focus, arrow keys control a visible player; other keys scroll the page.
     key(event) {
         if (event.target !== document.body || !["ArrowLeft", "ArrowRight"].includes(event.key) || !this.player) return;
         const {top, bottom} = this.player.element.getBoundingClientRect();
         if (top < window.innerHeight && bottom > 0) this.player.key(event);
     }
 
-    // Where the address leads: `#P16/23`.
+    // Shows the run and event of the address: `#P16/23`.
     follow(quiet) {
         let address = "";
         try {
@@ -40,7 +40,7 @@ export class Page {
         if (this.player && this.current === name && `#${address}` === this.written) return true;
         this.open(name, cut < 0 ? null : address.slice(cut + 1), quiet);
         this.place.closest("section")?.scrollIntoView();
-        this.player.element.focus({preventScroll: true});  // so that keys move it
+        this.player.element.focus({preventScroll: true});  // to receive keys
         return true;
     }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The player of one run: the drawn chart, what happened, what is and what changed, why, and the timing diagram, all at
-// one moment. It is moved by buttons, a slider, keys, and addresses (`#P16/23`).
+// The player of one run: the drawn chart, the list of events, values and changes, explanations, and the timing diagram,
+// synchronized at one event. It is controlled by buttons, a slider, keys, and addresses (`#P16/23`).
 import {ChartView} from "./chart.js";
 import {Claims} from "./claims.js";
 import {make} from "./dom.js";
@@ -21,7 +21,7 @@ const keys = {
 };
 
 export class Player {
-    // `moved(address)` is told where the player stands. `live`: a run that may grow, shown at its end.
+    // `moved(address)`: called with the new position of the player. `live`: the run may grow, and its end is shown.
     constructor(page, data, moved) {
         this.page = page;
         this.run = new Run(data);
@@ -119,7 +119,7 @@ export class Player {
         action(this);
     }
 
-    // The moments at which the player stops: behind each row shown, or each move.
+    // Computes the events at which the player stops: after each displayed row, or after each move.
     restep() {
         this.stops = this.everyMove || this.run.shown.length === 0 ? this.run.times.map((_, m) => m)
             : this.run.shown.map((row) => this.run.rowMoments[row]);
@@ -131,7 +131,7 @@ export class Player {
         this.go(this.moment);
     }
 
-    // The last stop at `moment` or before it.
+    // The last stop at or before the current event.
     stop() {
         let low = 0, high = this.stops.length;
         while (low < high) {
@@ -180,7 +180,7 @@ export class Player {
         this.moved(this.run.address(this.moment));
     }
 
-    // The moments that the stop sums up.
+    // The events that belong to the stop.
     range() {
         const stop = this.stop();
         const begin = this.stops[stop] < this.moment ? this.stops[stop] + 1 : stop === 0 ? 0 : this.stops[stop - 1] + 1;
@@ -208,14 +208,14 @@ export class Player {
 
     words() {
         const row = this.run.rows[this.run.rowOf(this.moment)];
-        const inside = row && row.moment !== this.moment;  // then most of what the row tells is still to come
+        const inside = row && row.moment !== this.moment;  // then most events of the row are still to come
         const told = inside ? this.moveWords() : row ? [row.words, this.inputWords(), row.cleared && `cleared: ${row.cleared}`].filter(Boolean).join(" — ") : "";
         const loop = this.run.loopMoment(), ever = loop !== null && this.moment >= loop ? " From here on for ever." : "";
         const end = this.moment === this.run.last && this.run.data.end ? ` ${this.run.data.end}.` : "";
         const move = this.everyMove && !inside ? ` [${this.moveWords()}]` : "";
         return `${this.run.timeText(this.moment)}: ${told || "power on"}.${move}${ever}${end}`;
     }
-    // The inputs that change here, each with its new value; at power-on nothing changes.
+    // The inputs that change here, with their new values; empty at power-on.
     inputWords() {
         const {from} = this.range(), {run} = this;
         if (from === 0) return "";
@@ -289,7 +289,7 @@ export class Player {
         }));
         if (wanted.length === 0) this.why.textContent = "No transition is enabled.";
     }
-    // Those cleared here, then those enabled.
+    // Cleared transitions first, then enabled ones.
     interesting() {
         const cleared = [], enabled = [];
         this.run.controllers.forEach((controller, number) => this.chartOf(number).transitions.forEach((transition, place) => {

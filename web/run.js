@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A run as the page asks for it: what everything was at a moment. Each signal, step and instance keeps the moments at
-// which it changed and what it became, so that any moment is found by bisection, however long the run.
+// A run with access to all values at an event. Each signal, step and instance stores the events at which it changed with
+// its new values. A value is found by bisection, independently of the length of the run.
 //
-// A moment is one thing that happened (docs/trace.md); a row sums up moments. The player stands at a moment: in steps of
-// rows, or of single moves.
+// A `moment` is the index of an event (docs/reference/trace-format.md); a row summarizes events. The player moves in
+// steps of rows, or of single moves.
 
 export class History {
     constructor(first) {
@@ -24,7 +24,7 @@ export class History {
     changes() { return this.at.length > 1; }
 }
 
-// The place of the last number of a rising list that is at most `limit`; -1: none is.
+// Index of the last number <= `limit` in an increasing list; -1 if there is none.
 function lastAtMost(list, limit) {
     let low = 0, high = list.length;
     while (low < high) {
@@ -50,7 +50,7 @@ export class Run {
         this.rowMoments = data.rows.map((row) => row.moment);
     }
 
-    // An observer watches for a property: it is not a part of the loop.
+    // An observer monitors a property; it does not belong to the loop.
     isShown(instance) { return this.trace.instances[instance].kind !== "observer"; }
 
     readMoments() {
@@ -88,10 +88,10 @@ export class Run {
     isActive(step, moment) { return this.steps[step].value(moment); }
     situation(moment) { return this.steps.flatMap((history, step) => (history.value(moment) ? [step] : [])); }
 
-    // What the controller last read, at `moment` or before.
+    // The last sampling of the controller at or before `moment`.
     sampled(controller, moment) { return this.lastOf(this.samples[controller], moment); }
     evolved(controller, moment) { return this.lastOf(this.evolutions[controller], moment); }
-    // Whether it has read inputs for an evolution that is still to come.
+    // True if it has sampled its inputs for an evolution that is still to come.
     isToEvolve(controller, moment) {
         const read = this.sampled(controller, moment), made = this.evolved(controller, moment);
         return read !== null && (made === null || made.moment < read.moment);
@@ -106,24 +106,24 @@ export class Run {
         return low === 0 ? null : list[low - 1];
     }
 
-    // What the timer has become behind `from`, up to `to`; null: no delay of it ended.
+    // The last value that the timer got after `from`, up to `to`; null if it did not expire.
     timerEnded(timer, from, to) {
         for (let m = to; m > from; --m)
             if (this.trace.moments[m].timer === timer) return this.trace.moments[m].timer_holds;
         return null;
     }
 
-    // How many evolutions of the controller the moment sums up.
+    // Number of evolutions of the controller in the event.
     evolutionsIn(controller, moment) {
         return this.trace.moments[moment].acts.filter((act) => act.controller === controller && act.does.includes("evolve")).length;
     }
 
-    // The row that tells `moment`: the first that ends there or behind.
+    // The row of `moment`: the first that ends at or after it.
     rowOf(moment) { return Math.min(lastAtMost(this.rowMoments, moment - 1) + 1, this.rows.length - 1); }
-    // The first moment that belongs to the row.
+    // The first event of the row.
     beginOf(row) { return row === 0 ? 0 : this.rowMoments[row - 1] + 1; }
 
-    // The transitions cleared in a range of moments: how many times, and when last.
+    // The transitions cleared in a range of events, with the number of times and the last event.
     cleared(from, to) {
         const found = new Map();
         for (let m = from; m <= to; ++m)
@@ -133,7 +133,7 @@ export class Run {
         return found;
     }
 
-    // `23` is the state behind row 23, `23+2` two moves later.
+    // `23` is the state after row 23, `23+2` two moves later.
     address(moment) {
         const row = lastAtMost(this.rowMoments, moment);
         const beyond = row < 0 ? moment : moment - this.rowMoments[row];

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The simulator: a list of moves, each a line of a script that `grafverif simulate` takes. The server makes them, from the
-// power-on on, and says what there is to see; going back is a shorter list, and the list is the page's address.
+// The simulator: a list of moves, each a line of a script for `grafverif simulate`. The server executes them from
+// power-on and returns the state to show. Going back shortens the list. The list is part of the page's address.
 
 import {make} from "./dom.js";
 
 const seconds = (milliseconds) => `${milliseconds / 1000} s`;
 
 export class Simulator {
-    // `ask(request)`: the answer of the server. `light(steps, transitions)`: ids to be lit in the drawings.
+    // `ask(request)`: returns the response of the server. `light(steps, transitions)`: highlights these ids in the
+    // drawings.
     constructor(place, ask, light) {
         Object.assign(this, {place, ask, light, of: null, moves: [], undone: [], answer: null, cursor: null, asked: 0, answers: 0, seed: 1, pressed: false});
         this.build();
@@ -15,7 +16,7 @@ export class Simulator {
         window.addEventListener("hashchange", () => { if (location.hash !== this.written) { this.follow(); this.play(); } });
     }
 
-    // What stands there all the time
+    // Permanent elements
 
     build() {
         const button = (words, press, title) => make("button", {type: "button", onclick: press, title}, words);
@@ -59,12 +60,12 @@ export class Simulator {
         this.place.replaceChildren(this.controls, this.clock, this.problem, this.trial, this.warning, this.panel, make("h3", {}, "What has happened"), this.table);
     }
 
-    // The state of the file is another one: the same moves are made on it.
+    // Repeats the moves on a new state of the file.
     take(state) {
         const known = JSON.stringify([state.readable, state.complaints, state.charts.map((chart) => chart.name), state.models.map((model) => model.name)]);
         const first = this.seen === undefined;
         if (state.readable) this.offer(state);
-        // Verdicts come one after the other; the file is what it was.
+        // Only verdicts were added; the file is unchanged.
         if (!first && known === this.seen && !this.changed(state)) return;
         this.seen = known;
         this.play();
@@ -84,7 +85,7 @@ export class Simulator {
             this.offered = JSON.stringify(all);
             this.select.replaceChildren(...all.map(([value, words]) => make("option", {value}, words)));
         }
-        // Where nothing can be simulated for a while, it stays known what was, and its moves.
+        // If temporarily no model can be simulated, the selection and its moves are kept.
         if (all.length > 0 && !all.some(([value]) => value === this.of)) {
             this.of = all[0][0];
             this.moves = [];
@@ -95,7 +96,7 @@ export class Simulator {
 
     // Moves
 
-    // Of a loop other moves are possible then.
+    // For a closed loop this changes the possible moves.
     setEvery(on) {
         this.every.checked = on;
         this.set(this.of?.startsWith("loop:") ? [] : this.moves);
@@ -133,17 +134,18 @@ export class Simulator {
         try {
             answer = await this.ask({[kind]: name, moves: this.moves, random, seed: this.seed, everything});
             const {problem, moves} = answer;
-            // A move that could not be made is no part of the list.
+            // A move that failed is removed from the list.
             if (problem && moves.length > 0) answer = {...await this.ask({[kind]: name, moves: moves.slice(0, -1), everything}), problem};
         } catch (error) {
             answer = {complaint: error.message};
         }
-        if (turn !== this.asked) return;  // another one was asked meanwhile
+        if (turn !== this.asked) return;  // superseded by a newer request
         if (answer.complaint) {
             this.problem.textContent = answer.complaint;
             return;
         }
-        // What the file as it is now does not allow can be made again when it is another one; but not a wrong move.
+        // Moves that the current file does not allow can be redone after a change of the file, except an invalid new
+        // move.
         this.undone = [...wanted.slice(answer.moves.length + (pressed ? 1 : 0)), ...this.undone];
         this.show(answer);
     }
@@ -212,7 +214,7 @@ export class Simulator {
         if (held) (this.panel.querySelector(`[data-signal="${CSS.escape(held)}"]`) ?? this.panel.querySelector(`[data-command="${CSS.escape(held)}"]`))?.focus();
     }
 
-    // What has happened, row by row
+    // Rows of the run
 
     showRows(answer) {
         this.rows.replaceChildren(...answer.rows.map((row, place) => make("tr", {class: row.trial ? "trial" : null, onclick: () => this.point(place)},
@@ -239,7 +241,7 @@ export class Simulator {
         this.point(to);
     }
 
-    // The session as an address, and as a script
+    // The session as an address and as a script
 
     write() {
         this.written = `#${this.every.checked ? "every" : "sim"}=${encodeURIComponent([this.of, ...this.moves].join("\n"))}`;

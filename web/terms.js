@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The value of a term, and of each term in it, at a moment of a run: so that "why was it not cleared" is answered by
-// pointing. A controller decides on what it last read of the plant, not on what the plant is now; properties are about
-// what is (claims.js). What cannot be known of the run is `undefined`, never a guess.
+// Values of a term and its subterms at an event of a run, to explain why a transition was not cleared. A controller
+// evaluates its last samples of the plant, not the current values; properties use current values (claims.js). Values
+// that the run does not determine are `undefined`, never guessed.
 //
-// The rules are those of IEC 60848 as `run/reader.cpp` has them: an edge is true in the evolution behind the change,
-// `t1/v/t2` without t2 asks for v besides the end of its delay.
+// The rules are those of IEC 60848 as in `run/reader.cpp`: an edge is true in the evolution after the change, and
+// `t1/v/t2` without t2 requires v in addition to the output of its timer.
 
-// How the terms of one chart are to be read: by `controller` at `moment`.
+// Evaluates the terms of a chart as `controller` does at `moment`.
 export class Decision {
-    // `before`: the evolution at `moment` has not yet been made.
+    // `before`: evaluates before the evolution at `moment`.
     constructor(run, chart, controller, moment, before) {
         this.run = run;
         this.chart = chart;
@@ -39,7 +39,7 @@ export class Decision {
         return undefined;
     }
 
-    // A run that tells no readings (evidence of `analyse`) has one evolution behind the other on the inputs of the moment.
+    // A run without samples (evidence of `analyse`) consists of consecutive evolutions on the inputs of the event.
     input(place) {
         return this.read ? this.read.act.inputs[place] : this.run.value(this.controller.inputs[place], this.moment);
     }
@@ -53,7 +53,7 @@ export class Decision {
         if (this.earlier === null) return null;
         const {moment} = this.earlier, several = this.run.evolutionsIn(this.number, moment) > 1;
         if (several && this.earlier.act.fired.length > 0) return null;
-        // The last of several evolutions changed nothing: what was before it is what is behind it.
+        // The last of several evolutions changed nothing: the values before and after it are equal.
         this.past ??= new Decision(this.run, this.chart, this.number, moment, !several);
         return this.past;
     }
@@ -68,14 +68,15 @@ export class Decision {
         return this.value(condition.watched);
     }
 
-    // Whether what the condition watches has become true since the ends of timers were read; none is in the first evolution.
+    // True if the observed term has become true since the timers were sampled; they are not in the first evolution.
     beganSinceRead({watched}) {
         if (this.value(watched) !== 1) return false;
         const {act, moment} = this.read;
         return act.timers.length === 0 || new Decision(this.run, this.chart, this.number, moment, true).value(watched) !== 1;
     }
 
-    // A continuous output is what its actions say now, not what was written last; a stored one is its image.
+    // A continuous output has the current value of its actions, not the last written one; a stored one that of its
+    // image.
     output(node) {
         if (node.stored) {
             const image = this.controller.images[node.place];
@@ -91,7 +92,7 @@ export class Decision {
         return unknown ? undefined : 0;
     }
 
-    // What else there is to say of a leaf.
+    // Additional remarks about a leaf.
     remark(node) {
         if (node.op === "input" && this.read) {
             const signal = this.controller.inputs[node.place], now = this.run.value(signal, this.state);
@@ -101,7 +102,7 @@ export class Decision {
         if (node.op === "timed") return [this.reading(node), this.age(this.chart.timed[node.place])].filter(Boolean).join("; ");
         return "";
     }
-    // What a timer has become since its end was read.
+    // Change of a timer's output since it was sampled.
     reading(node) {
         const place = this.run.data.conditions[this.number][node.place];
         if (!this.read || place === undefined || place === null) return "";
@@ -134,7 +135,7 @@ const arithmetic = {
     "greater-equal": (a, b) => Number(a >= b),
 };
 
-// `reader` knows the values of terms, each worked out once, and of leaves.
+// `reader` provides the values of terms, each computed once, and of leaves.
 export function valueOf(reader, node) {
     if (node.op === "constant") return node.value;
     if (node.op === "rise" || node.op === "fall" || !node.args) return reader.leaf(node);
@@ -150,7 +151,7 @@ export function valueOf(reader, node) {
     return node.op === "negate" ? -values[0] : arithmetic[node.op]?.(...values);
 }
 
-// One operand decides an `and` (false) or an `or` (true), whatever the others are.
+// A single operand determines an `and` (false) or an `or` (true).
 function decided(values, decisive) {
     if (values.includes(decisive)) return decisive;
     return values.includes(undefined) ? undefined : 1 - decisive;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Why: a term unfolded into its terms, each with its value; a property with the term that made it false.
+// Explanations: the tree of a term with all values; a property with the terms that made it false.
 import {make, prose} from "./dom.js";
 import {ClaimReader, sinceWords} from "./claims.js";
 import {Decision} from "./terms.js";
@@ -11,7 +11,8 @@ function valueWords(node, value) {
     return node.boolean ? (value ? "true" : "false") : `${value}`;
 }
 
-// `reader` gives values and remarks. Terms of a conjunction or disjunction are folded below it. `faulty`: false is a fault.
+// `reader` provides values and remarks. Operands of a conjunction or disjunction can be collapsed. `faulty`: the value
+// false is shown as a fault.
 function termTree(terms, term, reader, {faulty = true, open = true} = {}) {
     const node = terms[term], value = reader.value(term);
     const state = value === undefined ? "unknown" : node.boolean ? (value ? "true" : "false") : "number";
@@ -29,7 +30,7 @@ function termTree(terms, term, reader, {faulty = true, open = true} = {}) {
     return make("li", {class: kind}, make("details", {open}, make("summary", {}, ...line), below));
 }
 
-// Why the transition is cleared, or is not. `cleared`: how many times in what is shown, and when last.
+// Explains why the transition is cleared or not. `cleared`: number of times in the displayed range, and the last event.
 export function whyTransition(run, chart, controller, place, moment, cleared) {
     const transition = chart.transitions[place];
     const name = run.controllers.length > 1 ? `${run.controllers[controller].name}: ${transition.name}` : transition.name;
@@ -53,7 +54,7 @@ export function whyTransition(run, chart, controller, place, moment, cleared) {
     return make("div", {}, make("p", {class: "answer"}, verdict(name, cleared, value, missing.map((step) => chart.steps[step]), reader)), list);
 }
 
-// Inputs are read anew before an evolution: what it clears is settled from then on only.
+// Inputs are sampled before each evolution; only then it is determined which transitions it clears.
 function verdict(name, cleared, value, missing, {run, number, moment, read}) {
     if (cleared?.times > 1)
         return `${name} is cleared ${cleared.times} times here; this is the last: before that, this is how its condition stood.`;
@@ -66,7 +67,7 @@ function verdict(name, cleared, value, missing, {run, number, moment, read}) {
     return `${name} is enabled; on the inputs ${read ? "last read" : "as they are"} its condition is true.`;
 }
 
-// Where false is what the claim wants, or nothing against it.
+// True if the operand may be false without contradicting the property.
 const mayBeFalse = ({pattern, headings}, operand) =>
     headings || ["never", "exactly-one"].includes(pattern) || (pattern === "leads-to" && operand === 0);
 
@@ -80,7 +81,7 @@ const wordsOf = {
     "always-possible": ["must stay possible"],
 };
 
-// What a property says, at `moment`, since when, and what made it so. `decisive`: where a counterexample decides it.
+// Explains a property at `moment`: its value, since when, and the causes. `decisive`: the event that decides it.
 export function whyProperty(claims, moment, decisive, go) {
     const {run, property} = claims;
     const words = property.headings ?? wordsOf[property.pattern] ?? [], when = property.at_stable ? " in settled states" : "";
@@ -101,7 +102,7 @@ export function whyProperty(claims, moment, decisive, go) {
                 ...parts.flat(), ...causes(run, moment, link));
 }
 
-// How a sentence that an observer checks is violated, event by event.
+// The violation of a property with an observer, event by event.
 function violation({data}, link) {
     if (!data.violation) return [];
     const steps = data.violation.steps.flatMap(({moment, words}, k) =>
@@ -109,7 +110,7 @@ function violation({data}, link) {
     return [make("p", {class: "violation"}, ...steps, ".")];
 }
 
-// The values that make it fail, each with a way to where it begins, and what could have been left out.
+// The causes of the violation with links to their first events, and avoidable changes.
 function causes(run, moment, link) {
     const {causes, left_out = [], left_out_values = []} = run.trace, parts = [];
     const when = (m) => (m === 0 ? "power-on" : run.timeText(m));
@@ -133,7 +134,7 @@ function causes(run, moment, link) {
     return parts;
 }
 
-// How a violated property stands at the moment.
+// Position of the current event relative to the decisive one.
 function standing({pattern, at_stable, headings}, moment, decisive, link, run) {
     const there = decisive === 0 ? "power-on" : run.timeText(decisive);
     const said = (before, here, behind) => make("p", {class: "standing"},
@@ -147,8 +148,8 @@ function standing({pattern, at_stable, headings}, moment, decisive, link, run) {
     return said("Not violated yet; it will be at", "Here it is violated first.", "First violated at");
 }
 
-// The moment that decides a violated property: where the bad thing is, or from where the good one never comes. A run does
-// not tell of every moment whether its situation is settled; of the last one of a bad thing that is settled, it is known.
+// The event that decides a violated property: the bad state, or the last event after which the good one never follows.
+// A run does not contain for every event if the state is quiescent; for a violation `at stable` it is known at its end.
 export function decisiveMoment(claims) {
     const {run, property} = claims;
     if (property.operands.length === 0) return null;
