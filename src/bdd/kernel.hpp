@@ -16,7 +16,7 @@
 
 namespace grafverif::bdd {
 
-/// A pending call of an operation; all members are edges, so that collection can mark them.
+/// A pending call of an operation; operands and results are edges, so that collection can mark them.
 struct Frame {
     Edge f = 0, g = 0, h = 0;            ///< its operands
     Edge low = 0;                        ///< result of the low branch, valid if `has_low`
