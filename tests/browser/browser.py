@@ -40,15 +40,15 @@ SCHEMES = ("light", "dark")
 SWITCHES = [
     "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-dev-shm-usage",
     "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-extensions",
-    # A request that leaves the machine is a fault; it is not to reach anybody either.
+    # A request that leaves the machine is an error, and is blocked.
     "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1, EXCLUDE localhost",
 ]
-# Both programs by their places: they are built together, and a wrapper of another system (a snap) is none of them.
+# Absolute paths of both programs: they belong together, and wrappers of other packaging systems (snap) are excluded.
 CHROMIUM, DRIVER = "/usr/bin/chromium", "/usr/bin/chromedriver"
 
 
 def why_not():
-    """Why no page can be looked at here; empty: it can."""
+    """Reason why no browser is available; empty if one is."""
     if webdriver is None:
         return f"{sys.executable} has no Selenium (Debian: python3-selenium)"
     for place, package in ((CHROMIUM, "chromium"), (DRIVER, "chromium-driver")):
@@ -58,15 +58,15 @@ def why_not():
 
 
 def run(*arguments, code=0, folder=None):
-    """What grafverif prints; it must end with `code`, where one is given."""
+    """The output of grafverif; it must exit with `code`, if given."""
     done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=folder, timeout=60)
     assert code is None or done.returncode == code, f"grafverif {arguments} ends with {done.returncode}: {done.stdout}{done.stderr}"
     return done.stdout
 
 
 def eventually(question, seconds=10, what=""):
-    """The first answer of `question` that counts as true; it is asked again until it gives one. An element that the page
-    replaces meanwhile is no answer."""
+    """The first true result of `question`, which is called repeatedly. Elements that the page replaces during
+    a call are ignored."""
     end = time.monotonic() + seconds
     while True:
         try:
@@ -88,7 +88,7 @@ def leaves_the_machine(address):
 
 @contextlib.contextmanager
 def folder_served(folder):
-    """The files of `folder` at the address that this gives."""
+    """Serves the files of `folder` at the yielded address."""
     class Quiet(SimpleHTTPRequestHandler):
         def log_message(self, *_):
             pass
@@ -105,14 +105,14 @@ def folder_served(folder):
 
 
 def temporary_folder(case):
-    """A folder that is gone behind the test."""
+    """A temporary folder, removed after the test."""
     folder = tempfile.mkdtemp(prefix="grafverif-browser-")
     case.addCleanup(shutil.rmtree, folder, ignore_errors=True)
     return pathlib.Path(folder)
 
 
 class Server:
-    """`grafverif serve FILE`, and where it is."""
+    """`grafverif serve FILE`, and its address."""
 
     def __init__(self, file, *options, **how):
         self.process = subprocess.Popen([PROGRAM, "serve", str(file), *options], stdout=subprocess.PIPE, text=True, **how)
@@ -128,7 +128,7 @@ class Server:
 
 
 class Page:
-    """One window, and what happened in it."""
+    """One window, with its console and network events."""
 
     def __init__(self, driver):
         self.driver = driver
@@ -138,7 +138,7 @@ class Page:
             address = address.resolve().as_uri()
         self.driver.get(address)
 
-    # What is there
+    # Contents
 
     def script(self, text, *arguments):
         return self.driver.execute_script(text, *arguments)
@@ -162,10 +162,10 @@ class Page:
         eventually(lambda: part in (self.text(selector) or ""), seconds, f"`{part}` in {selector}")
 
     def press(self, *keys):
-        """Keys go to whatever has the focus, as a user's do."""
+        """Sends keys to the focused element."""
         self.driver.switch_to.active_element.send_keys(*keys)
 
-    # How it is looked at
+    # Display
 
     def size(self, name):
         width, height = SIZES[name]
@@ -180,19 +180,19 @@ class Page:
         return base64.b64decode(self.driver.execute_cdp_cmd("Page.printToPDF", {"printBackground": True})["data"])
 
     def screenshot(self, name):
-        """Kept where GRAFVERIF_SCREENSHOTS names a folder."""
+        """Saves a screenshot if GRAFVERIF_SCREENSHOTS names a folder."""
         folder = os.environ.get("GRAFVERIF_SCREENSHOTS")
         if folder:
             self.driver.save_screenshot(str(pathlib.Path(folder) / f"{name}.png"))
 
-    # What happened
+    # Events
 
     def errors(self):
-        """Of the console, since the last call."""
+        """Console errors since the last call."""
         return [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] == "SEVERE"]
 
     def requests(self):
-        """Addresses asked for, since the last call."""
+        """Requested addresses since the last call."""
         asked = []
         for entry in self.driver.get_log("performance"):
             message = json.loads(entry["message"])["message"]
@@ -203,7 +203,7 @@ class Page:
         return asked
 
 
-# What is wrong with the texts of an SVG, in words: out of the page, or over another text.
+# Faults of the texts of an SVG: outside the page, or overlapping another text.
 SVG_FAULTS = """
 const svg = document.querySelector('svg'), page = svg.getBoundingClientRect();
 const texts = [...svg.querySelectorAll('text')].filter(t => t.textContent.trim())
@@ -222,7 +222,7 @@ for (let i = 0; i < level.length; ++i)
 return faults.slice(0, 20);
 """
 
-# Texts whose contrast with what is behind them is less than 4.5 to 1, or 3 to 1 where they are large (WCAG 2.1, 1.4.3).
+# Texts whose contrast with the background is less than 4.5 to 1, or 3 to 1 for large text (WCAG 2.1, 1.4.3).
 FAINT_TEXTS = """
 const colour = text => { const n = text.match(/[\\d.]+/g).map(Number); return n.length < 4 ? [...n, 1] : n; };
 const over = (a, b) => [0, 1, 2].map(k => a[k] * a[3] + b[k] * (1 - a[3])).concat(1);
@@ -246,8 +246,8 @@ for (const e of document.querySelectorAll('body *')) {
 return faults.slice(0, 20);
 """
 
-# What a screen reader could not tell: things to press or fill in that have no name, pictures without one, a page without
-# language, title, main part or heading; ids that are there twice.
+# Accessibility faults: controls, fields and pictures without a name, a page without language, title, main element or
+# heading; duplicate ids.
 UNNAMED = """
 const faults = [];
 const named = e => (e.getAttribute('aria-label') || e.textContent || e.title || '').trim() ||
@@ -267,7 +267,7 @@ for (const e of document.querySelectorAll('[id]')) { if (ids.has(e.id)) faults.p
 return faults.slice(0, 20);
 """
 
-# By how many pixels the page is wider than its window.
+# Number of pixels by which the page is wider than its window.
 EXCESS_WIDTH = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Drawn charts as a browser sets them: texts fit, whichever of the fonts it has."""
+"""Drawn charts in a browser: texts fit with each of the fonts."""
 import browser
 
 # Names of steps and labels of actions that reach beyond their boxes.

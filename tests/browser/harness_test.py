@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What all tests in a browser rest on: it sees what it is there to see."""
+"""Tests of the browser harness: each of its checks detects its fault."""
 import browser
 
 

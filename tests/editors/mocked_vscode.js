@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the client and vscode-languageclient use of the module `vscode`, which exists inside VS Code only: documents that
-// are open, providers that are remembered, classes that keep what they are made of. No window, no key, no colour.
+// Mock of the module `vscode`, which exists only inside VS Code, as far as the client and vscode-languageclient use it:
+// open documents, recorded providers, and classes that store their arguments. No user interface.
 "use strict";
 const Module = require("module");
 const { EventEmitter } = require("events");
@@ -39,13 +39,13 @@ const event = (name) => (listener, self) => {
     return new Disposable(() => events.off(name, call));
 };
 
-/// A class that keeps its arguments, an enumeration whose members are numbers, as the need be.
+/// A class that stores its arguments, also usable as an enumeration whose members are numbers.
 function anything(name) {
     const made = { [name]: class { constructor(...given) { this.given = given; } } }[name];
     return new Proxy(made, { get: (target, key) => (key in target || typeof key === "symbol" ? target[key] : 0) });
 }
 
-/// `known`, and for other names what a thing of that name is: `onDid...` an event, `register...` a registration.
+/// `known`, and for other names a member chosen by the name: `onDid...` an event, `register...` a registration.
 function namespace(known, seen) {
     return new Proxy(known, {
         get(target, name) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// tokens.js FILE...: how the TextMate grammar colours each file, by the engine of VS Code itself. A line is
-// `LINE:COLUMN CATEGORY TEXT`; plain names and punctuation have none. tokens.vim says the same of Vim's syntax.
+// tokens.js FILE...: prints the highlighting of each file by the TextMate grammar, with the engine of VS Code. A line
+// is `LINE:COLUMN CATEGORY TEXT`; names and punctuation are omitted. tokens.vim prints the same for Vim's syntax.
 "use strict";
 const fs = require("fs");
 const path = require("path");
@@ -40,7 +40,7 @@ async function grammar() {
     return registry.loadGrammar("source.grafcet");
 }
 
-/// Runs of one category in a line; white space ends a run but in comments and strings.
+/// Runs of one category in a line; white space ends a run except in comments and strings.
 function runs(line, colours) {
     const characters = [...line];
     const found = [];

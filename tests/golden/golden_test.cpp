@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The whole translation of each sample in one folder: tests/golden/<sample>/. GRAFVERIF_UPDATE_GOLDEN=1 rewrites the
-// files instead of comparing; review the difference before committing it.
+// All stages of the translation of each sample: tests/golden/<sample>/. GRAFVERIF_UPDATE_GOLDEN=1 rewrites the files
+// instead of comparing; review the difference before committing it.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -81,7 +81,7 @@ TEST_P(Golden, EveryStageIsAsReviewed) {
     EXPECT_FALSE(job.diagnostics.has_errors());
     CheckOptions options;
     options.witnesses = false;
-    if (stem == "transfer_line")  // the whole has too many states: what is safe is found out by cells
+    if (stem == "transfer_line")  // too many states; safety is checked by localization
         for (const Property& property : network->properties)
             if (property.pattern == Pattern::Never) options.properties.push_back(property.name);
     const auto report = grafverif::check(*model, *loop, {}, options, job.diagnostics);

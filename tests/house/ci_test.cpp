@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What runs in continuous integration runs here: the steps of the action, the scripts of the template, the entries of the
-// hooks, by a shell, on charts with and without faults.
+// Executes the parts of continuous integration in a shell, on charts with and without faults: the steps of the action,
+// the scripts of the template, the entries of the hooks.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -30,13 +30,13 @@ std::vector<std::string> lines_of(const fs::path& file) {
 
 std::size_t indent(const std::string& line) { return std::min(line.find_first_not_of(' '), line.size()); }
 
-/// The value behind `key` in `line`, or nothing.
+/// The value after `key` in `line`, or empty.
 std::string value(const std::string& line, const std::string& key) {
     const std::size_t at = line.find(key);
     return at == std::string::npos ? "" : line.substr(at + key.size());
 }
 
-/// A project with these charts in a folder of its own, and a shell in it.
+/// A project with these charts in a separate folder, and a shell in it.
 class Project {
 public:
     explicit Project(const std::map<std::string, std::string>& charts) {
@@ -90,7 +90,7 @@ std::map<std::string, std::string> faulty() {
     return {{"charts/gate.grafcet", gate}, {"charts/gate_controller.grafcet", wrong}};
 }
 
-/// A step of the action: `env` with the inputs as given, or as they are by themselves.
+/// A step of the action: `env` with the given inputs, or their defaults.
 struct Step {
     std::string name = {}, script = {};
     std::map<std::string, std::string> environment = {};
@@ -100,7 +100,7 @@ std::vector<Step> steps_of_action() {
     std::map<std::string, std::string> inputs;
     std::vector<Step> steps;
     std::string input;
-    std::size_t block = 0;  // the indent of the `run: |` that we are in
+    std::size_t block = 0;  // indentation of the current `run: |`
     for (const std::string& line : lines_of(root / "action.yml")) {
         if (block != 0 && (line.empty() || indent(line) > block)) {
             steps.back().script += (line.size() > block + 2 ? line.substr(block + 2) : "") + "\n";
@@ -153,7 +153,8 @@ TEST(Ci, AMisspeltStepOfTheActionIsAnError) {
     }
 }
 
-/// Lines of a log that GitHub would obey: those that begin with `::`, or hold `##[`, unless commands are stopped.
+/// Lines of a log that GitHub would interpret: those that begin with `::`, or contain `##[`, unless commands are
+/// stopped.
 std::vector<std::string> workflow_commands(const std::string& log) {
     std::vector<std::string> obeyed;
     std::istringstream in(log);

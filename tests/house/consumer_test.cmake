@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Installs BUILD into a folder of its own, builds the consumer against it and runs it.
+# Installs BUILD into a separate folder, builds the consumer against it and runs it.
 set(work "${BUILD}/consumer-test")
 file(REMOVE_RECURSE "${work}")
 function(run)

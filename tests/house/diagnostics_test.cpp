@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every kind of diagnostic a user can meet is shown by a reject: tests/rejects/<code>[-n].grafcet.
+// Every diagnostic code has a test: tests/rejects/<code>[-n].grafcet.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The codes that src/support/messages*.cpp hand out: the first string of each error(...) or warning(...).
+/// The codes in src/support/messages*.cpp: the first string of each error(...) or warning(...).
 std::set<std::string> codes() {
     static const std::regex pattern(R"re((?:error|warning)\(\s*"([a-z0-9-]+)")re");
     std::string text;
@@ -27,8 +27,8 @@ std::set<std::string> codes() {
     return found;
 }
 
-/// What no chart alone can show: files that are missing, too large or cannot be written, choices of the command line,
-/// programs that are not installed, and what one target cannot say (see unit_app).
+/// Codes that need more than a chart: files that are missing, too large or cannot be written, options of the command
+/// line, programs that are not installed, and restrictions of one target (see unit_app).
 const std::set<std::string> of_the_world = {
     "cannot-read",      "cannot-write",    "too-large",      "no-closed-loop",         "no-such-choice",
     "ambiguous-choice", "not-expressible", "bad-sequence",   "not-in-structured-text", "cannot-run",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The words of editors are those of the lexer: editors/words.json is the table, grammars/grafcet.ll decides. Whether the
-// editors colour them where they stand is tested by the editors' own engines, in tests/editors.
+// The keywords of editors, in editors/words.json, equal those of grammars/grafcet.ll. Highlighting is tested with the
+// engines of the editors in tests/editors.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -46,13 +46,13 @@ TEST(Editors, KnowTheWordsOfTheLexer) {
 TEST(Editors, NameEachWordInBothGrammars) {
     for (const char* name : {"editors/vscode/syntaxes/grafcet.tmLanguage.json", "editors/vim/syntax/grafcet.vim"}) {
         std::string text = text_of(root / name);
-        text = std::regex_replace(text, std::regex(R"(\\+[bs])"), " ");  // of `\bleads\s+to\b` no letter is a word's
+        text = std::regex_replace(text, std::regex(R"(\\+[bs])"), " ");  // removes the escapes of `\bleads\s+to\b`
         const std::set<std::string> known = matches_of(text, std::regex("([A-Za-z_]+)"));
         for (const std::string& word : words_of_table()) EXPECT_TRUE(known.contains(word)) << word << " in " << name;
     }
 }
 
-/// What VS Code writes for a snippet whose fields are left as they are.
+/// The text that VS Code inserts for a snippet with unchanged fields.
 std::string expanded(std::string text) {
     std::map<std::string, std::string> fields;
     const std::regex field(R"(\$\{(\d+)(?::([^{}$]*)|\|([^,|]*)[^}]*)\})");
@@ -65,7 +65,7 @@ std::string expanded(std::string text) {
     return text;
 }
 
-/// A file in which `text` may stand.
+/// A file in which `text` is valid.
 std::string in_place(const std::string& text) {
     if (std::regex_search(text, std::regex("^(//|grafcet|component|closed_loop)"))) return text;
     if (text.starts_with("property")) return "closed_loop l {\n" + text + "\n}";

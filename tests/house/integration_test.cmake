@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-# samples/integration as a project of somebody who has installed the package: built by Ninja, by CMake's Makefiles, and by
-# its own Makefile; after each change exactly what it concerns is made anew, and what is wrong fails the build.
+# samples/integration as a project of a user who has installed the package: built by Ninja, by CMake's Makefiles, and by
+# its Makefile. After each change exactly the dependent files are built again, and errors fail the build.
 set(work "${BUILD}/integration-test")
 file(REMOVE_RECURSE "${work}")
 set(ENV{PATH} "${work}/prefix/bin:$ENV{PATH}")
 
-# run(COMMAND...): sets output and result; must_run: it ends well.
+# run(COMMAND...): sets output and result; must_run: requires success.
 function(run)
     execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
     set(result "${result}" PARENT_SCOPE)
@@ -31,7 +31,7 @@ function(expect_output pattern)
     endif()
 endfunction()
 
-# What was made of these files since the last call: marks each, and tells which have lost their mark.
+# The files that were built since the last call: marks each file, and returns those without a mark.
 function(made_anew folder)
     set(made "")
     foreach(file IN LISTS ARGN)
@@ -49,7 +49,7 @@ function(expect_made)
     endif()
 endfunction()
 function(replace file what with)
-    execute_process(COMMAND "${CMAKE_COMMAND}" -E sleep 0.1)  # a file is newer by the clock of its file system
+    execute_process(COMMAND "${CMAKE_COMMAND}" -E sleep 0.1)  # time resolution of the file system
     file(READ "${file}" text)
     string(REPLACE "${what}" "${with}" new "${text}")
     if(new STREQUAL text)
@@ -63,7 +63,7 @@ must_run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${work}/prefix")
 # -- CMake -------------------------------------------------------------------------------------------------------------
 function(with_cmake generator)
     string(MAKE_C_IDENTIFIER "${generator}" place)
-    set(source "${work}/${place}/a project")  # with a blank in its path
+    set(source "${work}/${place}/a project")  # with a space in its path
     file(COPY "${SOURCE}/samples/integration/" DESTINATION "${source}")
     set(build "${work}/${place}/build")
     must_run("${CMAKE_COMMAND}" -S "${source}" -B "${build}" -G "${generator}" "-DCMAKE_PREFIX_PATH=${work}/prefix")
@@ -83,7 +83,7 @@ function(with_cmake generator)
     made_anew("${build}" ${models} ${tests})
     expect_made()
 
-    # An included file: what includes it, and nothing else.
+    # A changed include: only the files that include it are built.
     replace("${source}/gate_controller.grafcet" "5s/X2" "4s/X2")
     must_run("${CMAKE_COMMAND}" --build "${build}" -j2)
     made_anew("${build}" ${models} ${tests})
@@ -93,20 +93,20 @@ function(with_cmake generator)
     made_anew("${build}" ${models} ${tests})
     expect_made(models/lamp.xml models/lamp.q models/lamp.smv lamp.grafverif.cmake)
 
-    # A verdict is of the files as they are, also where nobody has built since; a test fails by the verdict's words.
+    # A verdict concerns the current files, even without a build; a failing test shows the text of the verdict.
     replace("${source}/gate_controller.grafcet" "step 3 { SHUT; }" "step 3 { SHUT; OPEN; }")
     must_fail("gate.one_order" ${ctest})
     expect_output("one_order[^\n]*violated")
     expect_output("opens ")
     replace("${source}/gate_controller.grafcet" "step 3 { SHUT; OPEN; }" "step 3 { SHUT; }")
 
-    # A property more is a test more.
+    # An additional property is an additional test.
     replace("${source}/lamp.grafcet" "    property dark_at_rest" "    property mine: never X0 && X1;\n    property dark_at_rest")
     must_run("${CMAKE_COMMAND}" --build "${build}" -j2)
     must_run(${ctest})
     expect_output("lamp.mine ")
 
-    # What is wrong fails the build, where it stands; when it is mended the tests are there again.
+    # An error fails the build and names its position; after its correction the tests exist again.
     replace("${source}/gate_controller.grafcet" "IS_OPEN;\n    transition" "IS_OPNE;\n    transition")
     must_fail("gate_controller.grafcet:13:[0-9]+: error: unknown variable `IS_OPNE`" "${CMAKE_COMMAND}" --build "${build}")
     must_fail("gate[a-zA-Z_.]* [^\n]*(Failed|Not Run)" ${ctest})
@@ -133,7 +133,7 @@ must_run(${make})
 made_anew("${source}" ${all})
 expect_made(${gate} out/gate.checked)
 replace("${source}/gate_controller.grafcet" "step 3 { SHUT; }" "step 3 { SHUT; OPEN; }")
-foreach(again 1 2)  # what is violated stays so until it is mended
+foreach(again 1 2)  # a violation persists until it is corrected
     must_fail("one_order[^\n]*violated" ${make})
     file(READ "${source}/out/gate.junit.xml" junit)
     if(NOT junit MATCHES "violated \\(gate.grafcet:")
@@ -142,13 +142,13 @@ foreach(again 1 2)  # what is violated stays so until it is mended
 endforeach()
 replace("${source}/gate_controller.grafcet" "step 3 { SHUT; OPEN; }" "step 3 { SHUT; }")
 must_run(${make})
-# An included file that is gone is no reason to stop where nobody asks for it any more.
+# A deleted include does not fail the build if it is no longer included.
 file(READ "${source}/gate_controller.grafcet" text)
 file(REMOVE "${source}/gate_controller.grafcet")
 must_fail("gate_controller.grafcet" ${make})
 replace("${source}/gate.grafcet" "include \"gate_controller.grafcet\";\n" "${text}")
 must_run(${make})
-# Two builds at once in one folder: the second waits for its turn, and both are whole.
+# Two simultaneous builds in one folder: the second waits for the first, and both are complete.
 must_run(sh -c "cd '${source}' || exit
 grafverif build lamp.grafcet -o out --name both --grain atomic >/dev/null & one=$!
 grafverif build lamp.grafcet -o out --name both --grain phased >/dev/null && wait $one")

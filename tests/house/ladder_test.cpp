@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ladder of the house: who may include whom. Link dependencies alone would not hold it.
+// Layering of the modules: checks that includes respect the layers, which link dependencies alone do not ensure.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ std::vector<fs::path> sources(const std::vector<fs::path>& folders) {
     return found;
 }
 
-/// The first folder of `file` below src or include/grafverif; the front door belongs to the pipeline.
+/// The first folder of `file` below src or include/grafverif; the public API belongs to the pipeline.
 std::string room_with(const fs::path& file) {
     if (file == root / "include/grafverif/grafverif.hpp") return "pipeline";
     for (const char* base : {"src", "include/grafverif"}) {
@@ -64,7 +64,7 @@ std::vector<Inclusion> inclusions() {
     return found;
 }
 
-/// The room of one of our own headers, else empty.
+/// The module of a header of the project, otherwise empty.
 std::string room_of(const std::string& header) {
     const fs::path path(header);
     if (header == "grafverif/grafverif.hpp") return "pipeline";
@@ -110,7 +110,7 @@ TEST(Ladder, EveryPlaceThatThePageOfTheHouseNamesIsThere) {
 TEST(Ladder, ThirdPartyLibrariesStayInTheirRooms) {
     struct Rule {
         std::string prefix = {};
-        std::set<std::string> places = {};  ///< rooms, or folders of them
+        std::set<std::string> places = {};  ///< modules or their folders
     };
     const std::vector<Rule> rules = {
         {"pugixml", {"read", "emit/uppaal"}},
@@ -162,7 +162,7 @@ TEST(House, EveryFileBeginsWithItsLicence) {
 }
 
 TEST(House, SourcesAreAsTheFormatterHasThem) {
-    const std::string formatter = "clang-format-14";  // others break lines elsewhere
+    const std::string formatter = "clang-format-14";  // other versions break lines differently
     if (std::system((formatter + " --version >/dev/null 2>&1").c_str()) != 0)
         GTEST_SKIP() << "there is no " << formatter;
     std::string command = "cd '" + root.string() + "' && " + formatter + " --dry-run --Werror";

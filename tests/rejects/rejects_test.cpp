@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every kind of diagnostic, as the user sees it: <code>[-n].grafcet is read and taken as far as it goes, and what is
-// said must be <code>[-n].expected to the letter. GRAFVERIF_UPDATE_GOLDEN=1 rewrites those files.
+// Every diagnostic as printed: <code>[-n].grafcet is processed up to the first failing stage, and the printed
+// diagnostics must equal <code>[-n].expected. GRAFVERIF_UPDATE_GOLDEN=1 rewrites those files.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,7 +69,7 @@ std::vector<fs::path> rejects() {
     return found;
 }
 
-/// As far as `testgen` goes, under either mode until something is said.
+/// Runs the stages of `testgen`, in both modes until a diagnostic is reported.
 void test(const Equations& equations, Diagnostics& diagnostics) {
     for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
         AutomatonOptions options;
@@ -81,8 +81,8 @@ void test(const Equations& equations, Diagnostics& diagnostics) {
     }
 }
 
-/// As far as `build` goes: every chart to equations, every loop to a network, and that to a transition system; with the
-/// constraints of the loop. A chart without a loop, in a file that says `// testgen`, goes on to a test sequence.
+/// Runs the stages of `build`: every chart to equations, every loop to a network and a transition system with the
+/// constraints of the loop. A chart without a loop, in a file with `// testgen`, is processed to a test sequence.
 void build(const Model& model, bool tested, Diagnostics& diagnostics) {
     std::vector<std::optional<Equations>> equations;
     for (const Chart& chart : model.charts) equations.push_back(derive(chart, diagnostics));
@@ -101,7 +101,7 @@ void build(const Model& model, bool tested, Diagnostics& diagnostics) {
     }
 }
 
-/// <code>[-n].csv beside a reject is a table of exclusions for its chart.
+/// <code>[-n].csv, if present, is a table of exclusions for the chart.
 void exclude(const std::string& name, const std::optional<Model>& model, Sources& sources, Diagnostics& diagnostics) {
     const fs::path path = fs::path(name).replace_extension(".csv");
     const auto table = content(root / "tests/rejects" / path);
@@ -110,7 +110,7 @@ void exclude(const std::string& name, const std::optional<Model>& model, Sources
     read_exclusions(id, sources, *model->charts.begin(), diagnostics);
 }
 
-/// What `--set` gives where the first line of the file says `// --set N=4 T=3s`.
+/// The constants of `--set`, if the first line of the file is `// --set N=4 T=3s`.
 std::map<std::string, std::string, std::less<>> constants_of(const std::string& text) {
     std::istringstream words(text.substr(0, text.find('\n')));
     std::map<std::string, std::string, std::less<>> constants;
@@ -150,14 +150,14 @@ std::string words(const Said& said) {
     return std::move(text).str();
 }
 
-/// How often it is said.
+/// Number of occurrences.
 std::ptrdiff_t times(const Said& said, const Diagnostic& one) {
     return std::ranges::count_if(said.diagnostics.all(), [&](const Diagnostic& other) {
         return other.code == one.code && other.message == one.message;
     });
 }
 
-/// `unknown-step-2` is about `unknown-step`.
+/// `unknown-step-2` tests `unknown-step`.
 std::string code_of(const fs::path& reject) {
     std::string code = reject.stem().string();
     const std::size_t number = code.find_last_not_of("0123456789");

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The program at a real pseudo-terminal, as a person has it: what is typed, key by key, and what the screen is sent."""
+"""The program at a pseudo-terminal: sends single keys and reads the screen output."""
 import os
 import pty
 import re
@@ -25,7 +25,7 @@ class Terminal:
         self.text = ""
 
     def await_text(self, wanted, patience=60):
-        """Waits until `wanted` is on the screen behind what was awaited before; what was sent up to it."""
+        """Waits until `wanted` appears after the previously awaited text; returns the output up to it."""
         end = time.monotonic() + patience
         while wanted not in self.text:
             if not select.select([self.screen], [], [], max(0, end - time.monotonic()))[0]:
@@ -48,10 +48,10 @@ class Terminal:
         os.kill(self.child, number)
 
     def end(self, patience=60):
-        """The exit code, and whether the terminal is left as it was found."""
+        """The exit code, and True if the terminal settings are restored."""
         deadline = time.monotonic() + patience
         while True:
-            try:  # what is still to be shown is taken, lest the program waits
+            try:  # read pending output, because the program may wait for it
                 if select.select([self.screen], [], [], 0.05)[0]:
                     self.text += os.read(self.screen, 65536).decode(errors="replace")
             except OSError:

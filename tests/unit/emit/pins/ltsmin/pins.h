@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * What the C files of `grafverif pins` take of LTSmin's interface, declared anew for the tests, and defined in explorer.c. */
+ * The part of LTSmin's interface used by the C files of `grafverif pins`, redeclared for tests and defined in explorer.c. */
 #ifndef GRAFVERIF_TEST_PINS_H
 #define GRAFVERIF_TEST_PINS_H
 
