@@ -23,13 +23,13 @@ constexpr std::size_t poll_every = 1024;  // states
 
 using Signature = std::vector<std::int64_t>;
 
-/// What a stage of the abstract run needs to get to the next one.
+/// The requirements of a stage of the abstract run for reaching the next one.
 struct Stage {
     Signature signature = {};
-    std::vector<Word> goals = {};  // per instance: the valuations sampled on the way to the next stage
+    std::vector<Word> goals = {};  // per instance: the valuations sampled before the next stage
 };
 
-/// One sampling of a PLC: the valuations that its cycle leaves possible, per instance.
+/// One sampling of a PLC: per instance, the valuations that are possible after its cycle.
 struct Sampling {
     std::size_t at = 0;  // in the path
     std::vector<Word> possible = {};
@@ -51,10 +51,10 @@ bool samples(const AbstractRun& run, const AbstractState& state) {
         edge.calls, [&](Id<Network::Procedure> call) { return call == controller->fire || call == controller->start; });
 }
 
-/// In order. Later edges of a cycle narrow what it samples.
+/// All samplings in order. Later edges of a cycle reduce the possible valuations of its sampling.
 std::vector<Sampling> samplings(const AbstractRun& run) {
     std::vector<Sampling> found;
-    std::vector<std::size_t> last(run.network.processes.size(), 0);  // of a PLC, its number plus 1
+    std::vector<std::size_t> last(run.network.processes.size(), 0);  // of a PLC: its number plus 1
     for (std::size_t at = 0; at < run.path.size(); ++at) {
         const Network::Controller* const controller = controller_of(run, run.path[at]);
         if (controller == nullptr) continue;
@@ -87,7 +87,7 @@ std::vector<Id<Network::Variable>> signature_variables(const Network& network) {
     return found;
 }
 
-/// The cycle that leads to a stage has its goals; the last stage those of the last sampling.
+/// The goals of a stage are those of the cycle that leads to it; the last stage has those of the last sampling.
 std::vector<Stage> stages_of(const AbstractRun& run, const std::vector<Id<Network::Variable>>& signature) {
     std::vector<Stage> stages;
     const auto begin = [&](const std::vector<std::int64_t>& variables) {
@@ -108,7 +108,7 @@ std::vector<Stage> stages_of(const AbstractRun& run, const std::vector<Id<Networ
     return stages;
 }
 
-/// An instance alone in the network: the set of states in which it can be.
+/// A single instance of the network: the set of its possible states.
 class Alone {
 public:
     Alone(const Network& complete, const AutonomousInstance& instance, InputLevel level, std::int64_t unit)
@@ -127,7 +127,7 @@ public:
         }
     }
 
-    /// Any time passes.
+    /// Adds the states after any delay.
     void wait() {
         for (std::size_t size = 0; size != states_.size();) {
             move();
@@ -138,7 +138,7 @@ public:
         }
     }
 
-    /// Only states with one of the valuations are left.
+    /// Keeps only states with one of the valuations.
     void show(Word possible) {
         move();
         std::erase_if(states_, [&](const std::vector<Word>& words) {
@@ -150,7 +150,7 @@ public:
         });
     }
 
-    /// Only states at the location and with the outputs of the abstract state are left.
+    /// Keeps only states with the location and the outputs of the abstract state.
     void match(const NetworkState& state) {
         move();
         std::erase_if(states_, [&](const std::vector<Word>& words) {
@@ -192,7 +192,7 @@ private:
         return network;
     }
 
-    /// Without what an observer makes every edge wait for.
+    /// The guard without the condition that an observer adds to every edge.
     static Id<Expr> instance_guard(Network& network, const AutonomousInstance& instance, Id<Expr> guard) {
         std::vector<Id<Expr>> kept;
         const Exprs from = network.exprs;
@@ -207,7 +207,7 @@ private:
         return network.exprs.conjunction(kept);
     }
 
-    /// All states that edges lead to, without time.
+    /// Adds all states reachable by edges, without time.
     void move() {
         std::vector<std::vector<Word>> open(states_.begin(), states_.end());
         while (!open.empty()) {
@@ -280,7 +280,7 @@ private:
 
     const Word* words(std::size_t node) const { return states_.data() + node * layout_.words; }
 
-    /// How many variables of the signature differ from those of a stage.
+    /// The number of variables of the signature that differ from those of a stage.
     std::size_t distance(const Word* words, std::size_t stage) const {
         std::size_t differing = 0;
         for (std::size_t i = 0; i < signature_.size(); ++i)
@@ -288,7 +288,7 @@ private:
         return differing;
     }
 
-    /// The last stage that the state shows, from that of its predecessor on.
+    /// The last stage that the state shows, beginning with that of its predecessor.
     std::size_t stage_of(const Word* words, std::size_t stage) const {
         for (std::size_t later = stages_.size(); later-- > stage + 1;)
             if (distance(words, later) == 0) return later;
@@ -312,7 +312,7 @@ private:
         }
     }
 
-    /// A Chosen instance moves towards the goal of the stage, others as they like.
+    /// A Chosen instance moves towards the goal of the stage, others move freely.
     bool may_move(const Word* at, std::size_t stage, Id<Network::Process> process) const {
         const std::size_t i = instance_of_[process.index];
         if (i == none || run_.levels[i] != InputLevel::Chosen) return true;
@@ -350,7 +350,7 @@ private:
         return run;
     }
 
-    /// The instances whose values the stage after the last one needs; otherwise those that any stage needs.
+    /// The instances whose values the stage after the last one needs; if there are none, those that any stage needs.
     std::vector<std::size_t> blamed() const {
         const auto constrained = [&](const Stage& stage) {
             std::vector<std::size_t> found;
@@ -388,7 +388,7 @@ private:
 
 namespace {
 
-/// All PLCs have nothing to do.
+/// True if no PLC has anything to do.
 bool is_stable(const AbstractRun& run, const NetworkState& state) {
     return std::ranges::all_of(run.network.controllers, [&](const Network::Controller& controller) {
         return state.locations[controller.process.index] == controller.waiting &&

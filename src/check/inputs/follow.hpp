@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Guided search: a run of the complete network along a run of its input abstraction (ir/network_inputs.hpp).
 //
-// The abstract run is cut into stages, one per valuation of the steps and internal variables of the controllers. The
-// search is best-first: by the last stage that a run has shown, then by the number of variables that differ from the next
-// stage, then breadth-first. A Chosen instance moves only if its outputs are not among those that the abstract run samples
-// on the way to the next stage. So what it finds is a real run, and it finds it quickly if the abstract run can be
-// stretched in time; that it finds none proves nothing.
+// The abstract run is divided into stages, one per valuation of the steps and internal variables of the controllers.
+// The search is best-first: by the last stage that a run has shown, then by the number of variables that differ from
+// the next stage, then breadth-first. A Chosen instance moves only if its outputs are not among those that the abstract
+// run samples before the next stage. So a run that is found is a real run, and it is found quickly if the abstract run
+// can be stretched in time. If none is found, nothing is proved.
 #pragma once
 
 #include <atomic>
@@ -19,9 +19,9 @@
 
 namespace grafverif {
 
-/// The abstract run and what it abstracts.
+/// The abstract run, and the networks that it belongs to.
 struct AbstractRun {
-    const Network& network;  ///< expanded, in which it was found
+    const Network& network;  ///< expanded, the network in which it was found
     const std::vector<AutonomousInstance>& instances;
     const std::vector<InputLevel>& levels;
     const std::vector<InputChoice>& choices;
@@ -39,18 +39,18 @@ struct Followed {
     std::vector<std::size_t> blamed = {};  ///< without a run: the instances that the last stage waits for
 };
 
-/// Where an instance by itself cannot show what a run samples of it.
+/// A sampling whose values the instance, considered alone, cannot show.
 struct Impossible {
     std::size_t at = 0;     ///< in the path
-    InputLevel level = {};  ///< an abstraction with this level has not this run
+    InputLevel level = {};  ///< an abstraction with this level excludes this run
 };
 
-/// The first such place, if there is one; `waits`: at the beginning and where all PLCs are stable, any time may pass before
-/// the run continues. `complete`: the expanded network, whose time unit divides that of the abstract run.
+/// The first such sampling, if there is one. `waits`: initially, and whenever all PLCs are stable, any time may pass
+/// before the run continues. `complete`: the expanded network, whose time unit divides that of the abstract run.
 std::optional<Impossible> impossible(const Network& complete, const AbstractRun& abstract, std::size_t instance,
                                      bool waits);
 
-/// `network`: complete, expanded, with the same observer; `property` is one of its properties about single states, or one
+/// `network`: complete, expanded, with the same observer; `property`: one of its properties about single states, or one
 /// step of `reachable all steps`.
 Followed follow(const Network& network, const Property& property, const AbstractRun& abstract,
                 const FollowLimits& limits);

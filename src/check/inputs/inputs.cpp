@@ -43,7 +43,7 @@ public:
           writers_(observed_.variables.size()) {}
 
     void run() {
-        // Otherwise what holds in an abstraction may be vacuous in the loop.
+        // Otherwise a property that holds in an abstraction may be vacuous in the loop.
         if (instances_.empty() || !result_.errors.empty() || !result_.time_passes) return;
         collect();
         while (!tasks_.empty() && !stopped()) {
@@ -98,7 +98,7 @@ void ByInputs::collect() {
     for (auto& [levels, verdicts] : groups) tasks_.push_back({levels, std::move(verdicts)});
 }
 
-/// `property` is one of observe(loop): what its observer reads is read by it.
+/// `property` is one of observe(loop): it also reads the variables and processes that its observer reads.
 Levels ByInputs::first_levels(const Property& property) const {
     std::set<std::uint32_t> variables, processes;
     const auto read = [&](Id<Expr> term) {
@@ -117,7 +117,8 @@ Levels ByInputs::first_levels(const Property& property) const {
             for (const Network::Assignment& assignment : edge.assignments) read(assignment.value);
         }
     }
-    // Where a process is, observers read in a variable that it alone writes; all processes write that something has changed.
+    // Observers read the location of a process in a variable that only this process writes; all processes write that an
+    // event has occurred.
     for (const std::uint32_t variable : variables) {
         if (variable < loop_.variables.size()) continue;
         const std::set<std::uint32_t>& writers = writers_[variable];
@@ -198,7 +199,7 @@ void ByInputs::conclude(std::size_t k, const Verdict& found, const Task& task) {
     verdict.abstraction = abstracted(task.levels);
 }
 
-/// The property of one verdict; of `reachable all steps` the step.
+/// The property of one verdict; for `reachable all steps` the step.
 Property ByInputs::single(std::size_t k) const {
     Property property = complete_.properties[result_.verdicts[k].about];
     if (property.pattern != Pattern::ReachableAllSteps) return property;
@@ -208,7 +209,7 @@ Property ByInputs::single(std::size_t k) const {
     return property;
 }
 
-/// Without a real run, `raised` are the levels to try next.
+/// If there is no real run, `raised` are the levels to try next.
 std::optional<Run> ByInputs::real_run(std::size_t k, const AbstractRun& abstract, Levels& raised) {
     FollowLimits limits{.states = limits_.followed, .deadline = options_.deadline, .stop = options_.stop};
     Followed followed = follow(complete_, single(k), abstract, limits);
@@ -218,7 +219,7 @@ std::optional<Run> ByInputs::real_run(std::size_t k, const AbstractRun& abstract
                 delay->units *= complete_.time_unit_ms / observed_.time_unit_ms;
         return std::move(followed.run);
     }
-    // One instance at a time, for few are needed most often: one that the property reads, or the first in the run.
+    // One instance at a time, since few are usually needed: one that the property reads, or the first in the run.
     for (const bool waits : {true, false}) {
         std::optional<Impossible> best;
         std::size_t instance = 0;

@@ -2,12 +2,12 @@
 // Decides properties about single states on input abstractions of a closed loop (ir/network_inputs.hpp).
 //
 // Each property begins with the coarsest levels: `Untimed` for the autonomous instances that it reads, `Chosen` for the
-// others. Properties with equal levels share a search, whose time unit is the greatest common divisor of the durations in
-// the abstraction. What the abstraction preserves is a verdict of the complete loop. A run that it does not preserve is
-// followed on the complete loop (follow.hpp): found there, it is a real run. Otherwise the levels of the instances that
-// the run depends on are raised, and the search is repeated.
+// others. Properties with equal levels share a search, whose time unit is the greatest common divisor of the durations
+// in the abstraction. A verdict that the abstraction preserves is a verdict of the complete loop. A run that it does
+// not preserve is followed in the complete loop (follow.hpp); if that succeeds, it is a real run. Otherwise the levels
+// of the instances that the run depends on are raised, and the search is repeated.
 //
-// No verdict is taken from an abstraction with a model error, for the rest of the abstraction hides what is beyond it.
+// An abstraction with a model error gives no verdict, since the states after the error are not explored.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@
 
 namespace grafverif {
 
-/// Adds the observers of the properties at hand; the identity if there are none.
+/// Adds the observers of the current properties; the identity if there are none.
 using Observe = std::function<Network(const Network&)>;
 
 struct InputLimits {
@@ -25,8 +25,9 @@ struct InputLimits {
     std::size_t rounds = 8;                          ///< searches of one property
 };
 
-/// Decides what `result` leaves open because of its bound on states. `loop`: expanded, without observers; `result` is that of
-/// observe(loop), with the verdicts of `options`. Time and memory are those of `options`.
+/// Decides the properties that `result` leaves open because of its bound on states. `loop`: expanded, without
+/// observers; `result` is that of observe(loop), with the verdicts of `options`. The limits of time and memory are
+/// those of `options`.
 void decide_by_inputs(const Network& loop, const Observe& observe, const TimedOptions& options, TimedResult& result,
                       const InputLimits& limits = {}, const InputAblations& ablations = {});
 

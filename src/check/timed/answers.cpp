@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Searches -> verdicts. A violation needs one run of integer time, which is a run of dense time as well. That a
-// property holds needs all of them: a search that came to its end, a model that breaks off nowhere, and integer time
-// that tells the truth about dense time.
+// Converts searches to verdicts. A violation needs one run of integer time, which is a run of dense time as well. That
+// a property holds needs all runs: a complete search, a model without errors, and integer time that is exact for dense
+// time.
 #include <algorithm>
 #include <atomic>
 #include <new>
@@ -35,7 +35,7 @@ std::string text_of(Obstacle ended, const Graph& graph, const Limits& limits) {
     return graph.states() > 1 ? "stopped after " + states : "stopped before its search began";
 }
 
-/// The states looked at whose kind is one of these.
+/// The expanded states whose kind is one of these.
 template <class Is>
 StateSet states_of_kind(const Graph& graph, const Limits& limits, const Is& is) {
     StateSet set(graph.states());
@@ -46,7 +46,7 @@ StateSet states_of_kind(const Graph& graph, const Limits& limits, const Is& is) 
     return set;
 }
 
-/// A run that shows a state from which time never passes again: on from there until it repeats or nothing can happen.
+/// A run to a state from which time never passes again, continued until it repeats or no move is possible.
 Lasso without_time(Graph& graph, std::uint32_t state) {
     Lasso lasso{.path = graph.path_to(state)};
     StateSet seen(graph.states());
@@ -87,7 +87,7 @@ std::vector<Verdict> Questions::answers(Graph& graph, Obstacle ended, const std:
         if (question.verdict.outcome == Outcome::Holds) mark_vacuous(question, graph);
         verdicts.push_back(std::move(question.verdict));
     }
-    // What explains a verdict comes behind them all: it may use up the time or the memory that another one needs.
+    // Explanations are computed after all verdicts: they may use up time or memory that another verdict needs.
     for (std::size_t k = 0; k < questions_.size(); ++k) tell_lost(questions_[k], graph, limits, verdicts[k]);
     return verdicts;
 }
@@ -145,7 +145,7 @@ void Questions::answer_state(Question& question, Graph& graph) const {
     if (wanted && question.verdict.outcome == Outcome::Holds) question.verdict.outcome = Outcome::Violated;
 }
 
-/// The states where `predicate` holds; nothing, and the verdict unknown, where it has no value in some state.
+/// The states that satisfy `predicate`; nothing, and an unknown verdict, if it is undefined in some state.
 std::optional<StateSet> Questions::states_where(Question& question, Graph& graph, std::uint32_t predicate,
                                                 const Limits& limits) const {
     StateSet set(graph.states());
@@ -184,7 +184,7 @@ void Questions::answer_liveness(Question& question, Graph& graph, const Limits& 
     if (!holds) return unknown(question.verdict, Obstacle::Stopped, "stopped");
     if (*holds) return holds_if_dense(question, graph, graph.stuck_bound);
     std::erase_if(roots, [&](std::uint32_t root) { return met->has(root); });
-    // Where integer time is stuck by a strict bound, dense time may pass a little more.
+    // If integer time is stuck because of a strict bound, a little more dense time may pass.
     const Lasso lasso = avoiding(graph, *met, roots, inexact_.has_value(), limits);
     if (lasso.path.empty()) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
     violated(question.verdict, graph.run_along(lasso.path, lasso.loop));
@@ -238,7 +238,7 @@ void Questions::answer_possible(Question& question, Graph& graph, const Limits& 
                 "time");
 }
 
-/// Where it takes more time than there is, or memory, it is not told.
+/// Omitted if it needs more time or memory than is available.
 void Questions::tell_lost(const Question& question, Graph& graph, const Limits& limits, Verdict& verdict) const {
     if (!question.lost || verdict.outcome != Outcome::Violated || outcomes_.obstacle != Obstacle::None) return;
     try {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The counterexample of a liveness property: a short run to a state that lies on a cycle, or where everything ends,
-// outside `met` from a root on.
+// Counterexamples of liveness properties: a short run to a state that lies on a cycle, or in which a run ends, and that
+// avoids `met` from a root on.
 //
-// First a breadth-first walk outside `met`, in which each root enters at its own depth in the search; it gives every
-// state met a near root and a short path from it. Then the strongly connected components of what the walk met; the
-// first state of the walk on a cycle, or stuck, is the one. Its cycle is found breadth first inside its component.
+// A breadth-first walk outside `met`, which each root enters at its own depth in the search, gives every visited state
+// a near root and a short path from it. Then the strongly connected components of the visited states are computed. The
+// result is the first state of the walk that is on a cycle, or stuck. Its cycle is found breadth first in its
+// component.
 #include "check/timed/components.hpp"
 #include "check/timed/fixpoints.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t none = Store::none;
 
-/// The states reached outside `met`, in the order of the walk, and where each was reached from (a root: from itself).
+/// The states reached outside `met`, in the order of the walk, and the predecessor of each (of a root: itself).
 struct Walk {
     Column<std::uint32_t> order = {};
     Column<std::uint32_t> from = {};  // per state of the graph; none: not reached

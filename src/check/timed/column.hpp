@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Facts about states, by number. Memory grows in chunks: nothing is copied and no growth doubles the peak.
+// Data about states, by number. Memory grows in chunks: nothing is copied, and growth does not double the peak.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ public:
         make_room(1);
         (*this)[size_++] = value;
     }
-    /// So many elements that stand elsewhere.
+    /// Appends elements from other memory.
     void append(const T* values, std::size_t count) {
         make_room(count);
         for (std::size_t done = 0; done != count;) {
@@ -32,7 +32,7 @@ public:
             size_ += now;
         }
     }
-    /// The next `count` times `push_back` needs no memory.
+    /// Ensures that the next `count` calls of `push_back` need no memory.
     void make_room(std::size_t count) {
         while (chunks_.size() * chunk < size_ + count) chunks_.push_back(std::make_unique_for_overwrite<T[]>(chunk));
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Terms -> code (see program). Operands of a conjunction that are tests of bits are tried first and together, word by
-// word; the order of operands only matters where one of them may have no value, and is kept there.
+// Compiles terms to code (see program). Operands of a conjunction that are tests of bits are evaluated first and
+// together, word by word. The order of operands matters only if one of them may be undefined, and is kept in that case.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -13,12 +13,12 @@ namespace grafverif::timed {
 
 namespace {
 
-constexpr std::uint32_t largest_tree = 4096;  // above it a term is evaluated in its shared form
-constexpr double largest_value = 4.0e18;      // bounds above it may overflow
+constexpr std::uint32_t largest_tree = 4096;  // larger terms are evaluated in their shared form
+constexpr double largest_value = 4.0e18;      // larger bounds may overflow
 
 Id<Network::Variable> variable_of(const Expr& node) { return {static_cast<std::uint32_t>(node.value)}; }
 
-/// `field + add` where a term has that form.
+/// A term of the form `field + add`.
 struct Shifted {
     std::uint32_t variable = 0;
     std::int64_t add = 0;
@@ -165,7 +165,7 @@ void Compiler::choose(const InputChoice& choice, std::size_t number) {
     }
 }
 
-/// Whether the value of a chosen variable is in low..high.
+/// Tests if the value of a chosen variable is in low..high.
 std::uint32_t Compiler::chosen_within(Id<Network::Variable> variable, std::int64_t low, std::int64_t high,
                                       std::uint32_t yes, std::uint32_t no) {
     const Chosen& chosen = chosen_.at(variable.index);
@@ -256,7 +256,7 @@ std::uint32_t Compiler::boolean(Id<Expr> term, std::uint32_t yes, std::uint32_t 
     case Op::LessEqual:
     case Op::Greater:
     case Op::GreaterEqual: return comparison(term, yes, no, base);
-    case Op::Variable:  // chosen, or a Boolean whose type is no plain one
+    case Op::Variable:  // chosen, or a Boolean with another representation
         if (is_chosen(variable_of(node))) return chosen_within(variable_of(node), 1, 1, yes, no);
         return emit({.mask = layout_.variables[variable_of(node).index].mask(),
                      .yes = no,
@@ -281,7 +281,8 @@ std::uint32_t Compiler::boolean(Id<Expr> term, std::uint32_t yes, std::uint32_t 
     unreachable();
 }
 
-/// And, Or. An Or is the And of the negated operands with its ends exchanged; only single bits are negated as bits.
+/// And, Or. An Or is the And of the negated operands with its successors exchanged; only single bits are negated as
+/// bits.
 std::uint32_t Compiler::junction(Id<Expr> term, std::uint32_t yes, std::uint32_t no, std::uint32_t base) {
     const auto operands = network_.exprs.operands(term);
     const bool conjunction = network_.exprs[term].op == Op::And;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Strongly connected components of a graph of states (Tarjan 1972, without recursion), and cycles within one.
+// Strongly connected components of a graph of states (Tarjan 1972, without recursion), and cycles within them.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,8 @@
 
 namespace grafverif::timed {
 
-/// Of the states that those visited reach by `each(state, take)`, which calls `take` with every successor.
+/// Components of the states reachable from the visited ones by `each(state, take)`, which calls `take` with every
+/// successor.
 template <class Each>
 class Components {
 public:
@@ -44,11 +45,11 @@ public:
     }
 
     std::uint32_t of(std::uint32_t state) const { return component_[state]; }
-    /// Whether the component of the state holds a cycle.
+    /// True if the component of the state contains a cycle.
     bool has_cycle(std::uint32_t state) const { return cyclic_[of(state)]; }
     bool any_cycle() const { return std::ranges::find(cyclic_, true) != cyclic_.end(); }
 
-    /// A shortest cycle through `state`, whose first move leads to a state that `first` names, or to any: the states behind
+    /// A shortest cycle through `state`, whose first move leads to the state `first`, if given: the states after
     /// `state`, which comes last.
     std::vector<std::uint32_t> cycle(std::uint32_t state, std::optional<std::uint32_t> first = {}) {
         std::unordered_map<std::uint32_t, std::uint32_t> from;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shared form of a large term as code: one register per subterm, children before parents, no branches.
+// Compiles the shared form of a large term: one register per subterm, children before parents, without branches.
 #include <algorithm>
 #include <unordered_map>
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Breadth-first search by the number of moves, a delay of any length counting one: a state met by a delay carries on
-// the same delay at no cost. So when time passes in a state, it passes on at once, unit by unit, until it is stopped or
-// reaches a state whose own delay is known; all states on the way are one level below. A state of that level that was
-// first met by an edge is then as near by the delay: its parent becomes the state before it in time, so that what
-// follows it in time has its shortest run through it.
+// Breadth-first search by the number of moves, a delay of any length counting one: a state reached by a delay continues
+// the same delay at no cost. So if time passes in a state, it passes further at once, unit by unit, until it is stopped
+// or reaches a state whose own delay is known; all states on the way are one level below. A state of that level that
+// was first reached by an edge has the same distance by the delay. Its parent becomes the state before it in time, so
+// that its successors in time have their shortest runs through it.
 //
-// The queue is taken block by block. The moves of a block are computed by all threads while nothing is written; what the
-// store does not hold is put together by hash; then one thread goes through the block in order and numbers what is new,
-// as if it had found each state itself, but looks at nothing else; last all index the new states and write down where
-// the edges of the block lead. So numbers, and all that follows from them, are the same for any number of threads and
-// any size of blocks.
+// The queue is processed block by block. All threads compute the moves of a block while nothing is written. States that
+// the store does not contain are grouped by hash. Then one thread numbers the new states in the order of the block, as
+// if it had found each of them itself, but does no other work. Finally all threads index the new states and store the
+// targets of the edges of the block. So numbers, and all results derived from them, are the same for any number of
+// threads and any size of blocks.
 #include "check/timed/explore.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ bool Limits::stopped() const {
 
 Obstacle Limits::judge(const Graph& graph, std::uint32_t state, std::size_t more) {
     if (stopped()) return Obstacle::Stopped;
-    // Judging properties comes on top; where there are links, the index has gone by then.
+    // Evaluating the properties needs additional memory; if there are links, the index has been freed by then.
     const std::size_t freed = graph.linked ? graph.store.index_bytes() : 0;
     const std::size_t bytes = graph.bytes() + more + std::max(16 * graph.states(), freed) - freed;
     if (allowed_used_ = bytes > options_.max_memory; allowed_used_) return Obstacle::Memory;
@@ -55,11 +55,11 @@ void Limits::explain(Graph& graph) {
 namespace {
 
 constexpr std::uint32_t slices_each = 64;      // per thread, in a block
-constexpr std::size_t many_words = 1U << 21U;  // of states computed in a block, after which no slice is begun
+constexpr std::size_t many_words = 1U << 21U;  // of computed states in a block; above this no further slice is begun
 constexpr std::size_t kept_bytes = 1U << 21U;  // of a slice, for the next one
-constexpr std::size_t worth_sharing = 16;      // slices of states or strangers; fewer are done by one thread
+constexpr std::size_t worth_sharing = 16;      // slices of states or new states; fewer are processed by one thread
 constexpr std::size_t link_bytes = 24;         // per state; above it links are dropped
-constexpr std::size_t link_grace = 1U << 18U;  // but not before they take so many in all
+constexpr std::size_t link_grace = 1U << 18U;  // but not before they use this number of bytes in total
 
 class Search {
 public:
@@ -82,7 +82,7 @@ public:
     }
 
 private:
-    /// Calls `work(member)` for each thread, in one after the other where little is to be done.
+    /// Calls `work(member)` for each thread, or sequentially if there is little work.
     void share(std::size_t size, const std::function<void(unsigned)>& work) {
         if (size >= worth_sharing * limits_.slice() && team_.size() > 1) return team_.share(work);
         for (unsigned member = 0; member < team_.size(); ++member) work(member);
@@ -95,7 +95,7 @@ private:
         return bytes;
     }
 
-    /// The next states of the queue: their moves side by side, then the numbers of what is new one by one.
+    /// The next states of the queue: computes their moves in parallel, then numbers the new states one by one.
     Obstacle block() {
         const auto first = static_cast<std::uint32_t>(graph_.states());
         filled_ = compute();
@@ -115,7 +115,8 @@ private:
         return obstacle;
     }
 
-    /// Fills slices with the moves of the next states. Returns how many are filled; all but the last one to the end.
+    /// Fills slices with the moves of the next states. Returns the number of filled slices; all but the last are
+    /// complete.
     std::size_t compute() {
         const std::size_t most = std::size_t{slices_each} * team_.size();
         const std::size_t states = graph_.states() - graph_.looked_at;
@@ -142,7 +143,7 @@ private:
         return begun;
     }
 
-    /// Knows the strangers of the slices from each other, and makes room for them.
+    /// Identifies equal new states of the slices, and reserves memory for them.
     void gather() {
         std::size_t count = 0;
         for (std::size_t i = 0; i < filled_; ++i) {
@@ -164,7 +165,7 @@ private:
         });
     }
 
-    /// The strangers of a slice that are of the part, in order.
+    /// Registers the new states of a slice that belong to the part, in order.
     void meet(Slice& slice, unsigned part) {
         for (Slice::Stranger& stranger : slice.strangers) {
             if (strangers_.part_of(stranger.shard) != part) continue;
@@ -174,13 +175,13 @@ private:
         }
     }
 
-    /// Of a stranger that is kept.
+    /// Requires that `kept` includes the new state.
     const Word* words_of(const Slice& slice, std::uint32_t stranger) const {
         const auto at = std::ranges::lower_bound(slice.kept, stranger) - slice.kept.begin();
         return slice.words.data() + static_cast<std::size_t>(at) * graph_.machine.layout().words;
     }
 
-    /// Numbers what the states of a slice lead to, in order, and what time leads to from there.
+    /// Numbers the successors of the states of a slice, in order, and their successors in time.
     Obstacle number(const Slice& slice) {
         for (std::uint32_t state = slice.begin; state != slice.end; ++state) {
             if (limits_.too_many(graph_.states())) return Obstacle::Bound;
@@ -203,11 +204,11 @@ private:
         for (std::uint32_t i = at.first; i != at.first + at.edges; ++i) {
             const std::uint32_t target = slice.targets[i];
             if ((target & Slice::stranger) != 0 && slice.strangers[target & Slice::number].first)
-                resolve(slice, target, state);  // the others of the same state have its number then
+                resolve(slice, target, state);  // afterwards the others of the same state have its number
         }
         graph_.transitions += at.edges;
         const bool acts = at.edges != 0;
-        // Where edges lead to is filled in by `lead`.
+        // `lead` fills in the targets of edges.
         if (at.urgent) graph_.set_kind(state, StateKind::Urgent, state);
         else if (graph_.kind(state) == StateKind::Unknown) pass_time(state);
         if (acts && graph_.kind(state) == StateKind::Passes)
@@ -216,7 +217,7 @@ private:
         if (at.fault) graph_.set_kind(state, StateKind::Open, state);
     }
 
-    /// What is new is found from here on, and the states looked at know where their edges lead.
+    /// From here on new states can be found, and expanded states know the targets of their edges.
     void write_down(std::size_t found) {
         next_slice_ = 0;
         share(std::max<std::size_t>(found, graph_.looked_at - slices_[0].begin), [&](unsigned member) {
@@ -233,14 +234,14 @@ private:
         }
     }
 
-    /// Where the edges of a slice's states lead, as far as they were looked at. No memory is taken.
+    /// Stores the targets of the edges of a slice's expanded states. Allocates no memory.
     void lead(Slice& slice) {
         for (std::uint32_t state = slice.begin; state < std::min(slice.end, graph_.looked_at); ++state) {
             const Slice::State& at = slice.states[state - slice.begin];
             if (graph_.linked) slice.links.begin();
             std::uint32_t last = state;
-            std::uint32_t onward = 0;    // where an edge leads; a late state, since those lead on
-            std::uint32_t urgently = 0;  // where an urgent one leads
+            std::uint32_t onward = 0;    // target of an edge; a late state, since these lead to further ones
+            std::uint32_t urgently = 0;  // target of an urgent edge
             for (std::uint32_t i = at.first; i != at.first + at.edges; ++i) {
                 const std::uint32_t next = number_of(slice, slice.targets[i]);
                 if (graph_.linked) slice.links.add(std::exchange(last, next), next);
@@ -253,13 +254,13 @@ private:
         }
     }
 
-    /// Of a target that is numbered.
+    /// Requires a numbered target.
     std::uint32_t number_of(const Slice& slice, std::uint32_t target) const {
         const std::uint32_t number = target & Slice::number;
         return (target & Slice::stranger) == 0 ? number : strangers_.number(slice.strangers[number].entry);
     }
 
-    /// The number of a target; a stranger whom the search has not come to before is new.
+    /// The number of a target; a new state gets the next number when the search first reaches it.
     std::uint32_t resolve(const Slice& slice, std::uint32_t target, std::uint32_t parent) {
         const std::uint32_t index = target & Slice::number;
         if ((target & Slice::stranger) == 0) return index;
@@ -271,9 +272,9 @@ private:
         return entry.number;
     }
 
-    /// A new state, with its parent: all of it, or nothing where memory ends.
+    /// Adds a new state with its parent: completely, or not at all if memory is exhausted.
     std::uint32_t discover(Word root, std::uint32_t parent) {
-        if (graph_.states() >= Store::most) throw std::bad_alloc();  // one state may lead to many at once
+        if (graph_.states() >= Store::most) throw std::bad_alloc();  // one state may have many successors
         graph_.parent.make_room(1);
         graph_.kinds.make_room(1);
         const std::uint32_t state = graph_.store.roots().append(root);
@@ -282,7 +283,7 @@ private:
         return state;
     }
 
-    /// The number of the state in `now_.words`, which may be new or not.
+    /// The number of the state in `now_.words`, which may be new.
     std::uint32_t find_or_discover(std::uint32_t parent) {
         const Word root = graph_.store.fold(now_.words.data(), {}, next_);
         if (const std::uint32_t known = graph_.store.roots().find(root); known != Store::none) return known;
@@ -295,8 +296,8 @@ private:
         return entry.number;
     }
 
-    /// Where a unit of time leads from the state: as its slice says, if it is of this block; else it is computed here.
-    /// None: time does not pass.
+    /// The successor of the state by a unit of time: from its slice if it is in this block, otherwise computed here.
+    /// None if time does not pass.
     std::uint32_t later(std::uint32_t state) {
         const std::size_t index = (state - slices_[0].begin) / limits_.slice();
         if (state >= slices_[0].begin && index < filled_) {
@@ -310,7 +311,7 @@ private:
         return graph_.machine.delay(now_.words.data()) ? find_or_discover(state) : Store::none;
     }
 
-    /// See the essay.
+    /// See the comment at the top of the file.
     void pass_time(std::uint32_t state) {
         for (std::uint32_t now = state; graph_.kind(now) == StateKind::Unknown;) {
             const std::uint32_t next = later(now);
@@ -338,7 +339,7 @@ private:
         graph_.links.clear();
     }
 
-    /// What was met in the states of a slice, as far as they were looked at.
+    /// Records the faults and bounds found in the expanded states of a slice.
     void note(const Slice& slice) {
         const auto first = [&](std::optional<UncoveredAt>& of, const std::optional<UncoveredAt>& at) {
             if (!of && at && at->state < graph_.looked_at) of = at;
@@ -363,7 +364,7 @@ private:
     std::vector<Slice> slices_ = {};
     std::vector<Slicer> slicers_ = {};  // per thread
     Strangers strangers_ = {};
-    std::size_t filled_ = 0;  // slices of the block at hand
+    std::size_t filled_ = 0;  // slices of the current block
     std::atomic<std::size_t> next_slice_ = 0;
     std::uint32_t level_end_ = 0;
     Unfolded now_ = {}, next_ = {};
@@ -376,7 +377,7 @@ Obstacle explore(Graph& graph, Watch& watch, const std::vector<Field>& races, Li
     try {
         return Search(graph, watch, races, limits).run();
     } catch (const std::bad_alloc&) {
-        return Obstacle::Memory;  // the states found are whole and indexed, those looked at have their links
+        return Obstacle::Memory;  // the states found are complete and indexed, the expanded ones have their links
     }
 }
 

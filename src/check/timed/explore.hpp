@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The search: every reachable state, breadth first.
+// Exploration: every reachable state, breadth first.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@
 
 namespace grafverif::timed {
 
-/// The bounds of one check, its threads, and how far it has come.
+/// The limits of one check, its threads, and its progress.
 class Limits {
 public:
     explicit Limits(const TimedOptions& options)
@@ -22,9 +22,9 @@ public:
 
     Team& team() const { return team_; }
     std::uint32_t slice() const { return options_.slice; }
-    /// Into how many parts work on so many states is cut that costs little for each.
+    /// Number of parts into which cheap work on this number of states is divided.
     std::size_t parts(std::size_t states) const { return states < std::size_t{1024} * slice() ? 1 : team_.size(); }
-    /// Calls `work(part)` for each of so many parts, side by side.
+    /// Calls `work(part)` for each part, in parallel.
     template <class Work>
     void share(std::size_t parts, const Work& work) const {
         if (parts == 1) return work(0);
@@ -33,8 +33,7 @@ public:
         });
     }
 
-    /// Calls `work(begin, end)` for ranges that are so many states in all, side by side; no two have a state in one word
-    /// of a set.
+    /// Calls `work(begin, end)` for ranges that partition the states, in parallel; ranges share no word of a set.
     template <class Work>
     void share_states(std::size_t states, const Work& work) const {
         const std::size_t parts = this->parts(states);
@@ -43,22 +42,22 @@ public:
     }
 
     double seconds() const;
-    /// Whether the user or the deadline ends the check.
+    /// True if the user or the deadline ends the check.
     bool stopped() const;
-    /// For every state of a loop that is no search: throws Stop where the check ends.
+    /// For every state in loops outside the exploration: throws Stop if the check ends.
     struct Stop {};
     static constexpr std::size_t look_every = 65536;  ///< states
     void poll() const {
         if (++polls_ % look_every == 0 && stopped()) throw Stop{};
     }
-    /// What ends the search, or None; shows progress now and then. `more`: bytes held besides the graph.
+    /// The cause that ends the search, or None; reports progress periodically. `more`: bytes used besides the graph.
     Obstacle judge(const Graph& graph, std::uint32_t state, std::size_t more);
-    /// Explains the states found, once, where there are many and somebody asks.
+    /// Computes a profile of the states found, once, if there are many and one was requested.
     void explain(Graph& graph);
     bool too_many(std::size_t states) const { return states >= options_.max_states || states >= Store::most; }
     bool until_decided() const { return options_.until_decided; }
     std::uint64_t max_memory() const { return options_.max_memory; }
-    /// It was the memory allowed that ended the search, not what the system has.
+    /// True if the memory limit ended the search, not a lack of system memory.
     bool allowed_used() const { return allowed_used_; }
 
 private:
@@ -71,8 +70,8 @@ private:
     mutable Team team_;
 };
 
-/// Fills `graph` from the initial state; returns what ended it early, or None. States in which the `race` bit is set are
-/// found but not left.
+/// Fills `graph` from the initial state; returns the cause of an early end, or None. States in which the `race` bit is
+/// set are found but not expanded.
 Obstacle explore(Graph& graph, Watch& watch, const std::vector<Field>& races, Limits& limits);
 
 }  // namespace grafverif::timed

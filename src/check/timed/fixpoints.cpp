@@ -10,12 +10,13 @@ namespace grafverif::timed {
 
 namespace {
 
-/// One sweep over `open`: states that `decided(state)` leave it and join `set`. With `beside`, each thread sweeps a part.
+/// One sweep over `open`: states for which `decided(state)` is true move to `set`. With `beside`, threads sweep parts
+/// in parallel.
 template <class Decided>
 void sweep_once(std::vector<std::uint32_t>& open, StateSet& set, bool beside, const Limits& limits,
                 const Decided& decided) {
     const std::size_t parts = beside ? limits.parts(open.size()) : 1;
-    std::vector<std::size_t> ends(parts);  // of what stays of each part
+    std::vector<std::size_t> ends(parts);  // of the remaining states of each part
     const auto sweep_part = [&](std::size_t part) {
         std::size_t kept = open.size() * part / parts;
         const std::size_t end = open.size() * (part + 1) / parts;
@@ -35,8 +36,8 @@ void sweep_once(std::vector<std::uint32_t>& open, StateSet& set, bool beside, co
     open.resize(kept);
 }
 
-/// Sweeps over `open`, alternating in direction, until a sweep decides less than one state in `stall` (none, for 0).
-/// `decided(state)` tells whether the state joins. False: stopped.
+/// Sweeps over `open` in alternating directions, until a sweep decides less than one state in `stall` (none, for 0).
+/// `decided(state)` is true if the state joins. False: stopped.
 template <class Decided>
 bool sweep(std::vector<std::uint32_t>& open, StateSet& set, std::size_t stall, bool beside, const Limits& limits,
            const Decided& decided) {
@@ -53,7 +54,7 @@ bool sweep(std::vector<std::uint32_t>& open, StateSet& set, std::size_t stall, b
     return true;
 }
 
-/// The states of which nothing is known join `set`.
+/// Adds the states that were not expanded to `set`.
 void join_open(const Graph& graph, StateSet& set, const Limits& limits) {
     limits.share_states(graph.states(), [&](std::size_t begin, std::size_t end) {
         for (auto state = static_cast<std::uint32_t>(begin); state != end; ++state)
@@ -61,7 +62,7 @@ void join_open(const Graph& graph, StateSet& set, const Limits& limits) {
     });
 }
 
-/// In order, the first `states` but those in `set`.
+/// The first `states` states without those in `set`, in order.
 std::vector<std::uint32_t> all_but(const StateSet& set, std::size_t states, const Limits& limits) {
     const std::size_t words = (states + 63) / 64;
     const auto bits = [&](std::size_t word) {
@@ -88,25 +89,25 @@ std::vector<std::uint32_t> all_but(const StateSet& set, std::size_t states, cons
     return list;
 }
 
-/// The states looked at that are not in `set`; those of which nothing is known join it.
+/// The expanded states that are not in `set`; adds the states that were not expanded to `set`.
 std::vector<std::uint32_t> undecided(const Graph& graph, StateSet& set, const Limits& limits) {
     join_open(graph, set, limits);
     return all_but(set, graph.states(), limits);
 }
 
-constexpr std::size_t most_walkers = 4;  // each has a path of its own in memory
+constexpr std::size_t most_walkers = 4;  // each has separate path memory
 
-/// What sweeps leave, depth first from the roots: a state is left for good, and joins `met`, when all its successors are in
-/// `met`. Several threads walk side by side, from different roots on and into successors in different orders; none goes
-/// where another has been and come back. What avoids `met` is on a cycle of such states, leads to one, or ends: nobody
-/// comes back from there, so that it is found whoever walks.
+/// Decides the states that sweeps leave open, depth first from the roots: a state is left for good, and joins `met`,
+/// when all its successors are in `met`. Several threads walk in parallel, from different roots and into successors in
+/// different orders; none enters a state that another one has left. A state that avoids `met` is on a cycle of such
+/// states, leads to one, or is a terminal state. No walk ever leaves it, so it is found regardless of the thread.
 class DepthFirst {
 public:
     DepthFirst(Graph& graph, StateSet& met, const std::vector<std::uint32_t>& roots, const Limits& limits,
                std::size_t walkers)
         : graph_(graph), met_(met), roots_(roots), limits_(limits), walkers_(walkers) {}
 
-    /// Whether no run from the roots avoids `met`.
+    /// True if no run from the roots avoids `met`.
     bool run() {
         limits_.share(walkers_, [&](std::size_t walker) { walk(walker); });
         return !avoided_;
@@ -119,7 +120,7 @@ private:
         StateSet states;
         Column<std::uint32_t> stack = {};
         std::uint32_t steps = 0;
-        bool in_order = false;  // successors; else the last comes first
+        bool in_order = false;  // successors; otherwise the last comes first
     };
 
     void walk(std::size_t walker) {
@@ -131,7 +132,7 @@ private:
         }
     }
 
-    /// False: some walker has found a run.
+    /// False if some walker has found a run.
     bool walk_from(std::uint32_t root, Path& path) {
         Column<std::uint32_t>& stack = path.stack;
         stack.push_back(root);
@@ -179,13 +180,13 @@ private:
 std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Transitions by,
                                                        const Limits& limits) {
     std::vector<std::uint32_t> open = undecided(graph, goal, limits);
-    const auto target_leads = [&](std::uint32_t state) {  // without looking at all successors
+    const auto target_leads = [&](std::uint32_t state) {  // without visiting all successors
         const StateKind kind = graph.kind(state);
         const bool has_one = kind == StateKind::Urgent || (kind == StateKind::Acts && by != Transitions::UrgentActions);
         return has_one && goal.has(graph.target(state));
     };
     if (!sweep(open, goal, 0, true, limits, target_leads)) return {};
-    std::vector<std::uint32_t> successors;  // of urgent edges; their sweep is of one thread
+    std::vector<std::uint32_t> successors;  // of urgent edges; their sweep is sequential
     const auto leads = [&](std::uint32_t state) {
         bool found = false;
         const auto look = [&](std::uint32_t next) { found = found || goal.has(next); };

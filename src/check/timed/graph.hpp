@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Graph: the states that a search has found and the transitions between them.
 //
-// A state's kind says, in one word with its target, whether time passes in it and where to. Edges lead to `links`: the numbers of the
-// states they lead to, each as its distance from the one before it (the first: from the state itself) in as few groups
-// of seven bits as it takes, since most lead near. Where links take too many bytes per state they are dropped, and
-// computed anew when asked for: a bound on memory against time. Parents give each state its shortest run.
+// A state's kind states, in one word with its target, if time passes in it and where to. The targets of edges are in
+// `links`: each as the distance of its number from the previous one (the first: from the state itself), in as few
+// groups of seven bits as possible, since most are near. If links use too many bytes per state they are dropped, and
+// computed again on demand: less memory for more time. Parents give each state its shortest run.
 #pragma once
 
 #include <atomic>
@@ -20,29 +20,29 @@
 
 namespace grafverif::timed {
 
-/// What a state can do besides its edges.
+/// The behaviour of a state apart from its edges.
 enum class StateKind : std::uint32_t {
-    Unknown,       ///< not looked at
-    Passes,        ///< time passes, no edge can fire
-    PassesOrActs,  ///< time passes, or an edge fires
-    Urgent,        ///< an urgent edge stops time; the target is the state it leads to
-    Stuck,         ///< an invariant stops time, no edge can fire
-    Acts,          ///< an invariant stops time, an edge can fire; the target is a state it leads to
-    Open,          ///< the model breaks off here: nothing is concluded from this state
+    Unknown,       ///< not expanded
+    Passes,        ///< time passes, no edge is enabled
+    PassesOrActs,  ///< time passes, or an edge is taken
+    Urgent,        ///< an urgent edge stops time; the target is its successor
+    Stuck,         ///< an invariant stops time, no edge is enabled
+    Acts,          ///< an invariant stops time, an edge is enabled; the target is a successor
+    Open,          ///< a model error: nothing is concluded from this state
 };
 
-/// Lists of states, one per state, in few bytes.
+/// Compressed lists of states, one list per state.
 class Links {
 public:
-    /// The lists of a few states in a row, put together beside others.
+    /// The lists of a few consecutive states, built in parallel with others.
     struct Part {
-        static constexpr std::size_t most = 5;  ///< bytes that one state in a list takes
+        static constexpr std::size_t most = 5;  ///< maximum bytes of one state in a list
         std::vector<std::uint8_t> bytes = {};
         std::vector<std::uint32_t> begins = {};  ///< in `bytes`, of each list
 
         /// Begins the list of the next state.
         void begin() { begins.push_back(static_cast<std::uint32_t>(bytes.size())); }
-        /// `last`: the state put before, or whose list it is.
+        /// `last`: the previous state of the list, or the state that the list belongs to.
         void add(std::uint32_t last, std::uint32_t next) {
             const auto distance = static_cast<std::int64_t>(next) - static_cast<std::int64_t>(last);
             auto rest = static_cast<std::uint64_t>(distance < 0 ? -2 * distance - 1 : 2 * distance);
@@ -50,7 +50,7 @@ public:
             bytes.push_back(static_cast<std::uint8_t>(rest));
         }
     };
-    /// The lists of the next states.
+    /// Appends the lists of the next states.
     void append(const Part& part) {
         const auto first = static_cast<std::uint32_t>(bytes_.size());
         bytes_.append(part.bytes.data(), part.bytes.size());
@@ -87,7 +87,7 @@ private:
     Column<std::uint32_t> ends_ = {};  // where the list of each state begins
 };
 
-/// A set of states. Threads may add to it side by side by `add_beside`, and read it meanwhile.
+/// A set of states. Threads may add to it in parallel by `add_beside`, and read it concurrently.
 class StateSet {
 public:
     explicit StateSet(std::size_t states) : words_((states + 63) / 64) {}
@@ -96,7 +96,7 @@ public:
     void add_beside(std::uint32_t state) { word(state).fetch_or(bit(state), relaxed); }
     void remove(std::uint32_t state) { word(state).store(word(state).load(relaxed) & ~bit(state), relaxed); }
 
-    /// The states from 64 * `index` on, one a bit.
+    /// The states from 64 * `index` on, one per bit.
     std::uint64_t bits(std::size_t index) const { return words_[index].load(relaxed); }
 
 private:
@@ -118,7 +118,7 @@ struct FaultAt {
     Fault fault = {};
 };
 
-/// Threads may read one side by side, but for what is not const.
+/// Thread-safe for reading by const functions.
 class Graph {
 public:
     explicit Graph(Machine& compiled) : machine(compiled), store(compiled.layout()) {}
@@ -129,9 +129,9 @@ public:
     Store store;
     Column<std::uint32_t> parent = {};
     Column<std::uint32_t> kinds = {};  // with targets
-    Links links = {};                  // per state looked at
+    Links links = {};                  // per expanded state
     bool linked = true;
-    std::uint32_t looked_at = 0;             // the states below have their kinds and links
+    std::uint32_t looked_at = 0;             // all states below this number have their types and links
     std::vector<std::uint32_t> levels = {};  // the first state of each depth
     std::uint64_t transitions = 0;
     bool time_passes = false;
@@ -141,7 +141,7 @@ public:
 
     std::size_t states() const { return store.size(); }
     StateKind kind(std::uint32_t state) const { return static_cast<StateKind>(kinds[state] >> kind_shift); }
-    /// Where a unit of time leads, or the urgent edge.
+    /// The successor by a unit of time, or by the urgent edge.
     std::uint32_t target(std::uint32_t state) const { return kinds[state] & target_mask; }
     bool passes(std::uint32_t state) const {
         return kind(state) == StateKind::Passes || kind(state) == StateKind::PassesOrActs;
@@ -152,7 +152,7 @@ public:
     }
     std::size_t bytes() const { return store.bytes() + parent.bytes() + kinds.bytes() + links.bytes(); }
 
-    /// Calls `visit(state)` for each state an edge of `state` leads to.
+    /// Calls `visit(state)` for each successor of `state` by an edge.
     template <class Visit>
     void each_action(std::uint32_t state, const Visit& visit) {
         if (linked) {
@@ -163,20 +163,20 @@ public:
         for (std::size_t i = 0; i < moves_.edges.size(); ++i)
             visit(store.find(moves_.words.data() + i * machine.layout().words, found_));
     }
-    /// The same for time as well.
+    /// Calls `visit(state)` for each successor by an edge or by time.
     template <class Visit>
     void each(std::uint32_t state, const Visit& visit) {
         each_action(state, visit);
         if (passes(state)) visit(target(state));
     }
-    /// The states that urgent edges lead to.
+    /// The successors by urgent edges.
     void urgent_successors(std::uint32_t state, std::vector<std::uint32_t>& found);
 
-    /// The move that leads from one state to its neighbour.
+    /// The move that leads from one state to its successor.
     Move move_between(std::uint32_t from, std::uint32_t to);
-    /// The moves along a path of states; delays in a row are joined, not across the place `loop` of the path.
+    /// The moves along a path of states; joins consecutive delays, except across the index `loop` of the path.
     Run run_along(const std::vector<std::uint32_t>& path, std::optional<std::size_t> loop = {});
-    /// The states of a path behind the first, as TimedResult::paths has them.
+    /// The states of a path after the first, in the form of TimedResult::paths.
     std::vector<AbstractState> states_along(const std::vector<std::uint32_t>& path);
     /// The path from the initial state.
     std::vector<std::uint32_t> path_to(std::uint32_t state) const;
@@ -195,7 +195,7 @@ private:
 
     Moves moves_ = {};
     Unfolded now_ = {}, found_ = {};
-    std::size_t taken_ = 0;  // by move_between: the number of the edge in moves_
+    std::size_t taken_ = 0;  // set by move_between: the number of the edge in moves_
 };
 
 }  // namespace grafverif::timed

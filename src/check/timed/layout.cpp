@@ -10,7 +10,7 @@ namespace grafverif::timed {
 
 namespace {
 
-/// Hands out bits, each field in the first word with room; fields that belong together come one after the other.
+/// Allocates bits, each field in the first word with enough free bits; related fields are allocated consecutively.
 class Bits {
 public:
     Field take(std::uint64_t values, std::int64_t low) {
@@ -25,14 +25,14 @@ public:
         return field;
     }
 
-    /// Later fields begin a fresh half word; returns its number.
+    /// Later fields begin a new half word; returns its number.
     std::size_t seam() {
         first_ = std::max<std::size_t>(used_.size(), 1) - 1;
         if (last() > 0) used_.back() = last() <= 32 ? 32 : 64;
         return 2 * used_.size() - (last() == 32 ? 1 : 0);
     }
 
-    /// Later fields go into fresh words.
+    /// Later fields use new words.
     void close() {
         base_ = size();
         first_ = 0;
@@ -45,12 +45,12 @@ public:
 private:
     std::size_t base_ = 0;
     std::size_t first_ = 0;            // every word before it is full
-    std::vector<unsigned> used_ = {};  // bits taken of each open word
+    std::vector<unsigned> used_ = {};  // bits used in each open word
 };
 
 std::uint64_t values_of(const Type& type) { return static_cast<std::uint64_t>(type.high - type.low) + 1; }
 
-/// The processes, sub-loop by sub-loop.
+/// The processes, grouped by independent subsystem.
 std::vector<Id<Network::Process>> by_part(const Network& network, const NetworkParts& parts) {
     std::vector<Id<Network::Process>> processes;
     for (const Id<Network::Process> process : network.processes.ids()) processes.push_back(process);
@@ -58,7 +58,7 @@ std::vector<Id<Network::Process>> by_part(const Network& network, const NetworkP
     return processes;
 }
 
-/// Per process the variables that it writes and none before it, in order; those that nobody writes come last.
+/// Per process the variables that it writes first, in order; unwritten variables come last.
 std::vector<std::vector<Id<Network::Variable>>> written_by_process(const Network& network) {
     std::vector<std::size_t> writer(network.variables.size(), network.processes.size());
     for (const Id<Network::Process> id : network.processes.ids()) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Layout: where each location, variable and clock of a network stands in the bits of a state.
+// Layout: the position of each location, variable and clock of a network in the bits of a state.
 //
-// A state is an array of 64-bit words; no field crosses a word, so that reading one is a shift and a mask, and a
-// conjunction of Booleans in one word is one comparison. A Boolean takes one bit, an integer the bits of its range, a
-// clock those of its cap (see clocks). Scratch variables live in words past the stored ones: they are written before
-// they are read, so nobody need clear or compare them.
+// A state is an array of 64-bit words. No field crosses a word, so that reading one is a shift and a mask, and a
+// conjunction of Booleans in one word is one comparison. A Boolean uses one bit, an integer the bits of its range, a
+// clock those of its cap (see clocks). Scratch variables follow the stored words: they are written before they are
+// read, so they need not be cleared or compared.
 #pragma once
 
 #include <bit>
@@ -19,12 +19,12 @@
 
 namespace grafverif::timed {
 
-// The clocks of a network (ir/network_clocks) as the timed engine takes them, and where integer time is not exact.
+// The clocks of a network (ir/network_clocks) as the timed engine uses them, and inexact places of integer time.
 
 using Interval = ClockInterval;
 
 /// The first place that integer time does not decide exactly: a strict constraint, or an urgent edge that time may
-/// switch off. Empty where there is none.
+/// disable. Empty if there is none.
 std::optional<std::string> inexact_place(const Network& network);
 
 using Word = std::uint64_t;
@@ -40,7 +40,7 @@ struct Field {
     Word mask() const { return width == 0 ? 0 : all() << shift; }
     Word raw(const Word* words) const { return width == 0 ? 0 : (words[word] & mask()) >> shift; }
     std::int64_t get(const Word* words) const { return low + static_cast<std::int64_t>(raw(words)); }
-    /// `value` placed in the word, every other bit 0.
+    /// `value` at the position of the field, every other bit 0.
     Word placed(std::int64_t value) const { return static_cast<Word>(value - low) << shift; }
     void set(Word* words, std::int64_t value) const {
         words[word] = (words[word] & ~mask()) | (width == 0 ? 0 : placed(value));
@@ -49,17 +49,17 @@ struct Field {
 
 struct Layout {
     static constexpr std::size_t most_words = std::size_t{1}
-                                              << 16U;  ///< that a field can name; for more, `fits` is false
+                                              << 16U;  ///< that a field can address; for more, `fits` is false
     bool fits() const { return words <= most_words; }
 
     std::vector<Field> locations = {};            ///< per process
     std::vector<Field> variables = {};            ///< per variable
     std::vector<std::vector<Field>> clocks = {};  ///< per process and clock
-    std::vector<Field> choices = {};              ///< per choice, the valuations possible; width 0: not kept
+    std::vector<Field> choices = {};              ///< per choice, the possible valuations; width 0: not kept
     std::size_t stored = 1;                       ///< words of a state
-    std::size_t words = 1;                        ///< the same with scratch variables
+    std::size_t words = 1;                        ///< including scratch variables
     std::size_t halves = 1;                       ///< 32-bit units that hold every stored bit
-    std::vector<std::size_t> seams = {};          ///< those of them that a sub-loop begins with, but the first
+    std::vector<std::size_t> seams = {};          ///< those at which a subsystem begins, except the first
 };
 
 /// `network` is expanded.

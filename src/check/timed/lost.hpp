@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is lost behind the point of no return: which transitions are never cleared in the states that can still be reached.
+// Dead transitions after the point of no return: transitions that are never cleared in the states that are still
+// reachable.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +11,8 @@
 
 namespace grafverif::timed {
 
-/// Names them, each with what stays false of its condition where that is a step or a variable. Requires that every reachable state was
-/// looked at. Empty: there is none.
+/// Lists them, each with the part of its condition that is constantly false, if that is a step or a variable. Requires
+/// that every reachable state was expanded. Empty if there are none.
 std::string lost_words(Graph& graph, std::uint32_t from, const Limits& limits);
 
 }  // namespace grafverif::timed

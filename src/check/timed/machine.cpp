@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The moves of a state: the hot loop of the search. It does not allocate once its buffers have grown.
+// Computes the moves of a state: the hot loop of the search. It does not allocate after its buffers have grown.
 #include "check/timed/machine.hpp"
 
 #include <bit>
@@ -50,14 +50,14 @@ void Machine::fire(std::uint32_t edge, const Word* words, Moves& moves) const {
     else fire_each_way(edge, words, moves);
 }
 
-/// The state that the edge leads to, as the last move; null: a fault.
+/// Adds the successor by the edge as the last move; null: a fault.
 Word* Machine::take(std::uint32_t edge, const Word* words, Moves& moves) const {
     if (const std::size_t room = (moves.edges.size() + 1) * layout_.words; moves.words.size() < room)
         moves.words.resize(2 * room);
     Word* const next = moves.words.data() + moves.edges.size() * layout_.words;
     for (std::size_t i = 0; i < layout_.stored; ++i) next[i] = words[i];
     const Ran ran = run(program_, edges_[edge].effect, next, moves.registers.data() + program_.below);
-    moves.urgent = moves.urgent || edges_[edge].urgent;  // also where it breaks off
+    moves.urgent = moves.urgent || edges_[edge].urgent;  // also at a model error
     if (ran.end == End::Yes) {
         moves.edges.push_back(edge);
         if (moves.record_choices) moves.chosen.insert(moves.chosen.end(), choices_.size(), 0);
@@ -67,7 +67,7 @@ Word* Machine::take(std::uint32_t edge, const Word* words, Moves& moves) const {
     return nullptr;
 }
 
-/// Depth-first over the splits that the code of the edge meets: each run follows `path`, which is then advanced.
+/// Depth-first over the splits in the code of the edge: each run follows `path`, which is then advanced.
 void Machine::fire_each_way(std::uint32_t edge, const Word* words, Moves& moves) const {
     const Edge& at = edges_[edge];
     std::int64_t* const registers = moves.registers.data() + program_.below;

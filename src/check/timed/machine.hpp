@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Machine: a network compiled for the search: the moves of a packed state, as packed states.
+// Machine: a network compiled for the search: computes the moves of a packed state as packed states.
 //
-// An edge is tried by one comparison of a word, then by what else its guard and clock constraint say; its effect is one
+// An edge is tested by one comparison of a word, then by the rest of its guard and clock constraint. Its effect is one
 // program on a copy of the state: assignments, procedures, the new location, resets, caps, the target's invariant.
 //
-// While the edges of a state are tried the machine also finds out whether integer time tells the truth about dense time
-// there (design: "time can hide a lock between the ticks"). For each bound `c <= d` in force, an edge covers it when
-// its data guard holds and it can fire at c == d whatever the other clocks say; see `Exactness`.
+// While testing the edges of a state, the machine also determines if integer time is exact for dense time there
+// (design: "time can hide a lock between the ticks"). For each bound `c <= d` in force, an edge covers it if its data
+// guard holds and it is enabled at c == d for all values of the other clocks; see `Exactness`.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace grafverif::timed {
 
-/// A place where the model breaks off.
+/// A model error and its place.
 struct Fault {
     End kind = End::OutOfRange;
     std::uint32_t edge = 0;      ///< in Machine::edges
@@ -32,27 +32,27 @@ struct UncoveredBound {
     std::uint32_t bound = 0;  ///< in the invariant of its location
 };
 
-/// The moves of one state; reused, so that the search does not allocate.
+/// The moves of one state; reused to avoid allocation.
 struct Moves {
-    std::vector<std::uint32_t> edges = {};  ///< those that can fire, in the order of processes and edges
-    std::vector<Word> words = {};           ///< the states they lead to, Machine::layout.words apart
+    std::vector<std::uint32_t> edges = {};  ///< the enabled edges, in the order of processes and edges
+    std::vector<Word> words = {};           ///< their target states, at intervals of Machine::layout.words
     std::vector<std::int64_t> registers = {};
     bool record_choices = false;
-    std::vector<Word> chosen = {};  ///< if recorded: per move and choice, the valuations that it leaves possible
-    bool cut = false;               ///< an edge has more than Machine::most_choices ways to choose inputs
-    bool urgent = false;            ///< some urgent edge can fire: time stands
+    std::vector<Word> chosen = {};  ///< if recorded: per move and choice, the valuations that are possible after it
+    bool cut = false;               ///< an edge has more than Machine::most_choices combinations of inputs
+    bool urgent = false;            ///< some urgent edge is enabled: time stops
     std::optional<Fault> fault = {};
     std::optional<UncoveredBound> stuck_bound = {};   ///< a run may end here between the ticks
-    std::optional<UncoveredBound> locked_bound = {};  ///< time may be locked here between the ticks
+    std::optional<UncoveredBound> locked_bound = {};  ///< a timelock may occur here between the ticks
 };
 
-/// A network as code. Threads may share one while nothing more is compiled.
+/// A network as code. Threads may share it as long as nothing is compiled.
 class Machine {
 public:
     static constexpr std::size_t most_choices = std::size_t{1} << 14U;
 
-    /// `network` is expanded, and outlives the machine. An edge of a PLC that reads chosen inputs stands
-    /// for one edge per way to choose what it reads. Requires: at most Choices::most_splits valuations in all.
+    /// `network` is expanded, and must outlive the machine. An edge of a PLC that reads chosen inputs represents one
+    /// edge per combination of their values. Requires at most Choices::most_splits valuations in total.
     explicit Machine(const Network& network, std::vector<InputChoice> choices = {});
 
     const Network& network() const { return network_; }
@@ -60,24 +60,24 @@ public:
     Program& program() { return program_; }
     Compiler& compiler() { return compiler_; }
 
-    /// Every edge that can fire in `words` (layout().words of them).
+    /// Every enabled edge in `words` (layout().words of them).
     void expand(const Word* words, Moves& moves) const;
-    /// Lets one unit of time pass where invariants allow it; urgency is not looked at. False: some invariant forbids it.
+    /// Lets one unit of time pass if invariants permit it; ignores urgency. False: some invariant forbids it.
     bool delay(Word* words) const;
-    /// A term over variables and locations; fallible terms without value are reported as NoValue.
+    /// A term over variables and locations; undefined values are reported as NoValue.
     End holds(std::uint32_t predicate, const Word* words, std::vector<std::int64_t>& registers) const;
 
     Id<Network::Process> process_of(std::uint32_t edge) const { return {edges_[edge].process}; }
     Id<Network::Edge> edge_of(std::uint32_t edge) const { return {edges_[edge].index}; }
     bool urgent(std::uint32_t edge) const { return edges_[edge].urgent; }
     const std::vector<InputChoice>& choices() const { return choices_; }
-    /// Whether any clock is ever compared with anything.
+    /// True if some clock is compared.
     bool timed() const { return timed_; }
 
 private:
     struct Edge {
         Word mask = 0, value = 0;            // a first test
-        std::uint32_t guard = Program::yes;  // what else the guard says
+        std::uint32_t guard = Program::yes;  // the rest of the guard
         std::uint32_t clocks = Program::yes;
         std::uint32_t effect = Program::yes;
         std::uint32_t process = 0, index = 0;
@@ -85,7 +85,7 @@ private:
         std::uint16_t word = 0;
         std::uint32_t first_set = 0, last_set = 0;  // sets_: the choices of its PLC
         bool urgent = false;
-        bool always = false;  // no clock has a say: it covers every bound of every process
+        bool always = false;  // the edge is independent of clocks: it covers every bound of every process
     };
     struct Set {  // of valuations, in an edge
         std::uint32_t choice = 0;

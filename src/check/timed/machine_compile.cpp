@@ -9,7 +9,7 @@ namespace grafverif::timed {
 
 namespace {
 
-/// The tests of a clock interval as code; clocks are compared as capped at `cap`.
+/// The tests of a clock interval as code; clocks are compared after limiting them to `cap`.
 std::uint32_t within(Compiler& compiler, const Field& field, const Interval& wanted, std::int64_t cap,
                      std::uint32_t yes, std::uint32_t no) {
     const std::int64_t low = std::max<std::int64_t>(wanted.low, 0);
@@ -95,7 +95,7 @@ Machine::Edge Machine::compile_edge(Id<Network::Process> process, Id<Network::Ed
     compiled.index = id.index;
     compiled.urgent = edge.urgent;
     compile_guard(edge.guard, compiled);
-    // The target's invariant after the resets: it reads clocks only, so it can be tested before anything happens.
+    // The target's invariant after the resets: it reads only clocks, so it can be tested before the effect.
     const std::vector<Interval> wanted = admitted(network_, edge.constraint, automaton.clocks.size());
     const std::vector<Interval> after =
         admitted(network_, automaton.locations[edge.to].invariant, automaton.clocks.size());
@@ -113,7 +113,7 @@ Machine::Edge Machine::compile_edge(Id<Network::Process> process, Id<Network::Ed
     return compiled;
 }
 
-/// The tests of bits of one word go into the edge itself, the rest into code.
+/// The tests of bits of one word are stored in the edge itself, the rest as code.
 void Machine::compile_guard(Id<Expr> guard, Edge& compiled) {
     const auto alone = [&](Id<Expr> term) {
         const auto bits = compiler_.literal(term);
@@ -177,9 +177,9 @@ std::uint32_t Machine::compile_effect(Id<Network::Process> process, const Networ
     return next;
 }
 
-/// Which bounds of the source this edge covers (see UncoveredBound): it can fire at `c == d`, c being the only clock that has a say
-/// in its constraint and in the target's invariant after the resets. A bound of the target that the source implies has
-/// no say. It frees the bound when c is reset or bounded nowhere before its next reset.
+/// Determines which bounds of the source this edge covers (see UncoveredBound): it is enabled at `c == d` if c is the
+/// only clock that affects its constraint and the target's invariant after the resets. A bound of the target that the
+/// source implies has no effect. The edge frees the bound if c is reset, or not bounded before its next reset.
 void Machine::judge_bounds(Id<Network::Process> process, const Network::Edge& edge, Edge& compiled) const {
     const Network::Template& automaton = network_.templates[network_.processes[process].automaton];
     const std::size_t clocks = automaton.clocks.size();
@@ -187,7 +187,7 @@ void Machine::judge_bounds(Id<Network::Process> process, const Network::Edge& ed
     const std::vector<Interval> wanted = admitted(network_, edge.constraint, clocks);
     const std::vector<Interval> given = admitted(network_, invariant, clocks);
     const std::vector<Interval> after = admitted(network_, automaton.locations[edge.to].invariant, clocks);
-    const auto free = [&](std::uint32_t clock) {  // the clock has no say, at whatever values the source allows
+    const auto free = [&](std::uint32_t clock) {  // the clock has no effect, for all values that the source permits
         if (wanted[clock].low > 0 || wanted[clock].high < given[clock].high) return false;
         return resets(edge, {clock}) ? after[clock].high >= 0 : given[clock].high <= after[clock].high;
     };

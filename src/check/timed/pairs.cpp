@@ -11,9 +11,10 @@ namespace {
 
 constexpr std::size_t first_slots = 32;
 constexpr std::uint32_t fetched_ahead = 32;  // slots whose pairs are fetched ahead of their use
-constexpr unsigned least_number_bits = 12;   // so that a print has at most the 20 bits that no place is made of
+constexpr unsigned least_number_bits = 12;   // so that a print has at most the 20 bits that no slot index uses
 
-// Of a hash, the topmost bits choose the shard, the lowest are the print, those between the place in the shard.
+// The topmost bits of a hash select the shard, the lowest are the print, the bits between them select the slot in the
+// shard.
 
 std::uint32_t print_of(std::uint64_t hash, unsigned number_bits) {
     return static_cast<std::uint32_t>(hash) & ((1U << (32U - number_bits)) - 1);
@@ -85,7 +86,7 @@ std::uint32_t Pairs::append(Word pair) {
     return static_cast<std::uint32_t>(size_++);
 }
 
-/// One more pair will be put there.
+/// Reserves a slot for one more pair.
 void Pairs::count(Shard& shard) {
     const bool full = 5 * (shard.used + 1) > 4 * shard.slots.size();
     const std::size_t slots = full ? 2 * shard.slots.size() : shard.slots.size();
@@ -115,7 +116,7 @@ void Pairs::index(Word pair, std::uint32_t number) {
     put(shards_[shard_at(hash)], hash, number);
 }
 
-/// The open chunk is full.
+/// Packs the open chunk, which is full.
 void Pairs::pack() {
     std::uint32_t lows = 0, highs = 0;
     for (std::size_t i = 0; i < chunk; ++i) {
@@ -127,7 +128,7 @@ void Pairs::pack() {
     packed.low = mask_of(packed.low_bits);
     packed.high = mask_of(static_cast<unsigned>(std::bit_width(highs)));
     packed.each = static_cast<std::uint8_t>((packed.low_bits + std::bit_width(highs) + 7) / 8);
-    const std::size_t bytes = chunk * packed.each + sizeof(Word);  // the last pairs are read as words too
+    const std::size_t bytes = chunk * packed.each + sizeof(Word);  // the last pairs are also read as words
     packed.bytes = std::make_unique<std::uint8_t[]>(bytes);
     for (std::size_t i = 0; i < chunk; ++i) {
         const Word word = low(open_[i]) | Word{high(open_[i])} << packed.low_bits;
@@ -137,7 +138,7 @@ void Pairs::pack() {
     chunk_bytes_ += bytes + sizeof(Chunk);
 }
 
-/// With as many slots, and bits for `more` numbers and for those that there may be until it is full.
+/// Rehashes with this number of slots, and bits for `more` numbers and for those that fit until it is full.
 void Pairs::rebuild(Shard& shard, std::size_t slots, std::size_t more) {
     Shard wider{std::vector<std::uint32_t>(slots), shard.used, 0};
     wider.number_bits =

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Pairs of 32-bit numbers, each pair numbered once, in the order of its insertion: a level of the tree that states are
-// kept in (see Store).
+// Pairs of 32-bit numbers, each pair numbered once, in the order of its insertion: a level of the tree in which states
+// are stored (see Store).
 //
-// The pairs stand in chunks in the order of their numbers; a chunk that is full is packed: each of its pairs takes the
-// bytes that the greatest numbers of the chunk need. The index is split into shards by hash; a shard is doubled when
-// it is four fifths full, alone, so that only one shard is ever held twice. A slot of 32 bits keeps a pair's number, and
-// in the bits that no number needs yet, a print of the hash: strangers are told apart without a look at the pairs.
+// The pairs are in chunks in the order of their numbers. A full chunk is packed: each of its pairs uses the bytes that
+// the greatest numbers of the chunk need. The index is split into shards by hash. A shard is doubled separately when it
+// is four fifths full, so that only one shard is duplicated at a time. A slot of 32 bits contains a pair's number. The
+// bits that no number uses yet contain a print of the hash, which distinguishes most other pairs without reading them.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,7 @@ namespace grafverif::timed {
 class Pairs {
 public:
     static constexpr std::uint32_t none = 0xFFFFFFFF;
-    static constexpr std::uint32_t most =
-        (1U << 30U) - 2;  ///< numbers that there are; beyond, `intern` throws bad_alloc
+    static constexpr std::uint32_t most = (1U << 30U) - 2;  ///< maximum count; above it, `intern` throws bad_alloc
 
     explicit Pairs(unsigned shard_bits);
 
@@ -34,24 +33,24 @@ public:
         std::uint32_t number = none;
         bool fresh = false;
     };
-    /// The number of the pair; a new one if it has none. All of it is done, or nothing where memory ends.
+    /// The number of the pair; a new one if it has none. Complete, or without effect if memory is exhausted.
     Interned intern(Word pair);
-    /// The number that is given next, for a pair that has none; until it is indexed it is not found.
+    /// The next number, for a pair that has none; the pair is not found before it is indexed.
     std::uint32_t append(Word pair);
-    // What follows is shared by several threads: each takes the shards of its own.
+    // The following functions may run in several threads: each accesses only its own shards.
     struct Share {
         unsigned member = 0, members = 1;
     };
-    /// Room for as many more pairs, unless chance has it that more of them fall into one shard.
+    /// Reserves memory for further pairs; it may not suffice if unusually many of them fall into one shard.
     void make_room(std::size_t more, Share share);
-    /// The shard of the pair; of so many members, the one of this number modulo theirs has it.
+    /// The shard of the pair; it belongs to the member whose number equals it modulo the number of members.
     std::uint8_t shard_of(Word pair) const { return static_cast<std::uint8_t>(shard_at(hash(pair))); }
-    /// A pair that was appended is found from here on.
+    /// Makes an appended pair findable.
     void index(Word pair, std::uint32_t number);
 
     /// The number of the pair, or none.
     std::uint32_t find(Word pair) const;
-    /// Fetches the place where the pair is looked up first, and then, what is met there.
+    /// Prefetches the first slot of the pair, and then the pair that it refers to.
     void prefetch(Word pair) const;
     void prefetch_met(Word pair) const;
 
@@ -67,7 +66,7 @@ public:
     std::size_t size() const { return size_; }
     std::size_t bytes() const { return chunk_bytes_ + index_bytes(); }
     std::size_t index_bytes() const;
-    /// Gives the index back: from here on nothing can be looked up.
+    /// Frees the index: from here on no pair can be found.
     void drop_index();
 
 private:
@@ -79,7 +78,7 @@ private:
     };
     struct Shard {
         std::vector<std::uint32_t> slots = {};  // print and number + 1; 0: free
-        std::size_t used = 0;                   // with those appended
+        std::size_t used = 0;                   // including appended ones
         unsigned number_bits = 0;
     };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// That nothing goes on for ever within one instant, and that time can pass for ever, are questions about cycles: of
-// edges alone, and of edges and delays with a delay in it. Both are answered by strongly connected components. Most parts can rest: a state that time leaves as it is answers the second one at once.
+// Two premises are questions about cycles: that no run continues forever within one instant (cycles of edges alone),
+// and that time can diverge (cycles of edges and delays that contain a delay). Both are decided by strongly connected
+// components. Most parts can rest: a state that time leaves unchanged decides the second one immediately.
 #include "check/timed/premises.hpp"
 
 #include <optional>
@@ -12,7 +13,7 @@ namespace grafverif::timed {
 
 namespace {
 
-/// The components that edges, and delays if `delays`, make of all states; nothing leaves a state where the model breaks off.
+/// The components of all states under edges, and delays if `delays`; a state with a model error has no successors.
 auto components_of(Graph& graph, bool delays, const Limits& limits) {
     Components components(graph.states(), limits, [&graph, delays](std::uint32_t state, const auto& take) {
         if (graph.open(state)) return;
@@ -23,7 +24,7 @@ auto components_of(Graph& graph, bool delays, const Limits& limits) {
     return components;
 }
 
-/// A run in which time passes again and again, one that comes to rest where there is one.
+/// A run in which time diverges; one that comes to rest if there is one.
 std::optional<Run> divergent(Graph& graph, const Limits& limits) {
     const auto along = [&](std::uint32_t state, const std::vector<std::uint32_t>& cycle) {
         std::vector<std::uint32_t> path = graph.path_to(state);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a part of a network must be for others to be judged without it (docs/engines.md, "Sub-loops"), read off the
-// graph of a search that came to its end.
+// Premises under which a part of a network can be omitted from checks of others (docs/engines.md, "Sub-loops"),
+// determined from the graph of a complete search.
 #pragma once
 
 #include "check/timed/explore.hpp"

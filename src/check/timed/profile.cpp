@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Each field of a state gets a pseudo-random number that depends on its value; a state is their sum, a thing (a part, a
-// clock) the sum of its own, and what is left without the thing is the difference. So one pass over the states gives
-// every thing's rests; those that fall into one class of 2^k are counted, which bounds the memory: a class holds every
-// state of a rest or none.
+// Each field of a state has a pseudorandom number that depends on its value. The hash of a state is their sum; that of
+// a component (a part, a clock) is the sum over its fields. The hash of the rest without the component is the
+// difference. So one pass over the states gives the rests of every component. Only rests in one class of 2^k are
+// counted, which bounds the memory: a class contains all states of a rest or none.
 #include "check/timed/profile.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace grafverif::timed {
 namespace {
 
 constexpr std::size_t most_rests = std::size_t{1} << 21U;  // kept
-constexpr std::size_t most_seen = std::size_t{1} << 20U;   // values told apart, of all things together
+constexpr std::size_t most_seen = std::size_t{1} << 20U;   // distinguished values, of all components together
 
 /// Steele, Lea, Flood: Fast splittable pseudorandom number generators (2014), the mixing of SplitMix64.
 std::uint64_t mixed(std::uint64_t value) {
@@ -29,7 +29,7 @@ std::uint64_t mixed(std::uint64_t value) {
 }
 
 struct Thing {
-    std::uint64_t now = 0;  // of the state at hand
+    std::uint64_t now = 0;  // of the current state
     std::uint64_t met = 0;  // states whose rest is counted
     std::vector<std::uint64_t> rests = {};
     std::unordered_set<std::uint64_t> values = {};
@@ -49,7 +49,7 @@ struct Thing {
     }
 };
 
-/// What a field of a state belongs to: one thing or two.
+/// The components that contain a field of a state: one or two.
 struct Column {
     static constexpr std::size_t none = ~std::size_t{0};
     Field field = {};
@@ -57,7 +57,7 @@ struct Column {
     std::size_t clock = none;
 };
 
-/// Where the process of a controller is, and is not inside a cycle.
+/// The location of a controller's process outside a cycle.
 struct Waiting {
     Field location = {};
     std::uint32_t waiting = 0, initial = 0;
@@ -180,7 +180,7 @@ private:
         }
     }
 
-    /// What a clock would count in the coarser unit.
+    /// The value of a clock in the coarser unit.
     Word coarser(Word units) const {
         const StateProfile::Finest& finest = *profile_.finest;
         return units * static_cast<Word>(finest.unit_ms) / static_cast<Word>(finest.coarser_ms);
@@ -212,11 +212,11 @@ private:
     const Network& network_;
     StateProfile profile_ = {};
     std::vector<std::size_t> part_of_ = {};  // per process
-    std::vector<std::string> told_ = {};     // per process: `3s/X2` of a timer, else its name
+    std::vector<std::string> told_ = {};     // per process: `3s/X2` of a timer, otherwise its name
     std::vector<Waiting> waiting_ = {};
     std::vector<Column> columns_ = {};
     std::vector<Thing> things_ = {};  // parts, then clocks
-    Thing finer_ = {};                // what the coarser unit does not tell apart
+    Thing finer_ = {};                // the values that the coarser unit does not distinguish
     std::uint64_t classes_ = 1;
 };
 

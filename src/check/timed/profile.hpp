@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the states of a search come from.
+// State profile: the components that contribute most states to a search.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,11 @@
 namespace grafverif::timed {
 
 enum class Effort {
-    Brief,  ///< somebody waits for the end: a tenth of a second
+    Brief,  ///< the user waits for the end: a tenth of a second
     Full,   ///< some seconds
 };
-/// Of the first states found, as many as the effort allows. `finest`: what makes the time unit fine, if something does.
+/// Profile of the first states found, as many as the effort permits. `finest`: the cause of a fine time unit, if there
+/// is one.
 StateProfile profile_of(Graph& graph, std::optional<StateProfile::Finest> finest, Effort effort = Effort::Full);
 
 }  // namespace grafverif::timed

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Running compiled code. The loop holds no state but the place, so it is as quick as its branches are predictable.
+// Executes compiled code. The only state of the loop is the instruction, so its speed depends on branch prediction
+// alone.
 #include "check/timed/program.hpp"
 
 #include "support/overloaded.hpp"
@@ -24,7 +25,7 @@ std::int64_t arithmetic(Do op, std::int64_t left, std::int64_t right) {
     return overflow ? undefined : result;
 }
 
-/// The operators of `eager` code; And and Or look at the right operand only where the left one leaves it open.
+/// The operators of `eager` code; And and Or evaluate the right operand only if the left one does not decide.
 std::int64_t eager_value(const Instruction& at, const std::int64_t* registers) {
     const std::int64_t left = registers[at.a];
     const std::int64_t right = registers[at.b];

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Program: guards, assignments and properties compiled once to a flat branching program over packed states.
 //
-// Every instruction names its successors, so code has no order and is written from its end backwards: `compile` of a
-// Boolean term gets the places to go to when it is true and when it is false, and returns the place where it begins.
-// A conjunction of Booleans of one word is one Test; a comparison of a variable with a constant is one Within. Other
-// arithmetic goes through registers. Terms whose tree is far larger than their shared form are evaluated as the shared
-// form, each subterm once, into registers (`eager`); both ways give the same value, an undefined one included.
+// Every instruction names its successors, so code has no order and is generated from its end backwards: compiling a
+// Boolean term takes the instructions for true and for false, and returns its first instruction. A conjunction of
+// Booleans of one word is one Test; a comparison of a variable with a constant is one Within. Other arithmetic uses
+// registers. A term whose tree is far larger than its shared form is evaluated in that form, each subterm once, in
+// registers (`eager`); both forms have the same value, including undefined ones.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ enum class Do : std::uint8_t {
     Multiply,
     Divide,
     Modulo,
-    Negate,  // register `to` := a op b; no value: `undefined`
+    Negate,  // register `to` := a op b; `undefined` if it has no value
     Equal,
     Less,
     LessEqual,  // registers a, b ?
@@ -45,13 +45,13 @@ enum class Do : std::uint8_t {
     EagerLessEqual,
     EagerChoice,  // into register `to`
     Patch,        // word := (word & mask) | value
-    Store,        // field := register a, in range; else a fault
-    Cap,          // raw field := the smaller of it and `value`
-    Choose,       // is the chosen valuation one of those in `value`? See Choices
+    Store,        // field := register a if in range; otherwise a fault
+    Cap,          // raw field := the minimum of it and `value`
+    Choose,       // tests if the chosen valuation is one of those in `value`; see Choices
 };
 
 struct Instruction {
-    Word mask = 0;          ///< Load, Within, Store, Cap: of the field, in place
+    Word mask = 0;          ///< Load, Within, Store, Cap: of the field, at its position
     Word value = 0;         ///< Test, Patch: bits; Load, Constant, Store: the least value; Within: low; Cap: the cap
     Word span = 0;          ///< Within, Store: values above the least
     std::uint32_t yes = 0;  ///< the next instruction
@@ -65,12 +65,12 @@ struct Instruction {
 /// The test that the bits of `field` are a number in low..high.
 Instruction field_within(const Field& field, std::int64_t low, std::int64_t high, std::uint32_t yes, std::uint32_t no);
 
-/// What a term without a value leaves in its register. No term of bounded variables has it as a value.
+/// The content of a register for an undefined term. It is not a value of any term of bounded variables.
 inline constexpr std::int64_t undefined = std::numeric_limits<std::int64_t>::min();
 
 /// Registers below the first one, for code that chooses input valuations as it reads them (ir/network_inputs.hpp). The
-/// set of valuations that are possible for a choice is a bit mask; `Choose` splits a set of which its condition is
-/// neither true nor false. `path` has one bit per split, `depth` counts the splits of a run.
+/// set of valuations that are possible for a choice is a bit mask; `Choose` splits a set for which its condition is
+/// neither constantly true nor false. `path` has one bit per split, `depth` counts the splits of a run.
 struct Choices {
     static constexpr std::uint32_t depth = 1, path = 2, path_words = 4, most_splits = 64 * path_words;
     static constexpr std::uint32_t set(std::size_t choice) {
@@ -79,7 +79,7 @@ struct Choices {
 };
 
 struct Program {
-    static constexpr std::uint32_t yes = 0, no = 1;  ///< the two ends stand first
+    static constexpr std::uint32_t yes = 0, no = 1;  ///< the two final instructions come first
     std::vector<Instruction> code = {Instruction{}, Instruction{.op = Do::No}};
     std::size_t registers = 1;
     std::size_t below = 0;  ///< registers below the first one
@@ -87,13 +87,13 @@ struct Program {
 
 enum class End { Yes, No, OutOfRange, NoValue };
 
-/// Runs from `start`; `place` is where it ended, for a fault the instruction at fault.
+/// Runs from `start`; `place` is the final instruction, or the one that caused a fault.
 struct Ran {
     End end = End::No;
     std::uint32_t place = 0;
 };
 Ran run(const Program& program, std::uint32_t start, Word* words, std::int64_t* registers);
-/// The same for a condition, which writes no word.
+/// Runs a condition, which writes no word.
 inline Ran test(const Program& program, std::uint32_t start, const Word* words, std::int64_t* registers) {
     return run(program, start, const_cast<Word*>(words), registers);
 }
@@ -103,13 +103,13 @@ class Compiler {
 public:
     Compiler(const Network& network, const Layout& layout, Program& program);
 
-    /// A Boolean term: go on at `yes` or `no`.
+    /// A Boolean term: continues at `yes` or `no`.
     std::uint32_t condition(Id<Expr> term, std::uint32_t yes, std::uint32_t no);
-    /// `target := value`, then on at `next`.
+    /// `target := value`, then continues at `next`.
     std::uint32_t assignment(Id<Network::Variable> target, Id<Expr> value, std::uint32_t next);
     std::uint32_t emit(const Instruction& instruction);
 
-    /// A test of bits that is the whole of a term, or part of a conjunction: (word & mask) == value.
+    /// A test of bits that is a complete term, or part of a conjunction: (word & mask) == value.
     struct Literal {
         std::uint16_t word = 0;
         Word mask = 0, value = 0;
@@ -123,10 +123,10 @@ public:
     bool fallible(Id<Expr> term) const { return facts_[term.index].fallible; }
 
 private:
-    /// What is known of a term without its context.
+    /// Properties of a term that are independent of its context.
     struct Facts {
-        std::uint32_t tree = 1;    // nodes, were nothing shared; saturates
-        bool fallible = false;     // may have no value
+        std::uint32_t tree = 1;    // number of nodes of its tree without sharing; saturates
+        bool fallible = false;     // may be undefined
         double low = 0, high = 1;  // bounds of the value
     };
     Facts facts_of(Id<Expr> term) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Properties -> code and watches. `at stable` is a part of the code: `always p at stable` looks for settled and not p,
-// every other operand p becomes settled and p.
+// Compiles properties to code and watches. `at stable` is part of the code: for `always p at stable`, a state with
+// settled and not p is searched; every other operand p becomes settled and p.
 #include "check/timed/questions.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace grafverif::timed {
 
 namespace {
 
-/// Whether `at stable` restricts the states that the property is judged in.
+/// True if `at stable` restricts the states in which the property is checked.
 bool is_judged(Pattern pattern) {
     return pattern != Pattern::Watched && pattern != Pattern::RawUppaal && pattern != Pattern::RawCtl &&
            pattern != Pattern::RawLtl;
@@ -47,7 +47,7 @@ std::uint32_t Questions::settled_but_not(const Property& property, Id<Expr> oper
     return property.at_stable ? machine_.compiler().condition(network_.settled, code, Program::no) : code;
 }
 
-/// Yes where none or two of the operands hold. Written from the last operand backwards, for none and for one met so far.
+/// Yes if none or two of the operands hold. Generated from the last operand backwards, for none and for one so far.
 std::uint32_t Questions::not_exactly_one(const Property& property) {
     Compiler& compiler = machine_.compiler();
     std::uint32_t after_none = Program::yes;

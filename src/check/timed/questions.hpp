@@ -12,11 +12,11 @@
 
 namespace grafverif::timed {
 
-/// `no timelock`, which every timed check decides, for models that do not declare it.
+/// `no timelock` for models that do not declare it; timed checks decide it by default.
 Property undeclared_timelock(const Network& network);
-/// Whether `property` is `no timelock` of all states.
+/// True if `property` is `no timelock` of all states.
 bool about_time(const Property& property);
-/// Whether `options` ask for `property`.
+/// True if `options` select `property`.
 bool asked(const TimedOptions& options, const Property& property);
 
 class Questions {
@@ -24,14 +24,15 @@ public:
     Questions(const Network& network, Machine& machine, Watch& watch);
 
     void ask(Id<Property> about, const Property& property);
-    /// Whether some property asked goes along the edges of many states.
+    /// True if some selected property needs the edges of many states.
     bool follow_edges() const;
     /// The verdicts, after a search that `ended`.
     std::vector<Verdict> answers(Graph& graph, Obstacle ended, const std::vector<ModelError>& errors,
                                  const Limits& limits);
-    /// True if the search has met the state that decides a property about single states; in the order of the verdicts.
+    /// True if the search has found the state that decides a property about single states; in the order of the
+    /// verdicts.
     bool shown(std::size_t verdict) const { return watch_.found(questions_[verdict].watch) != Watch::none; }
-    /// Per verdict what TimedResult::paths has.
+    /// Per verdict the content of TimedResult::paths.
     std::vector<std::vector<AbstractState>> paths(Graph& graph) const;
 
 private:
@@ -41,10 +42,10 @@ private:
     struct Question {
         Verdict verdict = {};
         const Property* property = nullptr;
-        std::size_t watch = none;  // the state that decides it, or that keeps it from being vacuous
+        std::size_t watch = none;  // the state that decides it, or that shows that it is not vacuous
         std::uint32_t p = Program::no, q = Program::no;
         bool at_stable = false;
-        std::optional<std::uint32_t> lost = {};  // a state from which what is asked is impossible
+        std::optional<std::uint32_t> lost = {};  // a state from which the required states are unreachable
     };
 
     std::uint32_t settled_and(const Property& property, Id<Expr> operand);
@@ -53,9 +54,9 @@ private:
     void ask_steps(const Property& property, const Question& prototype);
     void compile(Question& question);
 
-    /// What is the same for all verdicts of one search.
+    /// Data shared by all verdicts of one search.
     struct Outcomes {
-        Obstacle obstacle = Obstacle::None;  // against `holds` of what is about all states
+        Obstacle obstacle = Obstacle::None;  // prevents `holds` of properties about all states
         std::string reason = {};
     };
     void answer(Question& question, Graph& graph, const Limits& limits);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Looking up a state costs a cache miss or two. So the roots of all states that a slice leads to are computed first and
-// their places in the index fetched, then what stands there, and then they are looked up.
+// Looking up a state costs one or two cache misses. So first the roots of all successors in a slice are computed and
+// their slots in the index prefetched; then the contents of the slots are prefetched, and finally the states are looked
+// up.
 #include "check/timed/slice.hpp"
 
 #include <algorithm>
@@ -10,8 +11,8 @@ namespace grafverif::timed {
 
 namespace {
 
-constexpr std::size_t slice_words = 1U << 17U;  // in a slice; then it ends
-constexpr std::size_t fetched_ahead = 16;       // entries whose places in the index are fetched ahead
+constexpr std::size_t slice_words = 1U << 17U;  // in a slice; it ends after that
+constexpr std::size_t fetched_ahead = 16;       // entries whose slots are prefetched
 
 }  // namespace
 
@@ -82,7 +83,7 @@ void Slicer::add(const Word* words, std::uint32_t flags) {
     words_.insert(words_.end(), words, words + graph_.machine.layout().words);
 }
 
-/// Those that the store holds are strangers no more.
+/// Removes states that the store contains from the new states.
 void Slicer::look_up() {
     Slice& slice = *slice_;
     const Pairs& roots = graph_.store.roots();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Slice: where the moves of a few states in a row lead, computed by one thread beside others while nobody writes to the
-// graph. States that the store does not hold yet are strangers: they are numbered when the search comes to them.
+// Slice: the moves of a few consecutive states, computed by one thread in parallel with others, while nothing is
+// written to the graph. States that the store does not contain yet are new: they are numbered when the search reaches
+// them.
 #pragma once
 
 #include <cstdint>
@@ -12,52 +13,53 @@
 
 namespace grafverif::timed {
 
-constexpr std::size_t own_lines = 128;  // bytes that no other thread writes to, with the line fetched beside
+constexpr std::size_t own_lines = 128;  // bytes that no other thread writes, including the prefetched adjacent line
 
-/// Threads fill neighbours side by side: each has lines of the cache of its own.
+/// Threads fill adjacent slices in parallel: each has separate cache lines.
 struct alignas(own_lines) Slice {
     static constexpr std::uint32_t stranger = 1U << 31U, urgent = 1U << 30U, number = urgent - 1;
 
     struct State {
-        std::uint32_t first = 0;  ///< in `targets`: where its edges lead, then time, where it passes
+        std::uint32_t first = 0;  ///< in `targets`: the targets of its edges, then that of time, if it passes
         std::uint32_t edges = 0;
         bool race = false;
         bool urgent = false;
         bool fault = false;
-        bool timed = false;   ///< it was found out whether time passes
-        bool passes = false;  ///< it does
+        bool timed = false;   ///< true if it is known whether time passes
+        bool passes = false;  ///< time passes
     };
     struct Stranger {
-        Word root = 0;            ///< where it is `folded`
-        std::uint32_t entry = 0;  ///< in Strangers
+        Word root = 0;            ///< if it is `folded`
+        std::uint32_t entry = 0;  ///< index in the set of new states
         std::uint8_t shard = 0;   ///< of the root
         bool folded = false;
         bool wanted = false;  ///< by the watch
-        bool first = false;   ///< no other of the same state stands before it in the block
+        bool first = false;   ///< true if no earlier entry in the block has the same state
     };
 
-    std::uint32_t begin = 0, end = 0;  ///< the states looked at
+    std::uint32_t begin = 0, end = 0;  ///< the expanded states
     std::vector<State> states = {};
     std::vector<std::uint32_t> targets =
-        {};  ///< with flags: a state's number or that of a stranger; reached by an urgent edge
+        {};  ///< with flags: the number of a state or of a new state; reached by an urgent edge
     std::vector<Stranger> strangers = {};
-    std::vector<std::uint32_t> kept = {};                            ///< those not folded, or wanted
-    std::vector<Word> words = {};                                    ///< theirs, Layout::words apart
-    Links::Part links = {};                                          ///< once all have their numbers
+    std::vector<std::uint32_t> kept = {};                            ///< entries that are not folded, or wanted
+    std::vector<Word> words = {};                                    ///< their states, at intervals of Layout::words
+    Links::Part links = {};                                          ///< valid after all targets have their numbers
     std::optional<UncoveredAt> stuck_bound = {}, locked_bound = {};  ///< the first
     std::vector<FaultAt> faults = {};
-    bool cut = false;  ///< a state has too many ways to choose inputs: see Moves
+    bool cut = false;  ///< a state has too many combinations of inputs: see Moves
 
     std::size_t bytes() const;
 };
 
-/// What one thread needs to fill slices.
+/// Working data of one thread that fills slices.
 class alignas(own_lines) Slicer {
 public:
     Slicer(const Graph& graph, const Watch& watch, const std::vector<Field>& races)
         : graph_(graph), watch_(watch), races_(races) {}
 
-    /// The moves of the states from `begin` on, up to `end` or until they are many. Returns how many words were computed.
+    /// Computes the moves of the states from `begin` on, up to `end` or a limit of size. Returns the number of computed
+    /// words.
     std::size_t fill(Slice& slice, std::uint32_t begin, std::uint32_t end);
     std::size_t bytes() const { return words_.capacity() * sizeof(Word); }
 
@@ -76,25 +78,25 @@ private:
     std::vector<Word> later_ = {};
 };
 
-/// The strangers of several slices, each once; in parts by the shards of their roots, so that threads can take a part
-/// each, and index it.
+/// The new states of several slices, each once. They are partitioned by the shards of their roots, so that each thread
+/// can process and index one part.
 class Strangers {
 public:
     struct Entry {
         Word root = 0;
-        std::uint32_t number = Store::none;  ///< once the search has come to it
+        std::uint32_t number = Store::none;  ///< valid after the search has reached it
     };
 
-    /// Empties all, for so many parts and about so many strangers.
+    /// Clears all parts and reserves memory for this number of states.
     void begin(unsigned parts, std::size_t strangers);
     unsigned part_of(unsigned shard) const { return shard % parts(); }
     struct Met {
         std::uint32_t entry = 0;
         bool fresh = false;
     };
-    /// The entry of `root` in its part, a new one where it is met for the first time.
+    /// The entry of `root` in its part, a new one at its first occurrence.
     Met meet(unsigned part, Word root);
-    /// Those of a part that the search has come to are found in `roots` from here on.
+    /// Indexes the states of a part that the search has reached in `roots`.
     void index(unsigned part, Pairs& roots) const;
     Entry& operator[](std::uint32_t entry) {
         const auto parts = static_cast<std::uint32_t>(parts_.size());

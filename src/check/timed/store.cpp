@@ -21,8 +21,9 @@ Store::Store(const Layout& layout)
     for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) tables_.emplace_back(0);
 }
 
-/// The subtree of the halves from `first` on; returns its root as a place in Unfolded::numbers. It forks in the middle, or
-/// at the seam next to it: sub-loops that share only time multiply, so each is best kept by itself.
+/// Builds the subtree of the halves from `first` on; returns its root as an index of Unfolded::numbers. It splits in
+/// the middle, or at the nearest seam: the states of subsystems that share only time multiply, so each is best stored
+/// in a separate subtree.
 std::uint32_t Store::grow(const std::vector<std::size_t>& seams, std::uint32_t first, std::uint32_t end) {
     if (end - first == 1) return first;
     const std::uint32_t middle = (first + end + 1) / 2;
@@ -49,8 +50,8 @@ void Store::take(const Word* words, Unfolded& now) const {
     }
 }
 
-/// Numbers the inner nodes by `number(node, pair)`, children first; one whose children are those of `before` keeps its
-/// number. Nothing where a pair has none.
+/// Numbers the inner nodes by `number(node, pair)`, children first; a node with the same children as in `before` keeps
+/// its number. Nothing if a pair has none.
 template <class Number>
 std::optional<Word> Store::numbered(const Word* words, const Unfolded& before, Unfolded& now, Number number) const {
     take(words, now);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One check: compile, search, judge.
+// One check: compiles, searches, and evaluates the properties.
 #include "check/timed/timed.hpp"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ std::optional<Premises> premises(timed::Graph& graph, std::uint32_t settled, con
     return {};
 }
 
-/// Nothing where memory ends.
+/// Nothing if memory is exhausted.
 std::optional<StateProfile> measured(timed::Graph& graph, const TimedOptions& options, timed::Effort effort) {
     try {
         return timed::profile_of(graph, options.finest ? options.finest() : std::nullopt, effort);
@@ -93,8 +93,7 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     result.time_passes = graph.time_passes;
     if (options.premises && result.complete) result.premises = premises(graph, settled, limits);
     const bool explained = options.profile || !result.complete || result.states >= many_states;
-    if (explained &&
-        result.states > (result.complete ? 0 : 1))  // of a search that did not begin there is nothing to explain
+    if (explained && result.states > (result.complete ? 0 : 1))  // a search that did not begin has no profile
         result.profile =
             measured(graph, options, ended == Obstacle::Stopped ? timed::Effort::Brief : timed::Effort::Full);
     result.seconds = limits.seconds();

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The timed engine: explicit-state search of a Network in integer time.
+// Timed engine: explicit-state model checking of a Network in integer time.
 //
-// Semantics: ir/network.hpp. One exploration, breadth first, decides every property about single states at once;
-// liveness is decided on the graph it leaves behind. Liveness as UPPAAL defines it: a maximal run is infinite or ends
-// where nothing can happen any more; staying in a state for ever counts as a run; `p leads to q` is kept by a state
-// where p and q hold together.
+// Semantics: ir/network.hpp. One breadth-first exploration decides all state properties. Liveness properties are then
+// decided on the state graph with UPPAAL semantics: a maximal run is infinite or ends in a state without successors;
+// staying in a state forever is a run; a state that satisfies p and q fulfils `p leads to q`.
 //
-// Exactness (design: "properties, verdicts, traces"; argued in docs/engines.md). With closed clock constraints integer
-// time reaches the discrete states of dense time, so `always`, `never`, `reachable` are exact; a strict constraint makes
-// them one-sided. `inevitable`, `leads to`, `no deadlock`, `no timelock` are violated when an integer run violates them,
-// and hold only where no time-lock can hide between the ticks; else they are unknown, with the place named.
+// Exactness (design: "properties, verdicts, traces"; proof in docs/engines.md). With closed clock constraints, integer
+// time reaches the same discrete states as dense time, so `always`, `never` and `reachable` are exact; a strict
+// constraint makes them one-sided. An integer run can refute `inevitable`, `leads to`, `no deadlock` and `no timelock`.
+// These properties hold only if no timelock can occur between two ticks; otherwise the verdict is unknown and names the
+// place.
 //
-// Counterexamples about single states are shortest: fewest moves, a delay of any length counting one.
+// Counterexamples to state properties have the fewest moves; a delay of any length counts as one move.
 #pragma once
 
 #include <atomic>
@@ -30,49 +30,49 @@
 
 namespace grafverif {
 
-/// So many states ask for an explanation.
+/// Threshold for printing a state profile.
 constexpr std::uint64_t many_states = std::uint64_t{1} << 20U;
 
 struct TimedProgress {
     std::uint64_t states = 0;
     std::uint64_t transitions = 0;
-    std::uint64_t queue = 0;  ///< states found, their moves not yet looked at
+    std::uint64_t queue = 0;  ///< states found and not yet expanded
     std::uint64_t bytes = 0;
     double seconds = 0;
 };
 
 struct TimedOptions {
-    std::vector<std::string> properties = {};  ///< names; empty: all. `no timelock` is always decided
+    std::vector<std::string> properties = {};  ///< names; empty: all. See `timelock`
     std::uint64_t max_states = 500'000'000;
     std::uint64_t max_memory = std::uint64_t{4} << 30U;  ///< bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;  ///< set by somebody else: end with what is known
-    unsigned jobs = 1;       ///< threads; 0: as many as there are cores. What is found does not depend on it
-    unsigned slice = 64;     ///< states that a thread takes at a time; far fewer than there are, or one thread does all
-    bool keep_links = true;  ///< false: less memory, several times the work for liveness. Kept only where needed
-    bool timelock = true;    ///< false: not decided where nobody asks
-    bool premises = false;   ///< find out TimedResult::premises
+    const std::atomic<bool>* stop = nullptr;  ///< cancellation flag: return the results so far
+    unsigned jobs = 1;                        ///< threads; 0: one per core. The results do not depend on it
+    unsigned slice = 64;     ///< states per unit of work; with far fewer states, one thread does all the work
+    bool keep_links = true;  ///< false: less memory, several times the work for liveness. Only kept if needed
+    bool timelock = true;    ///< false: only decided if a property requires it
+    bool premises = false;   ///< compute TimedResult::premises
     std::vector<InputChoice> choices = {};                    ///< of an input abstraction
     bool until_decided = false;                               ///< end the search when each property has its state
     bool paths = false;                                       ///< report TimedResult::paths
     std::function<void(const TimedProgress&)> progress = {};  ///< called a few times per second
-    bool profile = false;  ///< asks for TimedResult::profile, whatever the search comes to
+    bool profile = false;                                ///< compute TimedResult::profile for any outcome of the search
     std::function<void(const StateProfile&)> many = {};  ///< called once, when the search has found `many_states`
-    std::function<std::optional<StateProfile::Finest>()> finest = {};  ///< asked for a profile
+    std::function<std::optional<StateProfile::Finest>()> finest = {};  ///< called to compute a profile
 };
 
-/// What a search that came to its end says of the network as a neighbour of others (docs/engines.md, "Sub-loops").
+/// Properties of the network in a complete search that matter to its neighbours (docs/engines.md, "Sub-loops").
 struct Premises {
-    std::optional<Run> diverges = {};  ///< a lasso in which time passes
-    bool rests = false;                ///< no run goes on for ever within one instant
-    bool settles = false;              ///< time passes in settled states only
+    std::optional<Run> diverges = {};  ///< a lasso in which time diverges
+    bool rests = false;                ///< no run continues forever within one instant
+    bool settles = false;              ///< time passes in quiescent states only
 };
 
-/// A state on a run of an input abstraction, after `move`. Its clocks are left out.
+/// A state on a run of an input abstraction, after `move`; without clocks.
 struct AbstractState {
     Move move = {};
     NetworkState state = {};
-    std::vector<std::uint64_t> possible = {};  ///< per choice, a bit per valuation; 0: the move is no edge of its PLC
+    std::vector<std::uint64_t> possible = {};  ///< per choice, a bit per valuation; 0: not an edge of its PLC
 };
 
 struct TimedResult {
@@ -80,12 +80,12 @@ struct TimedResult {
     std::vector<ModelError> errors = {};  ///< at most one per kind, edge and variable
     std::uint64_t states = 0;
     std::uint64_t transitions = 0;  ///< edges and delays of one unit
-    std::uint64_t bytes = 0;        ///< most memory held at once
+    std::uint64_t bytes = 0;        ///< peak memory
     std::uint64_t state_bytes = 0;  ///< one state, packed
     double seconds = 0;
-    bool complete = true;      ///< every reachable state was looked at
+    bool complete = true;      ///< every reachable state was expanded
     bool time_passes = false;  ///< in some reachable state
-    /// Where it was asked for, the search was cut off or found `many_states`; not where there is no memory for it.
+    /// If requested and the search was stopped or found `many_states`; empty if there is not enough memory for it.
     std::optional<StateProfile> profile = {};
     std::optional<Premises> premises = {};
     /// Per verdict with a run to a single state, the states of that run after the initial one.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Watch: what the search looks for in single states, all properties at once. A watch is over when it has found its
-// state, so that what is decided costs no more.
+// Watch: searches for single states that decide properties, all properties together. A watch ends when it has found its
+// state, so that decided properties cause no further cost.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +15,20 @@ public:
     static constexpr std::uint32_t none = 0xFFFFFFFF;
     using Registers = std::vector<std::int64_t>;
 
-    /// Looks for a state where `predicate` ends in Yes. Returns the number of the watch.
+    /// Adds a search for a state where `predicate` ends in Yes. Returns the number of the watch.
     std::size_t add(std::uint32_t predicate);
-    /// Looks for a state where the bit of a variable is set, and `settled` holds if it is not Program::yes.
+    /// Adds a search for a state where the bit of a variable is set, and `settled` holds if it is not Program::yes.
     std::size_t add_bit(const Field& bit, std::uint32_t settled);
 
-    /// Whether a new state would be the first for some watch. Threads may ask side by side.
+    /// True if a new state would be the first for some watch. Thread-safe.
     bool wants(const Machine& machine, const Word* words, Registers& registers) const;
-    /// A new state that is wanted.
+    /// Evaluates a new state for which wants() is true.
     void look(const Machine& machine, std::uint32_t state, const Word* words, Registers& registers);
-    /// True if each watch has found its state, or met a predicate without value.
+    /// True if each watch has found its state, or met an undefined predicate.
     bool is_over() const { return predicates_.empty() && bits_.empty(); }
     /// The first state found, or none.
     std::uint32_t found(std::size_t watch) const { return results_[watch].state; }
-    /// The predicate had no value in some state.
+    /// True if the predicate was undefined in some state.
     bool broken(std::size_t watch) const { return results_[watch].broken; }
 
 private:
