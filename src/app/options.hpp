@@ -94,7 +94,7 @@ struct Options {
     unsigned jobs = 0;                             ///< threads; 0: one per core
     std::string engine_command = {};               ///< of Engine::Hwmcc
     bool check_untimed = false;                    ///< --untimed, or an engine without time
-    Ablations without = {};                        ///< corrections of the method that are disabled: see docs/method.md
+    Ablations without = {};                        ///< corrections of the method that are disabled
     std::vector<std::string> cures_left_out = {};  ///< their names
     std::optional<std::uint64_t> max_states = {};
     std::optional<std::uint64_t> max_steps = {};                         ///< of Engine::Bmc
@@ -126,7 +126,7 @@ struct Options {
     bool stdio = false;      ///< of `lsp`: no effect, it always uses standard input and output
 };
 
-/// How a run uses the file that an option names; docs/files.md states the rules of each use.
+/// How a run uses the file that an option names; docs/reference/files.md states the rules of each use.
 enum class PathUse { Read, Written, Updated, WrittenFolder };
 
 struct PathOption {

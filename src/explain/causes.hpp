@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Causes: the values, with their times, that make a property fail on a run. Source: Beer, Ben-David, Chockler, Orni and
-// Trefler (Explaining counterexamples using causality, CAV 2009), after Halpern and Pearl. docs/reference/trace-format.md has the
-// details.
+// Trefler (Explaining counterexamples using causality, CAV 2009), after Halpern and Pearl.
+// docs/reference/trace-format.md has the details.
 //
 // A pair consists of a term of the property that is not a conjunction, disjunction or negation, and a state of the run.
 // It is bottom-valued if some occurrence of the term, with the property in negation normal form, is false there. A pair

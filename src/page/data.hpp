@@ -22,8 +22,8 @@
 //                 `words` and its `moment`, or null; null: another property, or unknown
 //     inside      of a run about a property, the moments that are not states of the model: if one step of the model is
 //                 shown as several moments, its state is the one after the last
-//     run         the run (docs/reference/trace-format.md); `rows` its display text: `moment`, `words`, `cleared`, `shown` (false:
-//                 included in the next row); `loop_from` as there. Moves of observers are omitted
+//     run         the run (docs/reference/trace-format.md); `rows` its display text: `moment`, `words`, `cleared`,
+//                 `shown` (false: included in the next row); `loop_from` as there. Moves of observers are omitted
 #pragma once
 
 #include <string>

@@ -291,7 +291,8 @@ private:
         }
     }
 
-    /// docs/explanation/semantics.md: a violated always or never, and a reachable state, in atomic grain are so in phased grain too.
+    /// docs/explanation/semantics.md: a violated always or never, and a reachable state, in atomic grain are so in
+    /// phased grain too.
     void try_grains() {
         for (const auto& [name, verdict] : atomic_.verdicts) {
             const bool of_states = verdict.pattern == Pattern::Always || verdict.pattern == Pattern::Never ||

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Observers compared with their sentences: a loop with an observer has exactly the runs of the loop. On each of them
-// the observer can fail if and only if the formula of docs/reference/properties.md, evaluated naively on the states of the run,
-// is violated.
+// the observer can fail if and only if the formula of docs/reference/properties.md, evaluated naively on the states of
+// the run, is violated.
 #include <gtest/gtest.h>
 
 #include <algorithm>

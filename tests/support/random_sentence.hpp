@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random properties of docs/reference/properties.md, named `S`, of every kind and in every scope, over the names of a network.
+// Random properties of docs/reference/properties.md, named `S`, of every kind and in every scope, over the names of a
+// network.
 #pragma once
 
 #include <cstdint>

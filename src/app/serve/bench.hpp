@@ -35,7 +35,7 @@ public:
     Bench(const Bench&) = delete;
     Bench& operator=(const Bench&) = delete;
 
-    /// The state as JSON (docs/serve.md), if it is newer than `known`.
+    /// The state as JSON (docs/how-to/serve.md), if it is newer than `known`.
     std::optional<std::string> newer(std::uint64_t known) const;
     /// The result of the last parse.
     std::shared_ptr<const Workpiece> workpiece() const;

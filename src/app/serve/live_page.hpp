@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// LivePage: serves a file as a page on this machine (docs/serve.md), updated with every change of the file, with
+// LivePage: serves a file as a page on this machine (docs/how-to/serve.md), updated with every change of the file, with
 // reports and simulations on request.
 #pragma once
 

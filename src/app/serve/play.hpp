@@ -18,7 +18,7 @@ std::string drawing_prefix(Id<Chart> chart);
 /// The drawings of the charts, as JSON.
 std::string drawings(const Workpiece& piece);
 
-/// `request` and the response are JSON (docs/serve.md).
+/// `request` and the response are JSON (docs/how-to/serve.md).
 std::string play(const Workpiece& piece, const Options& options, const std::string& request);
 
 }  // namespace grafverif::app

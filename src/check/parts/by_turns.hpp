@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Compositional checking with the symbolic engine, for systems in which one process moves in a step. Each property is
 // decided on the independent subsystems ("sub-loops") that it reads. The others are omitted if this preserves the
-// verdict (docs/engines.md, "Sub-loops"). The side conditions on omitted subsystems are checked when they matter; if
-// one fails or is unknown, the complete system is searched.
+// verdict (docs/explanation/engines.md, "Sub-loops"). The side conditions on omitted subsystems are checked when they
+// matter; if one fails or is unknown, the complete system is searched.
 //
 // `no deadlock` is checked per subsystem, as by the timed engine.
 //

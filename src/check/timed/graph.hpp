@@ -131,7 +131,7 @@ public:
     Column<std::uint32_t> kinds = {};  // with targets
     Links links = {};                  // per expanded state
     bool linked = true;
-    std::uint32_t looked_at = 0;             // all states below this number have their types and links
+    std::uint32_t looked_at = 0;             // all states below this number have `kinds` and `links`
     std::vector<std::uint32_t> levels = {};  // the first state of each depth
     std::uint64_t transitions = 0;
     bool time_passes = false;

@@ -4,9 +4,9 @@
 // An edge is tested by one comparison of a word, then by the rest of its guard and clock constraint. Its effect is one
 // program on a copy of the state: assignments, procedures, the new location, resets, caps, the target's invariant.
 //
-// While testing the edges of a state, the machine also determines if integer time is exact for dense time there
-// (design: "time can hide a lock between the ticks"). For each bound `c <= d` in force, an edge covers it if its data
-// guard holds and it is enabled at c == d for all values of the other clocks; see `Exactness`.
+// While testing the edges of a state, the machine also determines if integer time is exact there (design: "time can
+// hide a lock between the ticks"). For each bound `c <= d` in force, an edge covers it if its data guard holds and it
+// is enabled at c == d for all values of the other clocks; see `Exactness`.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Premises under which a part of a network can be omitted from checks of others (docs/engines.md, "Sub-loops"),
-// determined from the graph of a complete search.
+// Premises under which a part of a network can be omitted from checks of others (docs/explanation/engines.md,
+// "Sub-loops"), determined from the graph of a complete search.
 #pragma once
 
 #include "check/timed/explore.hpp"

@@ -5,11 +5,11 @@
 // decided on the state graph with UPPAAL semantics: a maximal run is infinite or ends in a state without successors;
 // staying in a state forever is a run; a state that satisfies p and q fulfils `p leads to q`.
 //
-// Exactness (design: "properties, verdicts, traces"; proof in docs/engines.md). With closed clock constraints, integer
-// time reaches the same discrete states as dense time, so `always`, `never` and `reachable` are exact; a strict
-// constraint makes them one-sided. An integer run can refute `inevitable`, `leads to`, `no deadlock` and `no timelock`.
-// These properties hold only if no timelock can occur between two ticks; otherwise the verdict is unknown and names the
-// place.
+// Exactness (design: "properties, verdicts, traces"; proof in docs/explanation/engines.md). With closed clock
+// constraints, integer time reaches the same discrete states as dense time, so `always`, `never` and `reachable` are
+// exact; a strict constraint makes them one-sided. An integer run can refute `inevitable`, `leads to`, `no deadlock`
+// and `no timelock`. These properties hold only if no timelock can occur between two ticks; otherwise the verdict is
+// unknown and names the place.
 //
 // Counterexamples to state properties have the fewest moves; a delay of any length counts as one move.
 #pragma once
@@ -61,7 +61,8 @@ struct TimedOptions {
     std::function<std::optional<StateProfile::Finest>()> finest = {};  ///< called to compute a profile
 };
 
-/// Properties of the network in a complete search that matter to its neighbours (docs/engines.md, "Sub-loops").
+/// Properties of the network in a complete search that matter to its neighbours (docs/explanation/engines.md,
+/// "Sub-loops").
 struct Premises {
     std::optional<Run> diverges = {};  ///< a lasso in which time diverges
     bool rests = false;                ///< no run continues forever within one instant
@@ -85,7 +86,8 @@ struct TimedResult {
     double seconds = 0;
     bool complete = true;      ///< every reachable state was expanded
     bool time_passes = false;  ///< in some reachable state
-    /// If requested and the search was stopped or found `many_states`; empty if there is not enough memory for it.
+    /// Computed if requested, if the search was stopped, or if it found `many_states`; empty if there is not enough
+    /// memory.
     std::optional<StateProfile> profile = {};
     std::optional<Premises> premises = {};
     /// Per verdict with a run to a single state, the states of that run after the initial one.
