@@ -114,7 +114,7 @@ private:
         }
     }
 
-    /// Existing files that are not traces are not overwritten.
+    /// An existing file is overwritten only if it is a saved session.
     std::string saved(const std::string& file) {
         std::string why;
         const bool is_there = std::filesystem::exists(std::filesystem::symlink_status(file));
@@ -286,7 +286,7 @@ ExitCode move(Simulation& simulation, const std::vector<const Chart*>& charts, J
     const ChartRun run = job.options.random_seed ? simulation.retold(detail_of(job)) : simulation.told();
     if (job.options.random_seed) print_trace(run, streams.out);
     if (!problem.empty()) streams.out << "! " << printable(problem) << '\n';
-    const bool is_trial = simulation.trial_row().has_value();  // the interpreter does not support it
+    const bool is_trial = simulation.trial_row().has_value();  // trials need not follow the rules
     if (const auto found = is_trial ? std::nullopt : disagreement(run, charts)) {
         streams.err << "grafverif: internal failure: " << replay_failure("this run", *found) << '\n';
         return ExitCode::Failure;
