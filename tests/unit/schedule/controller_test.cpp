@@ -181,7 +181,7 @@ TEST(ScheduleController, EndsNoTimeBeforeTheFirstEvolution) {
     EXPECT_TRUE(is_allowed(s.system, s.state));
 }
 
-TEST(ScheduleController, KeepsAValueThatWouldLeaveItsRangeAndRemembersTheFault) {
+TEST(ScheduleController, KeepsAValueThatWouldLeaveItsRangeAndRecordsTheFault) {
     Stepper s = start(
         "internal n: int 0..2 = 0; initial step 1; step 2 { n := n + 1 on activation; }"
         "transition t1: 1 -> 2 when true; transition t2: 2 -> 1 when true;",
@@ -244,7 +244,7 @@ TEST(ScheduleController, RemembersARace) {
     EXPECT_EQ(s["race"], 1) << "for ever";
 }
 
-TEST(ScheduleController, LeavesInputsAndTimerEndsFree) {
+TEST(ScheduleController, KeepsInputsAndTimerOutputsFree) {
     const Stepper s = start("input a; initial step 1; step 2; transition t1: 1 -> 2 when 3s/X1 && a;", searching);
     const TransitionSystem::Module& main = s.system.modules[s.system.main];
     std::vector<std::string> free;

@@ -44,7 +44,7 @@ TEST(RenderText, KeepsTabsUnderTheCaretAndCountsCharactersNotBytes) {
               "    \t  ^\n");
 }
 
-TEST(RenderText, ClipsAVeryLongLineAsItDoesALongOne) {
+TEST(RenderText, ClipsAVeryLongLine) {
     const auto shown = [](std::size_t before, std::size_t after) {
         std::string line;
         while (line.size() < before) line += "字é ";
@@ -84,7 +84,7 @@ TEST(RenderText, ShowsInvalidUtf8AsQuestionMarks) {
     EXPECT_NE(text({error_at(0, 1)}, one("\xff\xc3\xa9\xc3")).find("    ?\xc3\xa9?\n"), std::string::npos);
 }
 
-TEST(RenderText, FitsTheLineIntoTheTerminalAroundWhatIsMarked) {
+TEST(RenderText, FitsTheLineIntoTheTerminalAroundTheMarkedPart) {
     struct Case {
         std::string before, marked, after;
         std::size_t columns;

@@ -12,7 +12,7 @@
 namespace grafverif {
 namespace {
 
-TEST(Printable, ShowsWhatATerminalWouldObey) {
+TEST(Printable, ShowsTerminalControlCharacters) {
     struct Case {
         std::string in, out;
     };
@@ -29,7 +29,7 @@ TEST(Printable, ShowsWhatATerminalWouldObey) {
     EXPECT_EQ(printable_lines("a\nb\x1B"), "a\nb?");
 }
 
-TEST(Printable, JsonAndXmlGiveBackWhatTheyHide) {
+TEST(Printable, JsonAndXmlEscapesAreReversible) {
     const std::string text = "\x1B[0m \xE2\x80\xAE \xC2\x9B \x7F \xC3\xBC";
     const std::string json = json_text({{"text", text}}, -1);
     EXPECT_EQ(printable(json), json);

@@ -18,7 +18,7 @@ TEST(Place, CountsLinesAndColumnsFromOne) {
     }
 }
 
-TEST(LineAt, LeavesTheLineEndOut) {
+TEST(LineAt, ExcludesTheLineEnd) {
     EXPECT_EQ(line_at("ab\r\ncd\n", 1), "ab");
     EXPECT_EQ(line_at("ab\r\ncd\n", 4), "cd");
     EXPECT_EQ(line_at("ab\r\ncd\n", 7), "");
@@ -26,7 +26,7 @@ TEST(LineAt, LeavesTheLineEndOut) {
     EXPECT_EQ(line_at("ab", 99), "ab");
 }
 
-TEST(Span, NeverTakesPartInComparison) { EXPECT_EQ((Span{Id<Source>{0}, 1, 2}), (Span{Id<Source>{3}, 4, 5})); }
+TEST(Span, IsIgnoredInComparisons) { EXPECT_EQ((Span{Id<Source>{0}, 1, 2}), (Span{Id<Source>{3}, 4, 5})); }
 
 }  // namespace
 }  // namespace grafverif

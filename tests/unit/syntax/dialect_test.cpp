@@ -37,7 +37,7 @@ TEST(PrintExpr, WritesEachDialectInItsOwnWords) {
     EXPECT_EQ(t.text(term, nusmv_spelling), "(a & !b) | c mod 2 = 0");
 }
 
-TEST(PrintExpr, BracketsWherePrecedenceAsksForThem) {
+TEST(PrintExpr, AddsBracketsRequiredByPrecedence) {
     Terms t;
     const Id<Expr> either = t.exprs.disjunction(t.a, t.b);
     EXPECT_EQ(t.text(t.exprs.conjunction(either, t.c)), "(a || b) && c");

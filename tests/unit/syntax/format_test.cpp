@@ -260,7 +260,7 @@ TEST(Format, ChangesNothingTheSecondTime) {
     }
 }
 
-TEST(Format, LeavesSamplesAndTemplatesThatAreFormattedAlone) {
+TEST(Format, KeepsFormattedSamplesAndTemplates) {
     std::size_t files = 0;
     for (const char* folder : {"samples", "templates"}) {
         for (const auto& entry : fs::recursive_directory_iterator(fs::path(GRAFVERIF_SOURCE_DIR) / folder)) {

@@ -18,7 +18,7 @@ std::string fault_of(FormulaLanguage language, const std::string& text, const Fo
     return std::to_string(fault->begin) + "-" + std::to_string(fault->end) + ": " + fault->what;
 }
 
-TEST(Formula, TakesWhatNusmvTakes) {
+TEST(Formula, AcceptsWhatNusmvAccepts) {
     for (const char* text : {"AG EF press.X_0",
                              "AG (a -> AF b)",
                              "AG a -> b",
@@ -47,7 +47,7 @@ TEST(Formula, TakesWhatNusmvTakes) {
         EXPECT_EQ(fault_of(Ltl, text), "") << text;
 }
 
-TEST(Formula, TakesTheSymbolicQueriesOfUppaal) {
+TEST(Formula, AcceptsTheSymbolicQueriesOfUppaal) {
     for (const char* text : {"A[] not deadlock", "E<> Lamp.lit && x >= 3", "A<> a or b imply c", "E[] !a", "a --> b",
                              "A [] (a ? b : c) == 2", "A[] forall (i : int[0, 3]) a[i] <= i && i != 2",
                              "E<> exists (i : int[0,N]) (x[i] >> 1 | 3) == 0", "A[] abs(n - 2) <? 3 < 7",
@@ -55,7 +55,7 @@ TEST(Formula, TakesTheSymbolicQueriesOfUppaal) {
         EXPECT_EQ(fault_of(Uppaal, text), "") << text;
 }
 
-TEST(Formula, SaysWhereItGoesWrong) {
+TEST(Formula, ReportsTheLocationOfAnError) {
     struct FormulaCase {
         FormulaLanguage language;
         const char *text, *fault;

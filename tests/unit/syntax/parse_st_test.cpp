@@ -75,7 +75,7 @@ std::string statements(const std::string& written) {
     return block ? told(read.file, *block) : said(read.diagnostics, read.sources);
 }
 
-TEST(ParseSt, ExpressionsBindAsTheStandardSays) {
+TEST(ParseSt, ExpressionsBindAsInTheStandard) {
     struct Case {
         std::string in = {}, out = {};
     };

@@ -63,7 +63,7 @@ struct Case {
     std::string in, out;
 };
 
-TEST(ParseCondition, BindsOperatorsAsTheLanguageSays) {
+TEST(ParseCondition, BindsOperatorsAsInTheLanguage) {
     const std::vector<Case> cases = {
         {"a || b && c", "(or a (and b c))"},
         {"a => b implies c || d", "(implies a (implies b (or c d)))"},
@@ -154,7 +154,7 @@ TEST(ParseProperty, KnowsEveryPattern) {
     }
 }
 
-TEST(ParseFile, TakesWordsOfTheLanguageAsNames) {
+TEST(ParseFile, AcceptsKeywordsAsNames) {
     EXPECT_EQ(
         errors_of("grafcet on {\n"
                   "    input in, out, mid, still, with, at, stable, no, all, one, time, unit, event, if, for, after;\n"

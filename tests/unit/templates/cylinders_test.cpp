@@ -31,7 +31,7 @@ TEST(Cylinder53, MovesByItsStepEachSecondWhileOrdered) {
     EXPECT_EQ(only(cylinder, "X"), 20);
 }
 
-TEST(Cylinder53, TakesItsDurationPerStep) {
+TEST(Cylinder53, NeedsItsDurationPerStep) {
     Bench cylinder = bench("cylinder_5_3", {{"X_max", 2}, {"STEP", 3000}, {"X_min", 0}});
     cylinder.set("G_OUT", 1);
     cylinder.wait(1);  // the only duration is STEP: one unit is 3 s
@@ -178,7 +178,7 @@ TEST(Cylinder52, CompletesItsStrokeAfterAShortOrder) {
     EXPECT_EQ(only(cylinder, "IN"), 1);
 }
 
-TEST(Cylinder52, TurnsRoundOnTheOppositeOrderAndTakesAWholeStrokeBack) {
+TEST(Cylinder52, ReversesOnTheOppositeOrderAndNeedsACompleteStrokeBack) {
     Bench cylinder = bench("cylinder_5_2", {{"STROKE_OUT", 3000}, {"STROKE_IN", 2000}});
     cylinder.set("G_OUT", 1);
     cylinder.wait(1);
@@ -205,7 +205,7 @@ TEST(Cylinder52, DoesNotMoveOnTwoOrdersOfTheSameInstant) {
     EXPECT_EQ(place_of(bench_ordered("cylinder_5_2", {}, {"G_IN", "G_OUT"})), "in");
 }
 
-TEST(Cylinder52, TurnsRoundOnTheWayInToo) {
+TEST(Cylinder52, ReversesWhileRetracting) {
     Bench cylinder = bench("cylinder_5_2", {{"STROKE_OUT", 3000}, {"STROKE_IN", 2000}}, "out");
     cylinder.set("G_IN", 1);
     cylinder.wait(1);

@@ -104,7 +104,7 @@ protected:
     const Closure all = closure(network, component, chosen);
 };
 
-TEST_P(EveryComponent, BearsTheNameOfItsFileAndSaysWhatItIs) {
+TEST_P(EveryComponent, HasTheNameOfItsFileAndASummary) {
     EXPECT_EQ(component.name, GetParam());
     EXPECT_GE(component.summary.size(), 20U);
     EXPECT_TRUE(component.summary.ends_with('.')) << component.summary;

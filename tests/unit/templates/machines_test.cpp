@@ -122,7 +122,7 @@ TEST(Fan, RunsUpAndFailsUnlessReliable) {
     EXPECT_EQ(only(sound, "FLOW"), 1);
 }
 
-TEST(DelayedSignal, IgnoresWhatIsShorterThanItsDelay) {
+TEST(DelayedSignal, IgnoresPulsesShorterThanItsDelay) {
     Bench monitor = bench("delayed_signal", {{"ON_DELAY", 2000}, {"OFF_DELAY", 3000}});
     monitor.set("REAL", 1);
     monitor.wait(1);

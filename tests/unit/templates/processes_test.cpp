@@ -10,7 +10,7 @@ namespace {
 
 using Values = std::set<std::int64_t>;
 
-TEST(TestingDevice, AnswersFourSecondsAfterItsOrderWithEitherResult) {
+TEST(TestingDevice, RespondsFourSecondsAfterItsOrderWithEitherResult) {
     const Network network = component_in_seconds("testing_device");
     const NaiveTadd tadd(network);
     Bench device(network);

@@ -70,7 +70,7 @@ TEST(PositionSensors3, AJumpOverTheMiddleGivesNoPulse) {
     }
 }
 
-TEST(PositionSensors, FindTheirPlaceWhereverTheyStart) {
+TEST(PositionSensors, FindTheirPositionFromAnyStart) {
     const std::map<std::string, std::int64_t> bounds{
         {"X_IN_max", 2}, {"X_MID_min", 9}, {"X_MID_max", 11}, {"X_OUT_min", 18}};
     for (const std::string start : {"in", "in_mid", "mid", "mid_out", "out"}) {
@@ -122,7 +122,7 @@ TEST(OrSensor, DetectsEitherStateOfEitherPolarity) {
         }
 }
 
-TEST(Junction, PassesOnWhatComesFromEitherSide) {
+TEST(Junction, PassesOnPartsFromEitherSide) {
     Bench junction = bench("junction", {});
     for (const std::int64_t a : {0, 1, 0, 1})
         for (const std::int64_t b : {0, 1, 0}) {
