@@ -139,7 +139,7 @@ public:
     }
 
 private:
-    /// Decides properties of a network of the same size; empty if that may take long.
+    /// Decides properties of a similar network; empty if that may take long.
     Search again(const TimedResult& result) const {
         if (result.states >= many_states) return {};
         return [this](const Network& network, std::vector<std::string> names) {
@@ -150,7 +150,7 @@ private:
         };
     }
 
-    /// The network contains an observer, whose property is not one of the loop.
+    /// True if the network contains an observer; its property is not one of the loop.
     bool is_watched() const {
         return std::ranges::find(network_.processes, Network::ProcessKind::Observer, &Network::Process::kind) !=
                network_.processes.end();
