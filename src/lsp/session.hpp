@@ -93,7 +93,7 @@ private:
     Json show_verdict(const std::string& path, const std::string& loop, const std::string& property);
     Json draw(const std::string& path, const std::string& chart);
     Json simulate(const std::string& path);
-    /// Shows the location, if the client can; otherwise responds with its text.
+    /// Shows the document at an address if the client can; otherwise shows the message `words`.
     Json show(const std::string& uri, bool elsewhere, const std::string& words);
     const Shown* shown(const std::string& path, const std::string& key) const;
     void ask_client(const std::string& id, const std::string& method, const Json& params);

@@ -338,7 +338,7 @@ private:
                 why_.unneeded_parts.push_back(told_[id.index]);
     }
 
-    /// Processes that write inputs of controllers come first: without them, their predecessors may have no further
+    /// Processes that write inputs of controllers come first: after they are removed, others may have no further
     /// effect.
     static std::vector<Id<Network::Process>> in_order(const Network& network) {
         std::vector<Id<Network::Process>> order, behind;
