@@ -27,5 +27,6 @@ html_theme = "furo"
 html_title = f"grafverif {version}"
 html_static_path = [str(Path(__file__).resolve().parent / "site" / "static")]
 html_css_files = ["site.css"]
+html_js_files = ["site.js"]
 html_copy_source = False
 html_show_sourcelink = False

@@ -76,8 +76,8 @@ class Site:
             if level == 2:
                 main, _, others = title.partition(" (")
                 for term in [main, *others.rstrip(")").split(", ")]:
-                    if term:
-                        terms[term.lower()] = slug(title)
+                    for form in [term, term + "s", term + "es"] if term else []:
+                        terms[form.lower()] = slug(title)
         return terms
 
     def check(self):
