@@ -76,8 +76,10 @@ class Site:
             if level == 2:
                 main, _, others = title.partition(" (")
                 for term in [main, *others.rstrip(")").split(", ")]:
-                    for form in [term, term + "s", term + "es"] if term else []:
+                    for form in [term, term + "s", term + "es"]:
                         terms[form.lower()] = slug(title)
+        for verb in ["run", "runs"]:  # mostly the verb
+            terms.pop(verb, None)
         return terms
 
     def check(self):
