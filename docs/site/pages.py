@@ -75,7 +75,7 @@ class Site:
         for _, level, title in headings(self.texts.get(GLOSSARY, "")):
             if level == 2:
                 main, _, others = title.partition(" (")
-                for term in [main, *others.rstrip(")").split(", ")]:
+                for term in filter(None, [main, *others.rstrip(")").split(", ")]):
                     for form in [term, term + "s", term + "es"]:
                         terms[form.lower()] = slug(title)
         for verb in ["run", "runs"]:  # mostly the verb

@@ -375,13 +375,26 @@ def cpp_page(root, xml):
 # -- gallery ----------------------------------------------------------------------------------------------------------
 
 
+def folded(rows):
+    """One row for the parts of `reachable all steps` that have the same verdict."""
+    found = {}
+    for row in rows:
+        name = re.sub(r"\.[^.]*X\w+$", "", row["property"])
+        found.setdefault((name, row["verdict"]), {**row, "property": name})
+    return list(found.values())
+
+
 def gallery_page(root, program, target, timeout="60s"):
     lines = []
     for path in sorted((root / "samples").glob("*/*.grafcet")):
         place = path.relative_to(root).as_posix()
-        shown = run(program, "check", place, "--all", "--json-lines", "--timeout", timeout, "--max-states", "20000000", cwd=root)
-        rows = [json.loads(line) for line in shown.splitlines() if line.startswith("{")]
-        rows = [row for row in rows if row.get("property")]
+        limits = ["--json-lines", "--timeout", timeout, "--max-states", "20000000"]
+        for command in [["check", place, "--all"], ["check", place, "--untimed", "--plant", "automata"]]:
+            shown = run(program, *command, *limits, cwd=root)
+            rows = [json.loads(line) for line in shown.splitlines() if line.startswith("{")]
+            rows = folded([row for row in rows if row.get("property")])
+            if sum(row["verdict"] == "unknown" for row in rows) * 2 < len(rows) or not rows:
+                break
         lines += [f"## {path.parent.name}/{path.stem}", "", f"Source and explanation: [{place}](samples/{path.parent.name}.md).", ""]
         picture = path.with_suffix(".svg")
         if picture.exists():
@@ -390,6 +403,7 @@ def gallery_page(root, program, target, timeout="60s"):
             copy.write_text(picture.read_text())
             lines += [f"![{path.stem}](drawings/{copy.name})", ""]
         if rows:
+            lines += [f"`grafverif {' '.join(command)}`", ""]
             lines += ["| Property | Meaning | Verdict | States | Time |", "| --- | --- | --- | --- | --- |"]
             for row in rows:
                 meaning = row.get("text") or ""

@@ -54,6 +54,9 @@ class Site(unittest.TestCase):
         for page, text in [("cli", "\n## grafverif check\n"), ("diagnostics", "\n## unknown-variable\n"),
                            ("components", "\n| `G_IN` | input |"), ("python-api", "\n## Loop\n")]:
             self.assertTrue(text in (target / f"reference/{page}.md").read_text(), text)
+        index = (target / "index.md").read_text()
+        self.assertIn(" [closed loop](reference/glossary.md#closed-loop) ", index)
+        self.assertNotIn("[](", index)
 
     def test_page_without_title(self):
         self.add_page("A page.\n")
