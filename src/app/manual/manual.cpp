@@ -42,8 +42,8 @@ Verb manual_usage() {
             "[VERB]",
             0,
             1,
-            "write a page of the manual",
-            "Writes the page of the manual of VERB, or of the program, as `man` reads it. Installed packages bring all "
+            "write a manual page",
+            "Writes the manual page of VERB, or of the program, in the format of `man`. Installed packages contain all "
             "pages.",
             {"grafverif manual check | man -l -"},
             {Accepts::Output}};
@@ -54,9 +54,8 @@ Verb completion_usage() {
             "bash|zsh|fish",
             1,
             1,
-            "write a script that completes command lines in a shell",
-            "Writes what the shell reads to complete verbs, options and the words that they take. Installed packages "
-            "bring it.",
+            "write a completion script for a shell",
+            "Writes a script that completes commands, options and their values. Installed packages contain it.",
             {"grafverif completion bash >~/.local/share/bash-completion/completions/grafverif",
              "grafverif completion zsh >~/.zfunc/_grafverif",
              "grafverif completion fish >~/.config/fish/completions/grafverif.fish"},

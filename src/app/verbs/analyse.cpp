@@ -97,18 +97,19 @@ Verb analyse_usage() {
         "FILE...",
         1,
         any_number,
-        "find what can go wrong in a chart, and what never happens in it",
-        "Searches all sequences of inputs of a chart at once and tells, each with a shortest sequence of inputs that\n"
-        "shows it: total instability, races and conflicts of stored actions, branches cleared together, steps "
-        "activated\n"
-        "while active, partial charts forced twice or forced while enclosed; steps that are never active, transitions\n"
-        "never or always cleared, outputs never set, inputs never read. `constraint` in the chart and a table of "
-        "pairs\n"
-        "of inputs that are never true together (`variable1,variable2,reason`) rule out impossible inputs;\n"
-        "`accept CODE \"reason\";` in the chart accepts findings. Exit code 1: a finding that nobody accepted; 3: "
-        "none, and\n"
-        "something is not decided (--timeout, --max-memory, Ctrl-C); what is known is told, and how far the rest was "
-        "looked into.",
+        "find defects of a chart: instability, races, dead transitions, unused variables",
+        "Explores all input sequences of a chart and reports, each with a shortest input sequence: total instability; "
+        "races\n"
+        "and conflicts of stored actions; branches cleared together; steps activated while active; partial charts "
+        "forced\n"
+        "twice or forced while enclosed; steps that are never active; transitions that are never or always cleared;\n"
+        "outputs that are never set; inputs that are never read. A `constraint` in the chart and a table of input "
+        "pairs that\n"
+        "are never true together (`variable1,variable2,reason`) exclude impossible inputs. `accept CODE \"reason\";` "
+        "in the\n"
+        "chart accepts a finding. Exit code 1: a finding is not accepted; 3: no finding, but the analysis is "
+        "incomplete\n"
+        "(--timeout, --max-memory, Ctrl-C); the output states how far it got.",
         {"grafverif analyse samples/oven_door/oven_door.grafcet",
          "grafverif analyse station.grafcet --chart press --exclusions wiring.csv",
          "grafverif analyse charts/*.grafcet --all --sarif findings.sarif"},

@@ -81,11 +81,11 @@ Verb automaton_usage() {
             1,
             1,
             "print the location automaton of a chart",
-            "Prints what a controller that executes the chart does: a location per situation and values of stored "
-            "variables, an\n"
-            "evolution per set of inputs, and the inputs that never stabilise. Constraints of the chart restrict the "
-            "inputs. Without\n"
-            "--mode the mode is that of the closed loop that has the chart, else stability-search.\n"
+            "Prints the location automaton: a location per situation and values of stored variables, an evolution per "
+            "set of\n"
+            "inputs, and the inputs that never stabilise. Constraints of the chart restrict the inputs. The default "
+            "mode is that of\n"
+            "the closed loop with this chart, otherwise stability-search.\n"
             "Formats: text, JSON, DOT (Graphviz), SVG.",
             {"grafverif automaton samples/tanks/tanks.grafcet --mode every-cycle",
              "grafverif automaton samples/tanks/tanks.grafcet --format svg -o tanks.svg",
@@ -100,11 +100,11 @@ Verb mealy_usage() {
         1,
         1,
         "print the Mealy machine of a chart",
-        "Prints the machine that answers every combination of inputs in every state: the location automaton with INIT "
-        "merged into\n"
-        "the location of the initial situation. Sets of inputs are conditions, not lists. A chart with timers gets "
-        "transitions\n"
-        "that wait.\n"
+        "Prints the Mealy machine: the location automaton with INIT merged into the location of the initial situation, "
+        "and an\n"
+        "output for every combination of inputs in every state. Sets of inputs are conditions, not lists. A chart with "
+        "timers\n"
+        "has additional transitions that wait.\n"
         "Formats: text, JSON, DOT (Graphviz), SVG.",
         {"grafverif mealy samples/tanks/tanks.grafcet",
          "grafverif mealy samples/tanks/tanks.grafcet --minimise --format json"},

@@ -70,28 +70,29 @@ void list_products(Job& job) {
 }
 
 Verb build_usage() {
-    return {"build",
-            "FILE...",
-            1,
-            any_number,
-            "write the UPPAAL project and the NuSMV model of a closed loop",
-            "Reads FILE (.grafcet) and writes, for its closed loop NAME,\n"
-            "  NAME.xml  the UPPAAL project of the timed closed loop, with its queries\n"
-            "  NAME.q    the same queries alone\n"
-            "  NAME.smv  the NuSMV model of the controller, inputs and timer ends free, or with --plant automata of "
-            "the loop\n"
-            "What cannot be translated exactly is refused with its line, and nothing is written. After an error or a "
-            "signal all\n"
-            "files are written or none has changed; docs/reference/files.md tells what is promised. --depfile tells a "
-            "build "
-            "system what\n"
-            "they were made from (docs/how-to/build-systems.md).",
-            {"grafverif build samples/testing_station/testing_station.grafcet",
-             "grafverif build station.grafcet -o models --create --grain atomic --target uppaal",
-             "grafverif build station.grafcet -o models --name station --depfile models/station.d",
-             "grafverif build press.grafcet oven.grafcet --all -o models"},
-            {Accepts::OutputDirectory, Accepts::All, Accepts::Target, Accepts::Loop, Accepts::Constants,
-             Accepts::Questions, Accepts::Mode, Accepts::Grain, Accepts::Untimed, Accepts::Format}};
+    return {
+        "build",
+        "FILE...",
+        1,
+        any_number,
+        "write the UPPAAL project and the NuSMV model of a closed loop",
+        "Writes, for the closed loop NAME of FILE (.grafcet):\n"
+        "  NAME.xml  UPPAAL project of the timed closed loop, with queries\n"
+        "  NAME.q    the queries only\n"
+        "  NAME.smv  NuSMV model of the controller with free inputs and timers, or of the loop with --plant automata\n"
+        "\n"
+        "Constructs that cannot be translated exactly are reported with their line, and nothing is written. After an "
+        "error or\n"
+        "a signal, either all files are written or none has changed (docs/reference/files.md). --depfile writes the "
+        "dependencies "
+        "for a\n"
+        "build system (docs/how-to/build-systems.md).",
+        {"grafverif build samples/testing_station/testing_station.grafcet",
+         "grafverif build station.grafcet -o models --create --grain atomic --target uppaal",
+         "grafverif build station.grafcet -o models --name station --depfile models/station.d",
+         "grafverif build press.grafcet oven.grafcet --all -o models"},
+        {Accepts::OutputDirectory, Accepts::All, Accepts::Target, Accepts::Loop, Accepts::Constants, Accepts::Questions,
+         Accepts::Mode, Accepts::Grain, Accepts::Untimed, Accepts::Format}};
 }
 
 }  // namespace grafverif::app

@@ -118,22 +118,36 @@ Verb check_usage() {
         "FILE...",
         1,
         any_number,
-        "prove the properties of a closed loop, with counterexamples in the chart's words",
-        "Decides every property of FILE's closed loop with the embedded timed engine, and whether time can stop. "
-        "What they\n"
-        "rest on is said once; a violated property comes with a trace, replayed on the rules of IEC 60848 first.\n"
-        "`--engine verifyta` asks the model checker of UPPAAL instead, where it is on the PATH: verdicts, no traces.\n"
-        "With --untimed the model without time is checked, by the embedded symbolic engine or by NuSMV or nuXmv from\n"
-        "the PATH; so is a chart that belongs to no loop, with free inputs. What that says of the real plant stands\n"
-        "before the verdicts. Of properties about states alone ask `--engine pdr`, embedded, where the states are too "
-        "many,\n"
-        "and `--engine bmc` for the shortest way to what is wrong, as far as it gets; `--engine auto` looks at cells "
-        "by\n"
-        "themselves, then asks all three; `--engine abc` and `--engine-command` ask hardware model checkers.\n"
-        "Formats: text, JSON (--format json, --json-lines), JUnit XML (--junit), SARIF (--sarif); traces also as VCD "
-        "and SVG.\n"
-        "Reports are of this run or not there, whatever ends it; docs/how-to/ci.md tells what build servers make of "
-        "them.",
+        "check the properties of a closed loop and print counterexamples",
+        "Check the properties of a closed loop and print a counterexample for each violation.\n"
+        "\n"
+        "By default, the timed engine decides every property of the closed loop in FILE, and whether time can stop. "
+        "Settings\n"
+        "and assumptions are printed once, before the verdicts. Counterexamples are replayed on the rules of IEC 60848 "
+        "before\n"
+        "they are printed.\n"
+        "\n"
+        "Engines for the timed loop (--engine):\n"
+        "  timed              embedded, explicit-state (default)\n"
+        "  verifyta           UPPAAL's model checker, from the PATH; verdicts without traces\n"
+        "\n"
+        "Engines for the untimed model (--untimed; also used for a chart without a closed loop, with free inputs):\n"
+        "  symbolic           embedded, decision diagrams (default)\n"
+        "  pdr                embedded; state properties of models with very many states\n"
+        "  bmc                embedded; shortest counterexamples, up to --max-steps\n"
+        "  auto               embedded; localization first, then symbolic, PDR and BMC in parallel\n"
+        "  NuSMV, nuXmv       external, from the PATH\n"
+        "  abc                external hardware model checker; --engine-command CMD for others\n"
+        "What an untimed verdict implies for the real plant is printed before the verdicts.\n"
+        "\n"
+        "Output: text, JSON (--format json, --json-lines), JUnit XML (--junit), SARIF (--sarif); traces also as VCD\n"
+        "(--trace-vcd) and SVG (--trace-svg). Report files of an earlier run are replaced or removed before the check\n"
+        "starts (docs/how-to/ci.md).\n"
+        "\n"
+        "Exit codes:\n"
+        "  0  all verdicts as expected          3  a verdict is unknown, or the run was stopped\n"
+        "  1  unexpected verdict, model error   4  internal error\n"
+        "  2  invalid input or usage",
         {"grafverif check samples/testing_station/testing_station.grafcet",
          "grafverif check station.grafcet --property P15 --grain atomic --trace-svg P15.svg",
          "grafverif check station.grafcet --format json --timeout 5min --max-memory 8G",

@@ -102,9 +102,9 @@ Verb components_usage() {
             0,
             1,
             "list the component library, or show one component",
-            "Without NAME, lists the components of the library, a line each. With NAME, shows that component: its "
-            "interface\n"
-            "with units, its behaviour and where it comes from.",
+            "Without NAME, lists the components of the library, one per line. With NAME, shows the interface of this "
+            "component\n"
+            "with units, its behaviour and its source.",
             {"grafverif components", "grafverif components cylinder_5_3"},
             {Accepts::Output, Accepts::Format}};
 }

@@ -44,9 +44,9 @@ Verb equations_usage() {
             1,
             1,
             "print the equations of a chart",
-            "Prints the meaning of a chart as equations: (a) firing conditions, (b) step activities, (c) outputs and "
+            "Prints the semantics of a chart as equations: (a) firing conditions, (b) step activities, (c) outputs and "
             "timers;\n"
-            "stored actions, where there are any, between (b) and (c).",
+            "stored actions, if any, between (b) and (c).",
             {"grafverif equations samples/testing_station/testing_station.grafcet",
              "grafverif equations samples/oven_door/oven_door.grafcet --format latex -o oven_door.tex"},
             {Accepts::Output, Accepts::Chart, Accepts::FormatLatex}};

@@ -40,8 +40,7 @@ Verb fmt_usage() {
         1,
         any_number,
         "print a file in canonical form",
-        "Prints FILE as canonical text: one declaration a line, comments kept. Formatting canonical text changes "
-        "nothing.",
+        "Prints FILE in canonical form: one declaration per line, with comments. Canonical text is not changed.",
         {"grafverif fmt station.grafcet", "grafverif fmt -i station.grafcet", "grafverif fmt --check station.grafcet"},
         {Accepts::Output, Accepts::InPlace}};
 }

@@ -33,16 +33,16 @@ Verb import_usage() {
             "FILE",
             1,
             1,
-            "write a chart of another format in our language",
-            "Writes the charts of FILE as .grafcet text, its comments kept. FILE is AGRAFE GRAFCET (XMI), PLCopen TC6 "
-            "XML 1.01, 2.0\n"
-            "or 2.01 with the dialect of CODESYS, or the textual form of Sequential Function Charts (IEC 61131-3); "
-            "which of them is\n"
-            "told from what is written. Every other verb takes such files directly. What cannot be taken over is an "
-            "error with its\n"
-            "place in FILE; with --lossy it is left out, with a warning, and named at the head of the text. "
-            "docs/how-to/import.md tells\n"
-            "what of each format works.",
+            "convert a chart from another format",
+            "Writes the charts of FILE as .grafcet text, with comments. FILE is AGRAFE GRAFCET (XMI), PLCopen TC6 XML "
+            "1.01, 2.0\n"
+            "or 2.01 including the CODESYS dialect, or a textual Sequential Function Chart (IEC 61131-3); the format "
+            "is detected\n"
+            "from the contents. All other commands accept these files directly. An element that cannot be imported is "
+            "an error\n"
+            "with its position in FILE; with --lossy it is omitted, with a warning and a comment at the start of the "
+            "text.\n"
+            "docs/how-to/import.md lists the supported elements of each format.",
             {"grafverif import plant.xml -o plant.grafcet", "grafverif import --lossy --diagnostics json press.xml"},
             {Accepts::Output}};
 }

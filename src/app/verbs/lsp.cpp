@@ -149,13 +149,12 @@ Verb lsp_usage() {
             "",
             0,
             0,
-            "serve an editor: what is wrong while it is typed, names, completion, verdicts",
-            "Speaks the Language Server Protocol 3.17 on standard input and output, for editors that start it by "
-            "themselves: see\n"
-            "docs/how-to/language-server.md for two lines of configuration. What is open in the editor stands for the "
-            "files on the disk, and "
-            "for\n"
-            "all that include them. Nothing is written. It ends when the editor says so, or is gone.",
+            "run a language server for editors: diagnostics, navigation, completion, verdicts",
+            "Implements the Language Server Protocol 3.17 on standard input and output, for editors that start it "
+            "(docs/how-to/language-server.md\n"
+            "has the configuration). Documents open in the editor replace the files on disk, also for files that "
+            "include them.\n"
+            "Nothing is written. It exits when the editor requests it or terminates.",
             {"grafverif lsp"},
             {Accepts::Lsp}};
 }

@@ -100,38 +100,40 @@ Verb uppaal_usage() {
 }
 
 Verb pins_usage() {
-    return {
-        "pins",
-        "FILE",
-        1,
-        1,
-        "write the timed closed loop as a C file, for LTSmin",
-        "Writes the timed closed loop of FILE, in integer time, with the partitioned next-state interface (PINS) of\n"
-        "LTSmin, whose multi-core, symbolic and distributed engines take what fits into no single memory. It has the\n"
-        "states that `check` looks at; a label per property about states is 1 where it is violated (of `reachable`:\n"
-        "shown). How to build and search it stands in the file.",
-        {"grafverif pins samples/oven_door/oven_door.grafcet -o oven_door.c",
-         "grafverif pins station.grafcet --grain atomic"},
-        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Questions, Accepts::Mode, Accepts::Grain}};
+    return {"pins",
+            "FILE",
+            1,
+            1,
+            "write the timed closed loop as a C file for LTSmin",
+            "Writes the timed closed loop of FILE, in integer time, as a C file with the partitioned next-state "
+            "interface (PINS)\n"
+            "of LTSmin. Its multi-core, symbolic and distributed engines handle state spaces that exceed the memory of "
+            "one machine.\n"
+            "The states are those that `check` explores. Each state property has a label with value 1 in states that "
+            "violate it\n"
+            "(for `reachable`: that satisfy it). Comments in the file describe how to build and run it.",
+            {"grafverif pins samples/oven_door/oven_door.grafcet -o oven_door.c",
+             "grafverif pins station.grafcet --grain atomic"},
+            {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Questions, Accepts::Mode, Accepts::Grain}};
 }
 
 Verb nusmv_usage() {
-    return {
-        "nusmv",
-        "FILE",
-        1,
-        1,
-        "write the NuSMV model of a controller, alone or with its plant",
-        "Writes the NuSMV model of the controller of FILE's closed loop, or of a chart alone: one step of the model is "
-        "one\n"
-        "PLC cycle; inputs and timer ends are free. With --plant automata, the model of the closed loop without time,\n"
-        "or with clocks that count (--time discrete). What a verdict says of the real plant stands in the model's\n"
-        "header.",
-        {"grafverif nusmv samples/tanks/tanks.grafcet -o tanks.smv",
-         "grafverif nusmv samples/oven_door/oven_door.grafcet --plant automata --grain atomic",
-         "grafverif nusmv station.grafcet --chart testing_station --mode every-cycle"},
-        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Questions, Accepts::Chart, Accepts::Mode,
-         Accepts::Grain, Accepts::Untimed}};
+    return {"nusmv",
+            "FILE",
+            1,
+            1,
+            "write the NuSMV model of a controller, alone or with its plant",
+            "Writes the NuSMV model of the controller of a closed loop in FILE, or of a single chart: one step of the "
+            "model is one\n"
+            "PLC cycle, with free inputs and timers. With --plant automata: the model of the closed loop without time, "
+            "or with\n"
+            "bounded clock counters (--time discrete). The header of the model states what a verdict implies for the "
+            "real plant.",
+            {"grafverif nusmv samples/tanks/tanks.grafcet -o tanks.smv",
+             "grafverif nusmv samples/oven_door/oven_door.grafcet --plant automata --grain atomic",
+             "grafverif nusmv station.grafcet --chart testing_station --mode every-cycle"},
+            {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Questions, Accepts::Chart, Accepts::Mode,
+             Accepts::Grain, Accepts::Untimed}};
 }
 
 Verb aiger_usage() {
@@ -140,12 +142,13 @@ Verb aiger_usage() {
         "FILE",
         1,
         1,
-        "write the untimed model as a circuit, for hardware model checkers",
-        "Writes the model that `nusmv` writes bit by bit, in the format AIGER 1.9: a bad state per property about "
-        "states\n"
-        "(of `reachable`: the state that shows it), a justice list per property about runs. `always possible` and\n"
-        "formulas are left out, with a warning. Beside the file OUT stands OUT.json, which tells what its bits are to\n"
-        "the charts. A name that ends in .aig asks for the binary form, as `--format aig` does.",
+        "write the untimed model as a circuit for hardware model checkers",
+        "Writes the model of `nusmv` at bit level, in the format AIGER 1.9: a bad state per state property (for "
+        "`reachable`:\n"
+        "the state to reach), a justice list per property of runs. `always possible` and formulas are omitted, with a "
+        "warning.\n"
+        "An additional file OUT.json maps the bits to the charts. The suffix .aig selects the binary format, as does\n"
+        "`--format aig`.",
         {"grafverif aiger samples/tanks/tanks.grafcet -o tanks.aig",
          "grafverif aiger samples/oven_door/oven_door.grafcet --plant automata --grain atomic"},
         {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Questions, Accepts::Chart, Accepts::Mode,
@@ -153,20 +156,19 @@ Verb aiger_usage() {
 }
 
 Verb btor2_usage() {
-    return {
-        "btor2",
-        "FILE",
-        1,
-        1,
-        "write the untimed model in words of bits, for model checkers of hardware",
-        "Writes the model that `nusmv` writes in the format BTOR2: a state per variable, named as there, and a bad "
-        "state\n"
-        "per property about states (of `reachable`: the state that shows it). What is about runs is left out, with a\n"
-        "warning; `aiger` says it.",
-        {"grafverif btor2 samples/tanks/tanks.grafcet -o tanks.btor2",
-         "grafverif btor2 samples/oven_door/oven_door.grafcet --plant automata --grain atomic"},
-        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Questions, Accepts::Chart, Accepts::Mode,
-         Accepts::Grain, Accepts::Untimed}};
+    return {"btor2",
+            "FILE",
+            1,
+            1,
+            "write the untimed model at word level for hardware model checkers",
+            "Writes the model of `nusmv` in the format BTOR2: a state per variable, with the same name, and a bad "
+            "state per state\n"
+            "property (for `reachable`: the state to reach). Properties of runs are omitted, with a warning; `aiger` "
+            "supports them.",
+            {"grafverif btor2 samples/tanks/tanks.grafcet -o tanks.btor2",
+             "grafverif btor2 samples/oven_door/oven_door.grafcet --plant automata --grain atomic"},
+            {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Questions, Accepts::Chart, Accepts::Mode,
+             Accepts::Grain, Accepts::Untimed}};
 }
 
 }  // namespace grafverif::app

@@ -116,24 +116,22 @@ ExitCode report(Job& job, const Streams& streams) {
 }
 
 Verb report_usage() {
-    return {
-        "report",
-        "FILE",
-        1,
-        1,
-        "write what there is to know of a loop or chart as one page, with a player of its runs",
-        "Writes one HTML file that needs nothing beside it and no network: the verdicts of `check` with what they "
-        "rest\n"
-        "on, the findings of `analyse`, the drawn charts, the plant, the equations, and a player that steps through\n"
-        "each counterexample, witness and evidence on the chart, and through the test sequence of --sequence. A "
-        "moment\n"
-        "has an address: report.html#P16/23.\n"
-        "The same input gives the same bytes; a date stands in it where --date gives one. Exit codes are those of\n"
-        "`check`.",
-        {"grafverif report samples/testing_station/faulty.grafcet -o report.html",
-         "grafverif report station.grafcet --property P15 --date \"$(date -I)\" -o P15.html"},
-        {Accepts::Output, Accepts::Search, Accepts::Loop, Accepts::Constants, Accepts::Chart, Accepts::Mode,
-         Accepts::Grain, Accepts::Untimed, Accepts::Sequence, Accepts::Date}};
+    return {"report",
+            "FILE",
+            1,
+            1,
+            "write an HTML report of a loop or chart, with a player for its traces",
+            "Writes a self-contained HTML file with the verdicts of `check`, their assumptions, the findings of "
+            "`analyse`, the\n"
+            "drawn charts, the plant and the equations. A player replays each counterexample, witness and finding on "
+            "the chart,\n"
+            "and the test sequence of --sequence. A step of a trace has an address: report.html#P16/23.\n"
+            "The same input gives the same bytes; the report has a date only with --date. The exit codes are those of "
+            "`check`.",
+            {"grafverif report samples/testing_station/faulty.grafcet -o report.html",
+             "grafverif report station.grafcet --property P15 --date \"$(date -I)\" -o P15.html"},
+            {Accepts::Output, Accepts::Search, Accepts::Loop, Accepts::Constants, Accepts::Chart, Accepts::Mode,
+             Accepts::Grain, Accepts::Untimed, Accepts::Sequence, Accepts::Date}};
 }
 
 }  // namespace grafverif::app

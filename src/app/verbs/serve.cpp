@@ -98,14 +98,13 @@ Verb serve_usage() {
         "FILE",
         1,
         1,
-        "show a file in the browser while it is edited: drawings, verdicts, a simulator",
-        "Prints an address of this machine, where the browser shows FILE as it is now: what is wrong with it, its "
-        "charts, the\n"
-        "verdicts on its properties, and a simulator to click through. Every save of FILE, or of what it includes, is "
-        "shown at\n"
-        "once. Nobody else reaches the page: it is for this machine alone and asks for the token of the address. "
-        "Nothing is\n"
-        "written, except a temporary file of this user for --open. Ctrl-C ends it.",
+        "show a file in the browser while editing: drawings, verdicts, simulator",
+        "Prints a local address at which the browser shows the current state of FILE: diagnostics, charts, verdicts, "
+        "and an\n"
+        "interactive simulator. The page is updated when FILE or an included file is saved. Only this machine can open "
+        "the page,\n"
+        "and only with the token of the address. Nothing is written, except a temporary file with --open. Ctrl-C stops "
+        "the server.",
         {"grafverif serve samples/oven_door/oven_door.grafcet", "grafverif serve station.grafcet --port 8060 --open"},
         {Accepts::Serve, Accepts::Constants, Accepts::Mode, Accepts::Grain}};
 }

@@ -327,38 +327,39 @@ ExitCode simulate(Job& job, const Streams& streams) {
 }
 
 Verb simulate_usage() {
-    return {"simulate",
-            "FILE",
-            1,
-            1,
-            "move a closed loop, or a chart, by hand, by a script, or at random",
-            "Runs FILE's closed loop: choose what the plant and its environment do, set inputs, let time pass; the "
-            "controller\n"
-            "follows by itself. Commands come from standard input, or from a script; with --verbose every edge is a "
-            "choice.\n"
-            "A file without a closed loop, or --chart: the chart alone, its inputs set by hand.\n"
-            "  NAME = VALUE       make an input true, false or a number; of a chart alone also `NAME = VALUE, ...`, at "
-            "once\n"
-            "  wait 3s            let time pass (ms, s, min); `wait` alone: until something happens by itself, or can\n"
-            "  do INSTANCE [LOC]  the instance does what it can, or what leads it to location LOC\n"
-            "  force STEP on|off  a trial: make the step active by hand, or not; not a run of the model from there on\n"
-            "  expect CLAIM       it holds now: X3, not LAMP, LEVEL >= 3, Gate in open, several with `and`;\n"
-            "                     `expect within 5s CLAIM`: it does before so much time has passed\n"
-            "  wait until CLAIM   let time pass until it holds, or has become true in this instant\n"
-            "  repeat 3 {         in a script: what follows, up to a line `}`, so many times\n"
-            "  show, undo, quit   the values of everything now; undo the last command; end\n"
-            "  save FILE          write what was done as a script, which expects what was seen\n"
-            "At a terminal lines are edited (libedit, ~/.editrc): the arrows, Ctrl-R for those before, Tab for "
-            "commands and "
-            "names;\n"
-            "Ctrl-C gives a line up, Ctrl-D ends.\n"
-            "Exit code 1: an expectation of the script was not met.",
-            {"grafverif simulate samples/blinker/blinker.grafcet",
-             "grafverif simulate station.grafcet --script press_start.txt",
-             "grafverif simulate samples/oven_door/oven_door.grafcet --chart oven_door",
-             "grafverif simulate station.grafcet --random 7 --steps 500 --trace-svg walk.svg"},
-            {Accepts::Walk, Accepts::Loop, Accepts::Constants, Accepts::Chart, Accepts::Mode, Accepts::Grain,
-             Accepts::Traces, Accepts::Verbose}};
+    return {
+        "simulate",
+        "FILE",
+        1,
+        1,
+        "simulate a closed loop or a chart interactively, by a script or at random",
+        "Runs the closed loop of FILE: choose the moves of the plant and its environment, set inputs, let time pass; "
+        "the\n"
+        "controller follows automatically. Commands come from standard input or from a script; with --verbose every "
+        "edge is a\n"
+        "choice. Without a closed loop, or with --chart, a chart alone runs, with inputs set by the user.\n"
+        "  NAME = VALUE       set an input to true, false or a number; of a chart alone also `NAME = VALUE, ...` "
+        "together\n"
+        "  wait 3s            let time pass (ms, s, min); without a duration: until the next automatic or possible "
+        "event\n"
+        "  do INSTANCE [LOC]  take the enabled edge of the instance, or the one that leads to location LOC\n"
+        "  force STEP on|off  what-if run: activate or deactivate the step; no longer a run of the model\n"
+        "  expect CLAIM       check that it holds now: X3, not LAMP, LEVEL >= 3, Gate in open, several with `and`;\n"
+        "                     `expect within 5s CLAIM`: check that it holds before this time has passed\n"
+        "  wait until CLAIM   let time pass until it holds, or has become true in this instant\n"
+        "  repeat 3 {         in a script: repeat the lines up to `}` so many times\n"
+        "  show, undo, quit   print all current values; undo the last command; exit\n"
+        "  save FILE          write the session as a script that expects the observed values\n"
+        "At a terminal, lines are edited with libedit (~/.editrc): arrow keys, Ctrl-R for history search, Tab for "
+        "completion;\n"
+        "Ctrl-C discards a line, Ctrl-D exits.\n"
+        "Exit code 1: an expectation of the script was not met.",
+        {"grafverif simulate samples/blinker/blinker.grafcet",
+         "grafverif simulate station.grafcet --script press_start.txt",
+         "grafverif simulate samples/oven_door/oven_door.grafcet --chart oven_door",
+         "grafverif simulate station.grafcet --random 7 --steps 500 --trace-svg walk.svg"},
+        {Accepts::Walk, Accepts::Loop, Accepts::Constants, Accepts::Chart, Accepts::Mode, Accepts::Grain,
+         Accepts::Traces, Accepts::Verbose}};
 }
 
 }  // namespace grafverif::app

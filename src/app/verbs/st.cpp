@@ -24,21 +24,21 @@ ExitCode st(Job& job, const Streams& streams) {
 }
 
 Verb st_usage() {
-    return {
-        "st",
-        "FILE",
-        1,
-        1,
-        "write a chart as a controller in Structured Text, or a test of it",
-        "Writes a chart of FILE as a function block in Structured Text (IEC 61131-3), made of the equations that are\n"
-        "proven: one call is one PLC cycle. With --sequence: a program that drives such a block through the test, one "
-        "scan\n"
-        "per call, and compares its outputs in each. Formats: PLCopen XML (TC6 2.01), text.",
-        {"grafverif st samples/tanks/tanks.grafcet -o tanks.xml",
-         "grafverif st samples/tanks/tanks.grafcet --mode every-cycle --format text",
-         "grafverif st samples/tanks/tanks.grafcet --sequence samples/tanks/table2.csv -o test.xml"},
-        {Accepts::Output, Accepts::Chart, Accepts::Mode, Accepts::FormatXml, Accepts::Sequence,
-         Accepts::MaxEvolutions}};
+    return {"st",
+            "FILE",
+            1,
+            1,
+            "generate Structured Text for a chart, or a test program",
+            "Writes a chart of FILE as a function block in Structured Text (IEC 61131-3), derived from the verified "
+            "equations: one\n"
+            "call is one PLC cycle. With --sequence: a program that drives this function block through the test, one "
+            "scan per call,\n"
+            "and compares its outputs in each. Formats: PLCopen XML (TC6 2.01), text.",
+            {"grafverif st samples/tanks/tanks.grafcet -o tanks.xml",
+             "grafverif st samples/tanks/tanks.grafcet --mode every-cycle --format text",
+             "grafverif st samples/tanks/tanks.grafcet --sequence samples/tanks/table2.csv -o test.xml"},
+            {Accepts::Output, Accepts::Chart, Accepts::Mode, Accepts::FormatXml, Accepts::Sequence,
+             Accepts::MaxEvolutions}};
 }
 
 }  // namespace grafverif::app

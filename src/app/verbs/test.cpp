@@ -219,9 +219,8 @@ Verb test_usage() {
         "test an implementation against a chart, scan by scan",
         "Runs the controller PROGRAM through a test sequence and compares its outputs with those of the chart in "
         "every\n"
-        "scan. PROGRAM is a command for the shell; it reads one line of inputs and answers by one line of outputs "
-        "for each\n"
-        "scan (docs/how-to/test-a-plc.md). Without --sequence the test is the one that `testgen` makes of the chart.\n"
+        "scan. PROGRAM is a shell command; for each scan it reads one line of inputs and writes one line of outputs\n"
+        "(docs/how-to/test-a-plc.md). Without --sequence, `test` generates the sequence as `testgen` does.\n"
         "Exit code 1: the controller does not conform. Formats: text, JSON, JUnit XML (--junit).",
         {"grafverif test tanks.grafcet --against ./my_controller",
          "grafverif test tanks.grafcet --against ./my_controller --cover evolutions --go-on --junit report.xml",

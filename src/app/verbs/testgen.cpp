@@ -49,13 +49,13 @@ Verb testgen_usage() {
             "FILE",
             1,
             1,
-            "make a test sequence for the program of a PLC",
-            "Writes inputs to apply and outputs to expect, step by step from power-on, and says on standard error how "
-            "many steps there\n"
-            "are and whether fewer would do. Each step lasts `cycles` scans of the controller. Constraints of the "
-            "chart restrict the\n"
-            "inputs. The test is run on the rules of IEC 60848 before it is written.\n"
-            "Formats: CSV, JSON, Structured Text (IEC 61131-3) alone or in PLCopen XML.",
+            "generate a test sequence for a PLC program",
+            "Writes the inputs to apply and the outputs to expect, step by step from power-on. Prints the number of "
+            "steps, and\n"
+            "whether it is minimal, on standard error. Each step lasts `cycles` scans of the controller. Constraints "
+            "of the chart\n"
+            "restrict the inputs. The test is run on the rules of IEC 60848 before it is written.\n"
+            "Formats: CSV, JSON, Structured Text (IEC 61131-3) or PLCopen XML.",
             {"grafverif testgen samples/tanks/tanks.grafcet -o tanks.csv",
              "grafverif testgen samples/tanks/tanks.grafcet --cover evolutions",
              "grafverif testgen samples/tanks/tanks.grafcet --mode every-cycle --hold one --format json"},

@@ -166,19 +166,18 @@ ExitCode init(Job& job, const Streams& streams) {
 }
 
 Verb init_usage() {
-    return {
-        "init",
-        "[NAME]",
-        0,
-        1,
-        "begin a project: a chart, a component, their closed loop with properties, CMake",
-        "Writes a small project into the new folder NAME, or, without NAME, into this folder, whose name it takes: a "
-        "chart, a component\nof one's own, the closed loop of both with properties that hold, a CMakeLists.txt with a "
-        "test per property, and a\n.gitignore. It is checked as it is. Nothing is overwritten: where one of the files "
-        "is "
-        "there, nothing is written.",
-        {"grafverif init press", "cd press && grafverif check press.grafcet"},
-        {}};
+    return {"init",
+            "[NAME]",
+            0,
+            1,
+            "create a project: chart, component, closed loop with properties, CMake",
+            "Writes a small project into the new directory NAME, or, without NAME, into the current directory, whose "
+            "name it gets:\n"
+            "a chart, a custom component, the closed loop of both with properties that hold, a CMakeLists.txt with a "
+            "test per\n"
+            "property, and a .gitignore. Nothing is overwritten: if one of the files exists, nothing is written.",
+            {"grafverif init press", "cd press && grafverif check press.grafcet"},
+            {}};
 }
 
 }  // namespace grafverif::app

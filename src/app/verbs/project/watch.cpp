@@ -145,11 +145,13 @@ Verb watch_usage() {
         "VERB ARGUMENT...",
         2,
         any_number - 1,
-        "run a verb again with every change of what it reads",
-        "Runs `grafverif VERB ARGUMENT...`, and again whenever a file changes that it reads: FILE, what it includes, "
-        "tables. A run\nthat a change overtakes is ended. VERB is one that ends by itself, so not `serve`, `lsp` or "
-        "`simulate`. Options of\n`watch` stand before VERB; `-q` leaves out its own lines, which go to standard error. "
-        "Ctrl-C ends it, with exit code 0.",
+        "rerun a command whenever a file that it reads changes",
+        "Runs `grafverif VERB ARGUMENT...`, and reruns it when a file that it reads changes: FILE, included files, "
+        "tables. A\n"
+        "change during a run terminates the run. VERB must terminate, so `serve`, `lsp` and `simulate` are not "
+        "supported.\n"
+        "Options of `watch` precede VERB; `-q` omits its status lines on standard error. Ctrl-C stops it, with exit "
+        "code 0.",
         {"grafverif watch check station.grafcet", "grafverif watch check station.grafcet --property safe --junit r.xml",
          "grafverif watch -q draw station.grafcet -o station.svg"},
         {Accepts::Command}};

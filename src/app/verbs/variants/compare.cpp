@@ -91,28 +91,26 @@ ExitCode compare(Job& job, const Streams& streams) {
 }
 
 Verb compare_usage() {
-    return {
-        "compare",
-        "FILE OTHER",
-        2,
-        2,
-        "prove that two charts answer all inputs alike, or tell them apart",
-        "Asks whether a chart of FILE (a) and one of OTHER (b) with the same inputs and outputs write the same outputs "
-        "in "
-        "every\n"
-        "scan, whatever the inputs are and however long it is between scans, or stop in the same one (race, value out "
-        "of\n"
-        "range, total instability). The answer is a proof, or scans that tell them apart, replayed on the rules of IEC "
-        "60848;\n"
-        "then what the two texts say that is not the same. Files may be of any format that is read. Without --mode the "
-        "mode is\n"
-        "that of the closed loop of FILE that has the chart, else stability-search. Constraints of both charts are "
-        "assumed.\n"
-        "Exit code 1: different; 3: not decided (--timeout, --max-memory, Ctrl-C).",
-        {"grafverif compare station.grafcet station.xml",
-         "grafverif compare old.grafcet new.grafcet --mode every-cycle",
-         "grafverif compare old.grafcet new.grafcet --from-situation 3,5 --format json"},
-        {Accepts::Output, Accepts::Chart, Accepts::Compare, Accepts::Mode, Accepts::Format}};
+    return {"compare",
+            "FILE OTHER",
+            2,
+            2,
+            "prove two charts equivalent, or find inputs that distinguish them",
+            "Compares a chart of FILE (a) with a chart of OTHER (b), which has the same inputs and outputs. They are "
+            "equivalent if,\n"
+            "for all inputs and all times between scans, they write the same outputs in every scan or stop in the same "
+            "scan (race,\n"
+            "value out of range, total instability). The result is a proof, or a distinguishing sequence of scans, "
+            "replayed on the\n"
+            "rules of IEC 60848, and the differences of the two texts. FILE and OTHER can have any supported format. "
+            "The default\n"
+            "mode is that of the closed loop of FILE with this chart, otherwise stability-search. The constraints of "
+            "both charts are\n"
+            "assumed. Exit code 1: different; 3: inconclusive (--timeout, --max-memory, Ctrl-C).",
+            {"grafverif compare station.grafcet station.xml",
+             "grafverif compare old.grafcet new.grafcet --mode every-cycle",
+             "grafverif compare old.grafcet new.grafcet --from-situation 3,5 --format json"},
+            {Accepts::Output, Accepts::Chart, Accepts::Compare, Accepts::Mode, Accepts::Format}};
 }
 
 }  // namespace grafverif::app

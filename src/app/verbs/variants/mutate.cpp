@@ -341,20 +341,17 @@ Verb mutate_usage() {
         "FILE",
         1,
         1,
-        "make mistakes in a chart, and see which its properties and tests notice",
-        "Makes plausible mistakes in a chart of FILE, one at a time: a term dropped or negated, `and` for `or`, "
-        "parallel "
-        "branches for\n"
-        "alternatives, a wrong successor, another duration, a missing action, another output, a stored action on the "
-        "wrong "
-        "side, a\n"
-        "forcing order lost. Of each it tells whether it is equivalent, which is proved (see `compare`); which "
-        "properties of "
-        "the closed\n"
-        "loops that have the chart fail for it (see `check`); whether the test sequence of the chart catches it (see "
-        "`testgen`). Those\n"
-        "that no property notices are shown as a change of the text, with --survivors as drawings too.\n"
-        "Exit code 1: a mistake that no property notices; 3: not all was decided (--each, --timeout, Ctrl-C).",
+        "mutate a chart, and report which mutants its properties and tests detect",
+        "Changes a chart of FILE by one plausible mistake at a time, for example a negated term, a wrong successor, "
+        "another\n"
+        "duration or a missing action (docs/how-to/mutate.md lists all). Each mutant is proved equivalent or not (see "
+        "`compare`) and\n"
+        "checked against the properties of the closed loops with the chart (see `check`). It is also run through the "
+        "test\n"
+        "sequence of the chart (see `testgen`). Mutants that no property detects are printed as a difference of the "
+        "text, with\n"
+        "--survivors also as drawings.\n"
+        "Exit code 1: no property detects a mutant; 3: incomplete (--each, --timeout, Ctrl-C).",
         {"grafverif mutate samples/oven_door/oven_door.grafcet",
          "grafverif mutate station.grafcet --chart press --limit 50 --seed 7 --state press.mutants --survivors press",
          "grafverif mutate station.grafcet --each 10s --format json -o mutants.json"},

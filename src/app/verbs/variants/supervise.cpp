@@ -205,16 +205,16 @@ Verb supervise_usage() {
         "FILE",
         1,
         1,
-        "find conditions on a chart under which its properties hold",
-        "Finds what the charts of FILE's closed loop must be forbidden so that its properties about states (always, "
-        "never,\n"
-        "exactly one of) hold whatever the plant does, and a marked situation stays within reach: conditions on "
-        "transitions\n"
-        "and outputs, over the inputs and steps of the chart. The model is the untimed one with plant automata, "
-        "interleaved,\n"
-        "grain atomic. With -o the file with these conditions is written; it has been proved by two engines then. "
-        "Where there\n"
-        "are none, a run shows what no controller prevents. docs/how-to/supervise.md says what is guaranteed.",
+        "synthesize conditions on a chart that enforce its properties",
+        "Computes conditions on the transitions and outputs of the charts of a closed loop in FILE, over their inputs "
+        "and steps.\n"
+        "Under these conditions, the properties of states (always, never, exactly one of) hold for all behaviour of "
+        "the plant,\n"
+        "and a marked situation remains reachable. The model is untimed with plant automata, interleaved, grain "
+        "atomic. -o\n"
+        "writes the file with these conditions, after two engines have proved it. If no such conditions exist, a trace "
+        "shows\n"
+        "behaviour that no controller can prevent. docs/how-to/supervise.md states the guarantees.",
         {"grafverif supervise station.grafcet", "grafverif supervise station.grafcet --property P15 -o safe.grafcet",
          "grafverif supervise station.grafcet --marked 'X0 && V_IN' --format json"},
         {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Mode, Accepts::Supervision, Accepts::Format}};
