@@ -78,8 +78,8 @@ class Site:
                 for term in filter(None, [main, *others.rstrip(")").split(", ")]):
                     for form in [term, term + "s", term + "es"]:
                         terms[form.lower()] = slug(title)
-        for verb in ["run", "runs"]:  # mostly the verb
-            terms.pop(verb, None)
+        for form in ["run", "runs"]:  # usually not the noun
+            terms.pop(form, None)
         return terms
 
     def check(self):
