@@ -6,8 +6,8 @@
     report = file.loop().check()
     print(report)
 
-What is wrong with a chart is raised as GrafverifError, with its places. Whatever takes long lets other threads run and
-ends with KeyboardInterrupt at Ctrl-C. Durations are in seconds, as arguments and in results; arguments may also be
+Errors in a chart are raised as GrafverifError, with positions. Long operations release the interpreter lock and raise
+KeyboardInterrupt at Ctrl-C. Durations are in seconds, as arguments and in results; arguments may also be
 `datetime.timedelta`. Attributes that end in `_ms` are in milliseconds.
 """
 
@@ -33,7 +33,7 @@ Duration = Union[float, timedelta]  #: seconds
 
 
 class Diagnostic(NamedTuple):
-    """What is wrong, and where; `file`, `line` and `column` (from 1, in bytes) are None where it is nowhere."""
+    """A diagnostic with its position; `file`, `line` and `column` (from 1, in bytes) are None if it has no position."""
 
     severity: str
     code: str
@@ -44,7 +44,7 @@ class Diagnostic(NamedTuple):
 
 
 class GrafverifError(Exception):
-    """The chart, or what is asked of it, is wrong. The text is what the program would print."""
+    """Invalid chart or request. The text is the output of the program."""
 
     def __init__(self, text: str, diagnostics: Iterable[tuple[Any, ...]] = ()):
         super().__init__(text)
@@ -59,7 +59,7 @@ class SimulationError(GrafverifError):
 
 
 class NotFoundError(GrafverifError, KeyError):
-    """There is no chart, closed loop or property of that name."""
+    """Unknown name of a chart, closed loop or property."""
 
 
 def _seconds(duration: Duration) -> float:
@@ -112,7 +112,7 @@ class Drawing:
 
 @dataclass(frozen=True)
 class Step:
-    """One row of a run: what happened, and the state after it. In an untimed run `time` and `time_ms` count steps."""
+    """One row of a trace: the event and the state after it. In an untimed trace, `time` and `time_ms` count steps."""
 
     time: float  #: seconds
     kind: str
@@ -125,7 +125,7 @@ class Step:
 
 
 class Trace(_Tabular):
-    """A run of a loop or chart in the words of its charts. From step `loop_from` on it repeats for ever."""
+    """A trace of a loop or chart. If it is a lasso, it repeats forever from step `loop_from`."""
 
     def __init__(self, document: dict[str, Any], text: str, svg: str):
         unit = 1000 if document["run"].get("timed", True) else 1
@@ -168,7 +168,7 @@ class Trace(_Tabular):
 
 
 class Verdict:
-    """The answer to one property. It has no truth value of its own: ask for `holds`, `violated` or `unknown`."""
+    """The verdict on one property. It has no truth value; use `holds`, `violated` or `unknown`."""
 
     def __init__(self, document: dict[str, Any], report: _core.Report, index: int):
         self.name: str = document["name"]
@@ -204,7 +204,7 @@ class Verdict:
 
     @property
     def trace(self) -> Trace | None:
-        """The run that shows the verdict: a counterexample, or a witness."""
+        """The trace of the verdict: a counterexample or a witness."""
         if self.document["trace"] is None:
             return None
         return Trace(self.document["trace"], self._report.trace_text(self._index), self._report.trace_svg(self._index))
@@ -229,7 +229,7 @@ class Report(_Tabular):
 
     @property
     def as_expected(self) -> bool:
-        """Every verdict is the one that the file asks for, and the model breaks off nowhere."""
+        """True if every verdict is as expected and the model has no model error."""
         return not self.errors and all(each.as_expected for each in self.verdicts)
 
     def __len__(self) -> int:
@@ -274,7 +274,7 @@ class Report(_Tabular):
 
 @dataclass(frozen=True)
 class Finding:
-    """Something about a chart that its author should know; `document` has its evidence."""
+    """A finding about a chart; `document` has its trace."""
 
     code: str
     level: str
@@ -286,7 +286,7 @@ class Finding:
 
 
 class Analysis(_Tabular):
-    """What can go wrong in a chart, and what never happens in it."""
+    """Defects and dead elements of a chart."""
 
     def __init__(self, text: str, document: dict[str, Any]):
         self.findings = [Finding(each["code"], each["level"], each["subject"], each["message"], each.get("line"),
@@ -331,7 +331,7 @@ class _Machine:
 
 
 class Automaton(_Machine, _Tabular):
-    """The location automaton of a chart: what a controller that executes it does, cycle by cycle."""
+    """The location automaton of a chart: the behaviour of a controller that executes it, cycle by cycle."""
 
     @property
     def locations(self) -> list[dict[str, Any]]:
@@ -360,7 +360,7 @@ class Mealy(_Machine):
 
 @dataclass(frozen=True)
 class TestStep:
-    """Wait, apply the inputs for so many scans, and compare the outputs in each."""
+    """Wait, apply the inputs for `cycles` scans, and compare the outputs in each."""
 
     __test__ = False  # nothing for pytest
     sequence: int
@@ -374,7 +374,7 @@ class TestStep:
 
 
 class TestSequence(_Tabular):
-    """What to apply to an implementation of a chart and what to expect, from power-on, in one sequence or several."""
+    """Inputs to apply to an implementation of a chart, and the expected outputs, from power-on, in one or several sequences."""
 
     __test__ = False
 
@@ -402,14 +402,14 @@ class TestSequence(_Tabular):
 
 
 class Choice(NamedTuple):
-    """A command that may be given now, and what would happen."""
+    """An available command and its effect."""
 
     command: str
     words: str
 
 
 class Simulation:
-    """A loop or chart, moved by hand with the commands of `grafverif simulate`."""
+    """Simulation of a loop or chart with the commands of `grafverif simulate`."""
 
     def __init__(self, core: _core.Simulator):
         self._core = core
@@ -417,7 +417,7 @@ class Simulation:
             raise SimulationError(core.problem())
 
     def do(self, *commands: str) -> Simulation:
-        """Obeys each: `START = true`, `wait 3s`, `do Gate open`, `back`. What follows from it follows by itself."""
+        """Executes commands such as `START = true`, `wait 3s`, `do Gate open`, `back`, and their automatic consequences."""
         for command in commands:
             problem = self._core.obey(command)
             if problem:
@@ -425,12 +425,12 @@ class Simulation:
         return self
 
     def set(self, **inputs: bool | int) -> Simulation:
-        """Gives inputs their values, of a chart alone all at once."""
+        """Sets inputs; of a chart alone, all together."""
         words = [f"{name} = {str(value).lower()}" for name, value in inputs.items()]
         return self.do(", ".join(words)) if words else self
 
     def wait(self, duration: Duration | None = None) -> Simulation:
-        """Lets time pass; without a duration, until something happens by itself, or can."""
+        """Lets time pass; without a duration, until the next automatic or possible event."""
         return self.do("wait" if duration is None else f"wait {round(1000 * _seconds(duration))}ms")
 
     @property
@@ -439,7 +439,7 @@ class Simulation:
 
     @property
     def trace(self) -> Trace:
-        """All that happened since the power-on."""
+        """All rows since power-on."""
         wrong = self._core.disagreement()
         if wrong:
             raise RuntimeError(wrong)
@@ -447,7 +447,7 @@ class Simulation:
 
     @property
     def is_trial(self) -> bool:
-        """Whether a step was forced by hand, so that what followed is no run of the model."""
+        """True if a step was forced, so that the following rows are not a run of the model."""
         return self._core.trial_row() is not None
 
     @property
@@ -483,12 +483,12 @@ class Chart:
         return self.draw().svg
 
     def draw(self, *, notation: str = "iec") -> Drawing:
-        """As IEC 60848 draws it; `notation` `text` writes logic as the file does."""
+        """SVG drawing in the notation of IEC 60848; `notation` `text` uses the text language for conditions."""
         return Drawing(self._file.draw(self.name, notation))
 
     def check_untimed(self, *, mode: str | None = None, timeout: Duration | None = None, memory: int | None = None,
                       states: int | None = None) -> Report:
-        """The chart alone, its inputs free: whether each step can be reached."""
+        """Checks the chart alone, with free inputs: the reachability of each step."""
         return Report(self._file.check_chart(self.name, _core.How(mode=mode),
                                              _bounds(timeout, memory, states)))
 
@@ -519,7 +519,7 @@ class Chart:
         return Simulation(self._file.simulate_chart(self.name, _core.How(mode=mode)))
 
     def run(self, commands: str | Iterable[str], *, mode: str | None = None) -> Trace:
-        """What a script of `grafverif simulate`, or its commands, make of it."""
+        """Runs a script or commands of `grafverif simulate`."""
         return self.simulate(mode=mode).do(*_lines(commands)).trace
 
     def structured_text(self, *, mode: str | None = None, plcopen_xml: bool = False) -> str:
@@ -544,8 +544,8 @@ class Loop:
     def check(self, *properties: str, mode: str | None = None, grain: str | None = None,
               timeout: Duration | None = None, memory: int | None = None, states: int | None = None,
               whole: bool = False) -> Report:
-        """Proves the properties of these names, or all, in real time. `timeout` in seconds, `memory` in bytes; at a
-        bound verdicts are unknown."""
+        """Checks these properties, or all, with the timed engine. `timeout` in seconds, `memory` in bytes; at a
+        limit, verdicts are unknown."""
         return Report(self._file.check(self.name, _core.How(mode=mode, grain=grain), list(properties),
                                        _bounds(timeout, memory, states), whole, False))
 
@@ -553,7 +553,7 @@ class Loop:
                       schedule: str | None = None, time: str | None = None, fairness: bool = False,
                       timeout: Duration | None = None, memory: int | None = None, states: int | None = None,
                       whole: bool = False) -> Report:
-        """The same of the model without time; what that says of the real plant stands with each verdict."""
+        """Checks the untimed model; each verdict states what it implies for the real plant."""
         how = _core.How(mode=mode, plant=plant or ("automata" if schedule or time or fairness else None),
                         schedule=schedule, time=time, fairness=fairness)
         return Report(self._file.check(self.name, how, list(properties),
@@ -563,11 +563,11 @@ class Loop:
         return Simulation(self._file.simulate_loop(self.name, _core.How(mode=mode, grain=grain)))
 
     def run(self, commands: str | Iterable[str], *, mode: str | None = None, grain: str | None = None) -> Trace:
-        """What a script of `grafverif simulate`, or its commands, make of it."""
+        """Runs a script or commands of `grafverif simulate`."""
         return self.simulate(mode=mode, grain=grain).do(*_lines(commands)).trace
 
     def uppaal(self, *, mode: str | None = None, grain: str | None = None) -> str:
-        """The UPPAAL project, queries and all."""
+        """The UPPAAL project with queries."""
         return self._file.uppaal(self.name, _core.How(mode=mode, grain=grain))
 
     def nusmv(self, *, mode: str | None = None, plant: str | None = None, schedule: str | None = None,
@@ -584,7 +584,7 @@ def _lines(commands: str | Iterable[str]) -> list[str]:
 
 
 class File:
-    """A file and all it includes."""
+    """A file and its includes."""
 
     def __init__(self, core: _core.File):
         self._core = core
@@ -618,7 +618,7 @@ Constants = Mapping[str, Union[bool, int, str, timedelta]]
 
 
 def _written(constants: Constants | None) -> dict[str, str]:
-    """Values of constants as the language writes them."""
+    """Values of constants in the text language."""
     written = {}
     for name, value in (constants or {}).items():
         if isinstance(value, timedelta):
@@ -633,14 +633,14 @@ def _written(constants: Constants | None) -> dict[str, str]:
 
 def read(path: str | os.PathLike[str], *, include: Iterable[str | os.PathLike[str]] = (), lossy: bool = False,
          constants: Constants | None = None) -> File:
-    """Reads a file of any format that grafverif knows, and its includes, which are looked for in `include` too.
+    """Reads a file of any supported format and its includes, which are also searched in `include`.
 
-    `constants` gives constants of closed loops other values, as `--set` does: of every loop that has one of the name.
+    `constants` sets constants of closed loops, as `--set` does, in every loop that declares the name.
     """
     return File(_core.File.read(os.fspath(path), [os.fspath(each) for each in include], lossy, _written(constants)))
 
 
 def parse(text: str, name: str = "text", *, include: Iterable[str | os.PathLike[str]] = (), lossy: bool = False,
           constants: Constants | None = None) -> File:
-    """Reads a text; `name` stands for it in errors. `constants`: see `read`."""
+    """Reads a text; `name` is its file name in errors. `constants`: see `read`."""
     return File(_core.File.parse(text, name, [os.fspath(each) for each in include], lossy, _written(constants)))
