@@ -78,7 +78,7 @@ class Site:
                 for term in filter(None, [main, *others.rstrip(")").split(", ")]):
                     for form in [term, term + "s", term + "es"]:
                         terms[form.lower()] = slug(title)
-        for form in ["run", "runs"]:  # usually not the noun
+        for form in ["run", "runs"]:  # in most places another meaning
             terms.pop(form, None)
         return terms
 

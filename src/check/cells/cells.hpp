@@ -2,7 +2,7 @@
 // Localization for the timed engine. If the complete network has too many states, a property is decided on the
 // fragments ("cells") that it reads, with the rest over-approximated (ir/network_cells.hpp). The abstraction preserves
 // `always`, `never` and `exactly one of` that hold, and `reachable` that is violated (proof:
-// docs/explanation/engines.md, "Cells").
+// docs/explanation/decomposition.md, "Cells").
 //
 // Refinement: if the abstraction admits a run that may be spurious, or a model error, the fragments whose values are
 // read are added. The last iteration explores the complete network.

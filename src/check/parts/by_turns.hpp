@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Compositional checking with the symbolic engine, for systems in which one process moves in a step. Each property is
 // decided on the independent subsystems ("sub-loops") that it reads. The others are omitted if this preserves the
-// verdict (docs/explanation/engines.md, "Sub-loops"). The side conditions on omitted subsystems are checked when they
+// verdict (docs/explanation/decomposition.md, "Sub-loops"). The side conditions on omitted subsystems are checked when they
 // matter; if one fails or is unknown, the complete system is searched.
 //
 // `no deadlock` is checked per subsystem, as by the timed engine.

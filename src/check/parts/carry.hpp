@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Preservation of verdicts from some independent subsystems to the complete system: the conditions, and their
-// explanations (proofs: docs/explanation/engines.md, "Sub-loops").
+// explanations (proofs: docs/explanation/decomposition.md, "Sub-loops").
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Compositional checking with the timed engine. A property is decided on the independent subsystems ("sub-loops") that
 // it reads. Subsystems that share only time with them are omitted if this preserves the verdict
-// (docs/explanation/engines.md, "Sub-loops"). The side conditions on an omitted subsystem are checked by exploring it
+// (docs/explanation/decomposition.md, "Sub-loops"). The side conditions on an omitted subsystem are checked by exploring it
 // alone; if one fails or is unknown, the complete network is explored.
 //
 // `no deadlock` is checked per subsystem: from every state of each subsystem, one of its edges is enabled, now or after

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Interleaving premises: the properties of a part of a loop that matter to the parts interleaved with it, and the runs
-// that show them (docs/explanation/engines.md, "Sub-loops").
+// that show them (docs/explanation/decomposition.md, "Sub-loops").
 //
 // A step of the part waits or moves. If clocks matter, waiting is the passing of time, and a step that does neither
 // repeats a state that cannot be left.

@@ -144,7 +144,8 @@ std::optional<std::string> inexact_place(const Network& network) {
         for (const Network::Edge& edge : automaton.edges) {
             const std::string place = "`" + process.name + "`, edge `" + automaton.locations[edge.from].name + " -> " +
                                       automaton.locations[edge.to].name + "`";
-            const bool watches = process.kind == Network::ProcessKind::Observer;  // proof: docs/explanation/engines.md
+            const bool watches =
+                process.kind == Network::ProcessKind::Observer;  // proof: docs/explanation/timed-engine.md
             for (const Network::ClockConstraint& constraint : edge.constraint)
                 if (strict(constraint) && !watches)
                     return "the strict constraint on clock `" + automaton.clocks[constraint.clock].name + "` of " +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Premises under which a part of a network can be omitted from checks of others (docs/explanation/engines.md,
+// Premises under which a part of a network can be omitted from checks of others (docs/explanation/timed-engine.md,
 // "Sub-loops"), determined from the graph of a complete search.
 #pragma once
 

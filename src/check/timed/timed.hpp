@@ -5,7 +5,7 @@
 // decided on the state graph with UPPAAL semantics: a maximal run is infinite or ends in a state without successors;
 // staying in a state forever is a run; a state that satisfies p and q fulfils `p leads to q`.
 //
-// Exactness (design: "properties, verdicts, traces"; proof in docs/explanation/engines.md). With closed clock
+// Exactness (design: "properties, verdicts, traces"; proof in docs/explanation/timed-engine.md). With closed clock
 // constraints, integer time reaches the same discrete states as dense time, so `always`, `never` and `reachable` are
 // exact; a strict constraint makes them one-sided. An integer run can refute `inevitable`, `leads to`, `no deadlock`
 // and `no timelock`. These properties hold only if no timelock can occur between two ticks; otherwise the verdict is
@@ -61,7 +61,7 @@ struct TimedOptions {
     std::function<std::optional<StateProfile::Finest>()> finest = {};  ///< called to compute a profile
 };
 
-/// Properties of the network in a complete search that matter to its neighbours (docs/explanation/engines.md,
+/// Properties of the network in a complete search that matter to its neighbours (docs/explanation/timed-engine.md,
 /// "Sub-loops").
 struct Premises {
     std::optional<Run> diverges = {};  ///< a lasso in which time diverges
