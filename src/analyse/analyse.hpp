@@ -4,7 +4,7 @@
 //
 // All evolutions are computed exactly, as sets of points. A point is a situation with the stored variables that matter,
 // the timer outputs and the inputs, before an evolution. An instant begins when inputs are sampled. Under stability
-// search it consists of the evolutions, with constant inputs, until one changes nothing (IEC 60848, 4.6: input events
+// search it consists of the evolutions, with constant inputs, until one changes nothing (IEC 60848: input events
 // occur in stable situations only); in every_cycle mode it is one evolution. If an instant does not end, the points
 // that it repeats forever are the total instability. Since evolutions are functions, these are the points with infinite
 // histories.

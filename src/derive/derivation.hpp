@@ -22,7 +22,7 @@ namespace grafverif {
 // Hierarchy of a chart: reduces macro-steps, enclosing steps and forcing orders to plain steps.
 //
 // An expansion belongs to the chart of its macro-step: entering the macro-step enters the entry step, and the exit step
-// replaces it upstream of transitions (IEC 60848, 4.5.3). The region of a partial chart consists of its steps and those
+// replaces it upstream of transitions (IEC 60848). The region of a partial chart consists of its steps and those
 // of its expansions; a region is enclosed or forced as a unit.
 //
 // The relation "encloses or forces" between charts is acyclic, which defines an order of the charts.

@@ -72,14 +72,14 @@ struct Refusal {
                 diagnostics.add(messages::edge_of_edge(action.origin));
     }
 
-    /// 4.8.2: an edge would make the action not continuous.
+    /// An edge would make the action not continuous.
     void continuous_actions() const {
         for (const Chart::ContinuousAction& action : chart.continuous)
             if (edge.occur[action.condition.index])
                 diagnostics.add(messages::edge_in_assignation(action.origin, chart.variables[action.output].name));
     }
 
-    /// 4.8.3: an event is instantaneous, so it requires an edge.
+    /// An event is instantaneous, so it requires an edge.
     void events() const {
         for (const Chart::StoredAction& action : chart.stored)
             if (action.on == Chart::StoredOn::Event && !edge.needed[action.event.index])

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stored actions (IEC 60848, 4.8.3). Actions that store the same value in a variable form a group; a race occurs if two
+// Stored actions (IEC 60848). Actions that store the same value in a variable form a group; a race occurs if two
 // groups with different values are triggered in one cycle. For constant values, the race condition is built by divide
 // and conquer with size n log n: a race within one half, or a trigger in each half.
 #include <algorithm>

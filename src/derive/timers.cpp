@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Memory of the equations: previous values for edges, values observed by timers, and the timers themselves (IEC 60848,
-// 4.4 and 4.5; CEP13 Fig. 33b). Each is created on first use, so unused values are not stored.
+// Memory of the equations: previous values for edges, values observed by timers, and the timers themselves (IEC 60848;
+// CEP13 Fig. 33b). Each is created on first use, so unused values are not stored.
 #include "derivation.hpp"
 #include "syntax/print/dialect.hpp"
 

@@ -44,7 +44,7 @@ public:
     Writing(const Chart& chart, Notation notation);
 
     Notation notation() const { return notation_; }
-    /// A term in one line. Iec (IEC 60848, 4.3 and 4.4): `·`, `+`, an overline for negation, `↑`, `↓`, predicates in
+    /// A term in one line. Iec (IEC 60848): `·`, `+`, an overline for negation, `↑`, `↓`, predicates in
     /// square brackets; within a negated term `¬`.
     Runs runs(Id<Expr> term) const;
     /// `X2`, `G1.X2`.

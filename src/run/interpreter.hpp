@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Interpreter: executes the five evolution rules of IEC 60848, 4.6, on a Chart as sets of steps and transitions. It is
+// Interpreter: executes the five evolution rules of IEC 60848 on a Chart as sets of steps and transitions. It is
 // independent of Equations, so that each can be tested against the other. Used by simulation, the program in a PLC and
 // the replay of traces.
 //
@@ -114,7 +114,7 @@ using InputValues = std::span<const std::int64_t>;
 /// The state before the first evolution: outputs at their initial values, initial steps active, ages 0.
 State power_on(const Chart& chart);
 
-/// An element of a chart that depends on time: `t1/v/t2`. The delay of an action (IEC 60848, 4.8.2) is the time
+/// An element of a chart that depends on time: `t1/v/t2`. The delay of an action (IEC 60848) is the time
 /// condition 3s/X on its step, and so is the end of its limit.
 struct TimedElement {
     Id<Expr> watched = {};  ///< invalid: `step` is observed

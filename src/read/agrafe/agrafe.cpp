@@ -224,7 +224,7 @@ std::optional<tree::Transition> transition_of(AgrafeReader& reader, std::size_t 
     transition.condition = agrafe_term(reader, term);
     if (time.kind == AgrafeTime::Kind::Limited)
         reader.draft.refuse(reader.xml.where(one.node, "timeConditionType"), "a time-limited transition",
-                            "only actions are limited (IEC 60848, 4.8); write the condition with its time");
+                            "only actions are limited (IEC 60848); write the condition with its time");
     else if (time.kind != AgrafeTime::Kind::None && transition.condition.valid())
         transition.condition = timed(reader, time, transition.condition, reader.xml.where(one.node, "delayTime"));
     if (!transition.condition.valid() && reader.diagnostics().errors() != errors)

@@ -18,7 +18,7 @@ LeafPrinter leaf_printer(const Chart& chart);
 
 std::string term_text(const Chart& chart, Id<Expr> term);
 
-/// `3s/X2`, `2s/(a && b)/1s`: a time condition (IEC 60848, 4.4); `text` prints the observed term.
+/// `3s/X2`, `2s/(a && b)/1s`: a time condition (IEC 60848); `text` prints the observed term.
 std::string time_text(const Chart& chart, const Chart::TimeCondition& time,
                       const std::function<std::string(Id<Expr>)>& text);
 /// The same for a timer; `watched`: the observed term in the notation of conditions.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Resolves names and time conditions in the conditions of a chart: variables, step variables (IEC 60848, 4.3), time
-// conditions (4.4).
+// Resolves names and time conditions in the conditions of a chart: variables, step variables (IEC 60848), time
+// conditions.
 #include <array>
 #include <string>
 

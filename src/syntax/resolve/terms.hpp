@@ -62,7 +62,7 @@ private:
     Diagnostics* diagnostics_;
 };
 
-/// A time condition written as divisions (IEC 60848, 4.4): `t1/v/t2`, `t1/v`, `v/t2`.
+/// A time condition written as divisions (IEC 60848): `t1/v/t2`, `t1/v`, `v/t2`.
 struct WrittenTime {
     Id<tree::Expr> rise = {}, watched = {},
                    fall = {};  ///< `watched` is invalid if the division is not a time condition
