@@ -345,13 +345,11 @@ private:
     }
 };
 
-std::string html_of(const Checked& checked, const std::string& date) {
+std::string html_of(const Checked& checked, const std::string& date, const Bounds& bounds) {
     Diagnostics diagnostics;
     auto page = uninterrupted([&](const std::atomic<bool>& stop) {
-        Limits limits;
-        limits.stop = &stop;
-        return report_page(*checked.reading, checked.loop, checked.chart, checked.report, checked.mode, date, limits,
-                           diagnostics);
+        return report_page(*checked.reading, checked.loop, checked.chart, checked.report, checked.mode, date,
+                           bounds.limits(stop), diagnostics);
     });
     if (!page) refuse(diagnostics, checked.reading->sources);
     return std::move(*page);
@@ -409,7 +407,7 @@ PYBIND11_MODULE(_core, module) {
                 return svg_of(run_of(checked, answer), checked.report.answers.at(answer).verdict.property);
             },
             py::arg("answer"))
-        .def("html", &html_of, py::arg("date"));
+        .def("html", &html_of, py::arg("date"), py::arg("bounds"));
     py::class_<Moved> simulator(module, "Simulator");
     forbid_new(simulator);
     simulator.def("obey", [](Moved& moved, const std::string& command) { return moved.simulator.obey(command); })

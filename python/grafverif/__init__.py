@@ -257,14 +257,17 @@ class Report(_Tabular):
         heading = f"<p><b>{html.escape(self.model)}</b>: {'as expected' if self.as_expected else 'not as expected'}</p>"
         return heading + _html_table(("property", "sentence", "verdict", "expected", "reason"), rows)
 
-    def to_html(self, *, date: str = "") -> str:
-        """The page that `grafverif report` writes: verdicts, a player of all traces, charts, analysis, equations."""
-        return self._core.html(date)
+    def to_html(self, *, date: str = "", timeout: Duration | None = None, memory: int | None = None) -> str:
+        """The page that `grafverif report` writes: verdicts, a player of all traces, charts, analysis, equations.
+        `timeout` in seconds and `memory` in bytes bound the analysis of the charts; at a limit the page has what was
+        found by then."""
+        return self._core.html(date, _bounds(timeout, memory))
 
-    def save(self, path: str | os.PathLike[str], *, date: str = "") -> None:
+    def save(self, path: str | os.PathLike[str], *, date: str = "", timeout: Duration | None = None,
+             memory: int | None = None) -> None:
         """Writes `to_html` to a file."""
         with open(path, "w", encoding="utf-8") as file:
-            file.write(self.to_html(date=date))
+            file.write(self.to_html(date=date, timeout=timeout, memory=memory))
 
     def to_dataframe(self) -> Any:
         """A pandas DataFrame: a row per property."""

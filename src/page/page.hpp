@@ -8,9 +8,11 @@
 // is in the figure `chart-N`, with ids by element_ids(), that of a component in `component-N`.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "grafverif/grafverif.hpp"
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/drawing.hpp"
 #include "grafverif/ir/equations.hpp"
@@ -50,6 +52,11 @@ struct PageContent {
     std::vector<ChartRun> tests = {};  ///< runs of the test sequences of the only chart
     std::string warnings = {};         ///< rendered diagnostics
 };
+
+/// Charts and components of a page on `loop`, or on `chart` alone if `loop` is not valid; empty after an error.
+std::optional<PageContent> page_content(const Model& model, const Sources& sources, Id<ClosedLoop> loop,
+                                        Id<Chart> chart, std::optional<ExecutionMode> mode, const Limits& limits,
+                                        Diagnostics& diagnostics);
 
 std::string page_of(const PageContent& content);
 

@@ -66,13 +66,17 @@ void add_answer(const PageContent& content, const Answer& answer, Html& html) {
     html.open("strong").text(verdict.property).close("strong");
     if (!answer.text.empty()) html.put("span", answer.text, {{"class", "prose"}});
     html.put("span", outcome_words(verdict), {{"class", "outcome"}}).close("summary");
-    if (const std::string formula = claim_text(content.model, content.loop, verdict.property); !formula.empty())
+    if (const std::string formula = claim_text(content.model, content.loop, verdict.property, content.sources);
+        !formula.empty())
         html.open("pre", {{"class", "formula"}}).put("code", formula).close("pre");
     if (!verdict.declared && verdict.outcome != Outcome::Unknown)
         html.put("p", "The model does not ask for it; it is decided all the same.");
     if (!verdict.reason.empty()) html.open("p").text("Why: ").prose(verdict.reason).close("p");
     for (const std::string& note : verdict.notes) html.open("p").text("Note: ").prose(note).close("p");
-    html.put("p", "It rests on: " + basis_words(content.report, answer) + ".", {{"class", "remark"}});
+    html.open("p", {{"class", "remark"}})
+        .text("It rests on: ")
+        .prose(basis_words(content.report, answer) + ".")
+        .close("p");
     const bool witness = verdict.outcome == Outcome::Holds;
     if (answer.trace) add_play(html, *answer.trace, verdict.property, witness ? "witness" : "counterexample");
     html.close("details");

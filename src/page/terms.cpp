@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "page/terms.hpp"
 
+#include <algorithm>
 #include <ostream>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -319,11 +321,44 @@ std::string claim_text(const Model& model, const ClosedLoop& loop, const Propert
     return claimed + (property.at_stable ? " at stable" : "");
 }
 
-std::string claim_text(const Model& model, Id<ClosedLoop> loop, const std::string& name) {
+namespace {
+
+/// The sentence of a property as written in its file, in one line without comments; empty if the property was not read
+/// from a `.grafcet` file.
+std::string written_claim(const Property& property, const Sources& sources) {
+    const Span name = property.origin;
+    if (!sources.contains(name.source)) return {};
+    const std::string_view text = sources[name.source].text;
+    if (name.end > text.size() || text.substr(name.begin, name.end - name.begin) != property.name) return {};
+    std::string claimed;
+    bool begun = false;
+    for (std::size_t at = name.end; at < text.size(); ++at) {
+        if (text[at] == ';') return begun ? claimed : "";
+        const std::size_t begin = at;
+        if (text.substr(at).starts_with("//")) at = std::min(text.find('\n', at), text.size() - 1);
+        else if (text.substr(at).starts_with("/*")) at = std::min(text.find("*/", at + 2), text.size() - 2) + 1;
+        const std::size_t quoted = text[at] == '"' ? text.find('"', at + 1) : at;
+        if (quoted == std::string_view::npos) return {};
+        const std::string_view part = text.substr(at, quoted + 1 - at);
+        const bool blank = at > begin || part == " " || part == "\t" || part == "\r" || part == "\n";
+        if (!begun) begun = part == ":";
+        else if (!blank) claimed += part;
+        else if (!claimed.empty() && claimed.back() != ' ') claimed += ' ';
+        at = quoted;
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string claim_text(const Model& model, Id<ClosedLoop> loop, const std::string& name, const Sources& sources) {
     if (!loop.valid()) return {};
     for (const std::string& wanted : {name, name.substr(0, name.find('.'))})
-        for (const Property& property : model.loops[loop].properties)
-            if (property.name == wanted) return claim_text(model, model.loops[loop], property);
+        for (const Property& property : model.loops[loop].properties) {
+            if (property.name != wanted) continue;
+            const std::string written = written_claim(property, sources);
+            return written.empty() ? claim_text(model, model.loops[loop], property) : written;
+        }
     return {};
 }
 

@@ -14,6 +14,7 @@
 
 #include "grafverif/ir/chart.hpp"
 #include "grafverif/ir/closed_loop.hpp"
+#include "grafverif/support/source.hpp"
 #include "syntax/print/dialect.hpp"
 
 namespace grafverif {
@@ -49,7 +50,8 @@ nlohmann::ordered_json property_json(const Model& model, const ClosedLoop& loop,
 /// Terms as the file would write them: a condition of the loop, the formula of a property.
 std::string term_text(const Model& model, const ClosedLoop& loop, Id<Expr> term);
 std::string claim_text(const Model& model, const ClosedLoop& loop, const Property& property);
-/// The formula of the property of that name, or of the one that it is a part of (`S.X7`); empty if there is none.
-std::string claim_text(const Model& model, Id<ClosedLoop> loop, const std::string& name);
+/// The formula of the property of that name, or of the one that it is a part of (`S.X7`), as written in `sources`; empty
+/// if there is none.
+std::string claim_text(const Model& model, Id<ClosedLoop> loop, const std::string& name, const Sources& sources);
 
 }  // namespace grafverif

@@ -185,6 +185,8 @@ def test_the_page_of_a_report_is_that_of_the_program(tmp_path):
     assert len(page) > 50000 and withouttimes(page) == withouttimes(of_program)
     alone = grafverif.read(file).chart().check_untimed().to_html()
     assert "blinker" in alone and "<svg" in alone
+    bounded = report.to_html(date="today", timeout=0)
+    assert bounded.startswith("<!DOCTYPE html>") and "stopped at the time limit" in bounded
 
 
 def test_notebooks_show_tables_of_results():

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/stop_words.hpp"
+#include "app/system/guard.hpp"
 #include "page/terms.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
@@ -131,6 +132,7 @@ private:
 
     void work() {
         while (!over_) {
+            keep_memory_back();
             try {
                 read();
                 for (Proof& proof : proofs_)
@@ -160,6 +162,7 @@ private:
             if (text) read(path, std::move(*text), *piece);
             else piece->reading.diagnostics.add(messages::cannot_read(path, why));
         }
+        if (stale_ && !piece->reading.model) return;  // cut short: what has changed is read next
         if (piece->reading.model) make_networks(*piece);
         proofs_ = proofs_of(*piece);
         take_up(std::move(piece));
@@ -176,6 +179,7 @@ private:
         const Reach reach(path, options_.include_folders);
         ReadContext context = context_of(reach, options_.include_folders, false);
         context.constants.insert(options_.constants.begin(), options_.constants.end());
+        context.stop = &stale_;
         context.identity = [this](const std::string& included) {
             watch_.note(included);  // a missing file may appear later
             return identity_of_existing(included);
@@ -247,7 +251,8 @@ private:
         const auto tell = [&](Answer answer) {
             std::string& reason = answer.verdict.reason;
             reason = with_who_stopped(std::move(reason), false, {.timeout_ms = options_.patience_ms});
-            proof.properties.push_back(json_of(answer, claim_text(model, loop, answer.verdict.property)));
+            proof.properties.push_back(
+                json_of(answer, claim_text(model, loop, answer.verdict.property, piece_of_work_->reading.sources)));
         };
         for (const Answer& answer : report.answers) tell(answer);
         if (loop.valid())

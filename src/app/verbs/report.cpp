@@ -3,61 +3,19 @@
 #include "report/report.hpp"
 
 #include <algorithm>
-#include <set>
 #include <sstream>
 
 #include "app/decide.hpp"
 #include "app/reports.hpp"
 #include "app/stop_words.hpp"
 #include "app/verbs.hpp"
-#include "emit/layout/diagram.hpp"
-#include "page/data.hpp"
 #include "page/page.hpp"
-#include "pipeline/chart_text.hpp"
 #include "run/replay_test.hpp"
 #include "support/messages.hpp"
 
 namespace grafverif::app {
 
 namespace {
-
-std::vector<Id<Chart>> charts_of(const Model& model, const Decided& decided) {
-    if (decided.chart.valid()) return {decided.chart};
-    std::vector<Id<Chart>> charts;
-    for (const ClosedLoop::Controller& controller : model.loops[decided.loop].controllers)
-        charts.push_back(controller.chart);
-    return charts;
-}
-
-/// The report content of one chart; nothing after an error.
-std::optional<ChartContent> content_of(const Model& model, Id<Chart> chart, bool single, Job& job,
-                                       const Bounds& bounds) {
-    auto equations = equations_of(model, chart, job);
-    if (!equations) return {};
-    auto analysis = analysis_of(model, chart, job.options.mode, bounds.limits(), job.diagnostics);
-    if (!analysis) return {};
-    analysis->obstacle = with_who_stopped(std::move(analysis->obstacle), bounds.interrupted(), job.options);
-    ChartContent content{.chart = chart, .prefix = single ? "" : model.charts[chart].name + "."};
-    const DrawOptions options{.prefix = content.prefix};
-    content.drawing = svg_of(drawing_of(model, chart, options, job.sources));
-    content.equations = std::move(*equations);
-    content.analysis = std::move(*analysis);
-    return content;
-}
-
-/// The components of the loop, drawn if they are small enough.
-std::vector<ComponentContent> components_of(const Model& model, Id<ClosedLoop> loop) {
-    std::set<Id<Component>> used;
-    for (const ClosedLoop::Instance& instance : model.loops[loop].instances) used.insert(instance.component);
-    std::vector<ComponentContent> list;
-    for (const Id<Component> id : used) {
-        std::ostringstream drawing;
-        if (const Diagram drawn = diagram(model.components[id]); drawn.nodes.size() <= largest_drawing)
-            emit_svg(drawn, drawing, component_figure(id) + "-");
-        list.push_back({id, std::move(drawing).str()});
-    }
-    return list;
-}
 
 /// The runs of the charts in the test of `--sequence`; nothing after an error.
 std::optional<std::vector<ChartRun>> tests_of(const Model& model, const std::vector<Id<Chart>>& charts, Job& job) {
@@ -89,14 +47,15 @@ ExitCode report(Job& job, const Streams& streams) {
     Bounds bounds(job.options, streams);
     auto decided = decide(*model, job, bounds, true, streams);
     if (!decided) return ExitCode::Input;
-    const std::vector<Id<Chart>> charts = charts_of(*model, *decided);
-    PageContent content{.model = *model, .sources = job.sources, .loop = decided->loop};
-    for (const Id<Chart> chart : charts) {
-        auto one = content_of(*model, chart, charts.size() == 1, job, bounds);
-        if (!one) return ExitCode::Input;
-        content.charts.push_back(std::move(*one));
+    auto made = page_content(*model, job.sources, decided->loop, decided->chart, job.options.mode, bounds.limits(),
+                             job.diagnostics);
+    if (!made) return ExitCode::Input;
+    PageContent& content = *made;
+    std::vector<Id<Chart>> charts;
+    for (ChartContent& one : content.charts) {
+        charts.push_back(one.chart);
+        one.analysis.obstacle = with_who_stopped(std::move(one.analysis.obstacle), bounds.interrupted(), job.options);
     }
-    if (decided->loop.valid()) content.components = components_of(*model, decided->loop);
     if (job.options.sequence) {
         auto tests = tests_of(*model, charts, job);
         if (!tests) return ExitCode::Input;

@@ -51,6 +51,38 @@ grafcet line {
     EXPECT_EQ(from, (std::vector<std::string>{"XM1", "cycle.XS"}));
 }
 
+TEST(Terms, ClaimsAreThoseOfTheFile) {
+    const Reading reading = read_string(R"(
+grafcet lamp {
+    input ON;
+    output LAMP;
+    initial step 0 { LAMP; }
+    transition t0: 0 -> 0 when ON;
+}
+closed_loop room {
+    controller lamp;
+    environment Button = free(OUT = ON);
+    property p "either: or; not" expected violated: always ON  =>
+        // in any case
+        LAMP /* also
+        here */ at stable;
+    property q: never !ON || 3s/X0 || LAMP;
+    property all: reachable all steps;
+}
+)",
+                                        "test.grafcet");
+    ASSERT_TRUE(reading.model) << reading.complaints();
+    const auto claim = [&](const std::string& name) {
+        return claim_text(*reading.model, Id<ClosedLoop>{0}, name, reading.sources);
+    };
+    EXPECT_EQ(claim("p"), "always ON => LAMP at stable");
+    EXPECT_EQ(claim("q"), "never !ON || 3s/X0 || LAMP");
+    EXPECT_EQ(claim("all.X0"), "reachable all steps");
+    EXPECT_EQ(claim("no_race"), "");
+    const Sources none;
+    EXPECT_EQ(claim_text(*reading.model, Id<ClosedLoop>{0}, "p", none), "always !ON || LAMP at stable");
+}
+
 TEST(Terms, FollowTheirOperands) {
     const Reading reading = read_string(press, "test.grafcet");
     const Json chart = chart_json(reading.model->charts[{0}]);

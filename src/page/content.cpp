@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "emit/layout/diagram.hpp"
+#include "page/data.hpp"
+#include "page/page.hpp"
+#include "pipeline/chart_text.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// The sections on one chart; empty after an error.
+std::optional<ChartContent> content_of(const Model& model, const Sources& sources, Id<Chart> chart, bool single,
+                                       std::optional<ExecutionMode> mode, const Limits& limits,
+                                       Diagnostics& diagnostics) {
+    auto equations = equations_of(model, chart, diagnostics);
+    if (!equations) return {};
+    auto analysis = analysis_of(model, chart, mode, limits, diagnostics);
+    if (!analysis) return {};
+    ChartContent content{.chart = chart, .prefix = single ? "" : model.charts[chart].name + "."};
+    content.drawing = svg_of(drawing_of(model, chart, {.prefix = content.prefix}, sources));
+    content.equations = std::move(*equations);
+    content.analysis = std::move(*analysis);
+    return content;
+}
+
+/// The components of the loop, drawn if they are small enough.
+std::vector<ComponentContent> components_of(const Model& model, Id<ClosedLoop> loop) {
+    std::set<Id<Component>> used;
+    for (const ClosedLoop::Instance& instance : model.loops[loop].instances) used.insert(instance.component);
+    std::vector<ComponentContent> list;
+    for (const Id<Component> id : used) {
+        std::ostringstream drawing;
+        if (const Diagram drawn = diagram(model.components[id]); drawn.nodes.size() <= largest_drawing)
+            emit_svg(drawn, drawing, component_figure(id) + "-");
+        list.push_back({id, std::move(drawing).str()});
+    }
+    return list;
+}
+
+}  // namespace
+
+std::optional<PageContent> page_content(const Model& model, const Sources& sources, Id<ClosedLoop> loop,
+                                        Id<Chart> chart, std::optional<ExecutionMode> mode, const Limits& limits,
+                                        Diagnostics& diagnostics) {
+    std::vector<Id<Chart>> charts;
+    if (!loop.valid()) charts.push_back(chart);
+    else
+        for (const ClosedLoop::Controller& controller : model.loops[loop].controllers)
+            charts.push_back(controller.chart);
+    PageContent content{.model = model, .sources = sources, .loop = loop};
+    for (const Id<Chart> each : charts) {
+        auto one = content_of(model, sources, each, charts.size() == 1, mode, limits, diagnostics);
+        if (!one) return {};
+        content.charts.push_back(std::move(*one));
+    }
+    if (loop.valid()) content.components = components_of(model, loop);
+    return content;
+}
+
+}  // namespace grafverif
