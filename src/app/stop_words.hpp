@@ -21,4 +21,11 @@ inline std::string with_who_stopped(std::string reason, bool by_user, const Opti
     return reason.insert(behind + limit.size(), " of " + seconds_text(static_cast<std::int64_t>(*options.timeout_ms)));
 }
 
+/// `reason` with the option that allows more of what was used up.
+inline std::string with_remedy(std::string reason, const Options& options) {
+    if (options.timeout_ms && reason.find(" at the time limit") != std::string::npos) reason += "; raise `--timeout`";
+    else if (reason.find("the memory allowed") != std::string::npos) reason += "; raise `--max-memory`";
+    return reason;
+}
+
 }  // namespace grafverif::app

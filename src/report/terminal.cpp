@@ -81,9 +81,43 @@ std::set<std::size_t> marked_rows(const ChartRun& run) {
     return marked;
 }
 
-void print_row(const ChartRun& run, std::size_t index, bool complete, bool marked, const TableWidths& widths,
-               std::ostream& out) {
-    print_cells(cells(run, index, complete), {in_loop(run, index) ? '|' : ' ', marked ? '*' : ' '}, widths, out);
+/// A row as it is printed.
+struct Line {
+    std::size_t row = 0;
+    Cells cells = {};
+    std::int64_t time_ms = 0;
+    bool in_loop = false, marked = false;
+
+    std::string bar() const { return {in_loop ? '|' : ' ', marked ? '*' : ' '}; }
+};
+
+/// True if `later` is `line` again after `delay_ms`.
+bool repeats(const Line& line, const Line& later, std::int64_t delay_ms) {
+    return later.time_ms - line.time_ms == delay_ms && line.cells[0].empty() == later.cells[0].empty() &&
+           std::equal(line.cells.begin() + 1, line.cells.end(), later.cells.begin() + 1) &&
+           line.in_loop == later.in_loop && !line.marked && !later.marked;
+}
+
+/// Lines that are repeated: `period` of them, `copies` times in total.
+struct Repetition {
+    std::size_t period = 1, copies = 1;
+};
+
+/// The repetition from `begin` on that covers the most lines, of at least three copies. Without one: a single line.
+Repetition repetition(const std::vector<Line>& lines, std::size_t begin) {
+    constexpr std::size_t longest_period = 100;
+    Repetition best;
+    if (lines[begin].cells[0].empty()) return best;
+    for (std::size_t period = 1; period <= longest_period && begin + 3 * period <= lines.size(); ++period) {
+        const std::int64_t delay_ms = lines[begin + period].time_ms - lines[begin].time_ms;
+        std::size_t same = 0;
+        while (delay_ms > 0 && begin + same + period < lines.size() &&
+               repeats(lines[begin + same], lines[begin + same + period], delay_ms))
+            ++same;
+        const std::size_t copies = 1 + same / period;
+        if (copies >= 3 && copies * period > best.copies * best.period) best = {period, copies};
+    }
+    return best;
 }
 
 void print_paragraph(const std::string& text, std::ostream& out) {
@@ -97,7 +131,7 @@ void print_header(const TableWidths& widths, std::ostream& out) {
 }
 
 void print_row(const ChartRun& run, std::size_t index, bool complete, const TableWidths& widths, std::ostream& out) {
-    print_row(run, index, complete, false, widths, out);
+    print_cells(cells(run, index, complete), {in_loop(run, index) ? '|' : ' ', ' '}, widths, out);
 }
 
 void print_trace(const ChartRun& run, std::ostream& out) {
@@ -106,9 +140,22 @@ void print_trace(const ChartRun& run, std::ostream& out) {
     if (!run.timed) titles[0] = "step";
     print_cells(titles, std::string(gutter, ' '), widths, out);
     const std::set<std::size_t> marked = marked_rows(run);
-    for (const std::size_t i : shown_rows(run)) {
-        if (run.loop_from == i) out << "+-- from here on, for ever:\n";
-        print_row(run, i, i + 1 == run.rows.size(), marked.contains(i), widths, out);
+    std::vector<Line> lines;
+    for (const std::size_t i : shown_rows(run))
+        lines.push_back({i, cells(run, i, i + 1 == run.rows.size()), run.after(run.rows[i]).time_ms, in_loop(run, i),
+                         marked.contains(i)});
+    for (std::size_t begin = 0; begin < lines.size();) {
+        const auto [period, copies] = run.timed ? repetition(lines, begin) : Repetition();
+        for (std::size_t k = begin; k < begin + period; ++k) {
+            if (run.loop_from == lines[k].row) out << "+-- from here on, for ever:\n";
+            print_cells(lines[k].cells, lines[k].bar(), widths, out);
+        }
+        if (copies > 1)
+            out << fmt::format("{}{}  repeated {} times, every {}, until {}\n", lines[begin].bar(),
+                               std::string(widths[0], ' '), copies - 1,
+                               seconds_text(lines[begin + period].time_ms - lines[begin].time_ms),
+                               seconds_text(lines[begin + period * copies - 1].time_ms));
+        begin += period * copies;
     }
     if (!run.causes.empty())
         print_paragraph(fmt::format("* causes{}: {}", run.causes_exact ? "" : ", approximately", causes_words(run)),

@@ -254,7 +254,7 @@ std::string LoopSimulation::wait() {
     if (!way.may_pass) return waiting_for();
     const std::int64_t units = std::min(way.limit.value_or(0), way.change.value_or(0));
     const std::int64_t soonest = units > 0 ? units : std::max(way.limit.value_or(0), way.change.value_or(0));
-    if (soonest == 0) return "nothing will happen by itself; say how long to wait";
+    if (soonest == 0) return "nothing changes as time passes; give `wait` a duration";
     return wait(soonest * network_.time_unit_ms);
 }
 

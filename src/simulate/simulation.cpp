@@ -119,7 +119,7 @@ std::string Simulation::expect(const ExpectCommand& wish) {
             return failed(passed == 0 ? "" : fmt::format(" after {}", seconds_text(passed)));
         if (!patience().may_pass) return failed(", and time cannot pass before somebody chooses");
         const auto soonest = std::visit([](const auto& of) { return of.soonest_ms(); }, of_);
-        if (!wish.patience_ms && !soonest) return failed(", and nothing will happen by itself");
+        if (!wish.patience_ms && !soonest) return failed(", and nothing changes as time passes");
         const std::int64_t left = wish.patience_ms ? *wish.patience_ms - passed : *soonest;
         problem = std::visit([&](auto& of) { return of.wait(std::min(left, soonest.value_or(left))); }, of_);
         if (!problem.empty()) return problem;

@@ -54,6 +54,8 @@ Diagnostic unexpected_end(Span where, std::string_view expected);
 /// `kind`: variable, step, component, ...; `suggestion`: the nearest known name, or empty.
 Diagnostic unknown(Span where, std::string_view kind, std::string_view name, std::string_view suggestion);
 Diagnostic unknown_component(Span where, std::string_view name, std::string_view suggestion, std::string_view known);
+Diagnostic unknown_location(Span where, std::string_view name, std::string_view suggestion, std::string_view component,
+                            std::string_view locations);
 Diagnostic duplicate_name(Span where, std::string_view kind, std::string_view name, Span first);
 Diagnostic ambiguous(Span where, std::string_view name, std::string_view one, std::string_view other);
 Diagnostic step_like_variable(Span where, std::string_view name);

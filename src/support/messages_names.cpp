@@ -24,6 +24,13 @@ Diagnostic unknown_component(Span where, std::string_view name, std::string_view
     return diagnostic;
 }
 
+Diagnostic unknown_location(Span where, std::string_view name, std::string_view suggestion, std::string_view component,
+                            std::string_view locations) {
+    Diagnostic diagnostic = unknown(where, "location", name, suggestion);
+    diagnostic.notes.push_back(note({}, fmt::format("locations of `{}`: {}", clipped(component), locations)));
+    return diagnostic;
+}
+
 Diagnostic duplicate_name(Span where, std::string_view kind, std::string_view name, Span first) {
     Diagnostic diagnostic = error("duplicate-name", where,
                                   fmt::format("a second {} is named `{}`; rename one of both", kind, clipped(name)));

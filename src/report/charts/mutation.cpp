@@ -66,17 +66,18 @@ std::size_t line_of(const Mutant& mutant, const Sources& sources) {
 }
 
 void print_scores(const Mutation& mutation, std::ostream& out) {
+    const char* const yet = not_judged(mutation) > 0 ? " so far" : "";
     const Score specified = of_specification(mutation), tested = of_tests(mutation);
     if (mutation.properties.empty()) out << "no property to notice them: no closed loop has this chart\n";
     else
-        out << fmt::format("the specification notices {} of {}{}\n", specified.noticed, specified.judged,
-                           percent(specified));
+        out << fmt::format("the specification notices {} of {}{}{}\n", specified.noticed, specified.judged,
+                           percent(specified), yet);
     if (mutation.test_steps)
-        out << fmt::format("the test sequence, {} steps, catches {} of {}{}\n", *mutation.test_steps, tested.noticed,
-                           tested.judged, percent(tested));
+        out << fmt::format("the test sequence, {} steps, catches {} of {}{}{}\n", *mutation.test_steps, tested.noticed,
+                           tested.judged, percent(tested), yet);
     else if (!mutation.no_test.empty()) out << fmt::format("no test sequence to catch them [{}]\n", mutation.no_test);
     for (const std::string& property : mutation.properties)
-        out << fmt::format("  {} notices {}{}\n", printable(property), notices(mutation, property),
+        out << fmt::format("  {} notices {}{}{}\n", printable(property), notices(mutation, property), yet,
                            is_vacuous(mutation, property) ? "; holds vacuously" : "");
 }
 

@@ -215,11 +215,9 @@ void choose_location(LoopScope& scope, Binding& binding) {
     binding.instance.initial = binding.component->initial;
     if (!name.valid()) {
         if (binding.instance.initial.valid()) return;
-        std::string locations;
-        for (const auto& location : binding.component->locations)
-            locations += (locations.empty() ? "`" : ", `") + location.name + '`';
         return fail(scope, binding,
-                    messages::missing_initially(binding.written->component.where, binding.component->name, locations));
+                    messages::missing_initially(binding.written->component.where, binding.component->name,
+                                                location_list(*binding.component)));
     }
     Nearest nearest(scope.text(name));
     for (const Id<Component::Location> id : binding.component->locations.ids()) {
@@ -230,7 +228,9 @@ void choose_location(LoopScope& scope, Binding& binding) {
         }
         nearest.offer(location);
     }
-    fail(scope, binding, messages::unknown(name.where, "location", scope.text(name), nearest.best()));
+    fail(scope, binding,
+         messages::unknown_location(name.where, scope.text(name), nearest.best(), binding.component->name,
+                                    location_list(*binding.component)));
 }
 
 void excuse(LoopScope& scope, const tree::Instance& written) {

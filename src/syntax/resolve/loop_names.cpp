@@ -178,7 +178,8 @@ Term state_of(LoopScope& scope, Id<ClosedLoop::Instance> instance, std::string_v
         scope.diagnostics.add(messages::clock_in_property(where, name));
         return {};
     }
-    scope.diagnostics.add(messages::unknown(where, "location", name, nearest.best()));
+    scope.diagnostics.add(
+        messages::unknown_location(where, name, nearest.best(), component.name, location_list(component)));
     return {};
 }
 
@@ -340,5 +341,12 @@ Terms property_terms(LoopScope& scope) {
 }
 
 Id<Expr> symbol_leaf(LoopScope& scope, const ClosedLoop::Symbol& symbol) { return symbol_term(scope, symbol).expr; }
+
+std::string location_list(const Component& component) {
+    std::string list;
+    for (const Component::Location& location : component.locations)
+        list += (list.empty() ? "`" : ", `") + location.name + '`';
+    return list;
+}
 
 }  // namespace grafverif

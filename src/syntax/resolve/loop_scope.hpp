@@ -52,6 +52,9 @@ struct LoopScope {
     }
 };
 
+/// The names of its locations, quoted.
+std::string location_list(const Component& component);
+
 // -- constants.cpp
 /// `resolve_constants` runs before everything that reads constants; `check_constant_names` runs when all other names
 /// are known and reports conflicts with them.

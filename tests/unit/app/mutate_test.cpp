@@ -50,6 +50,16 @@ TEST(Mutate, CreatesAndChecksEachKindOfMutant) {
     EXPECT_EQ(json["properties"].size(), 3U) << json["properties"];  // and no_timelock
 }
 
+TEST(Mutate, ScoresOfARunThatWasStoppedAreThoseSoFar) {
+    const Folder folder;
+    const std::string file = folder.write("gate.grafcet", gate);
+    const Result stopped = grafverif({"mutate", file, "--timeout", "0s"});
+    EXPECT_NE(stopped.out.find("not judged: the run was stopped\n"), std::string::npos) << stopped.out;
+    EXPECT_NE(stopped.out.find("the specification notices 0 of 0 so far\n"), std::string::npos) << stopped.out;
+    const Result whole = grafverif({"mutate", file, "--limit", "2"});
+    EXPECT_EQ(whole.out.find("so far"), std::string::npos) << whole.out;
+}
+
 TEST(Mutate, TimePerMutantBeyondTheRangeOfTheClockIsUnlimited) {
     const auto expected = mutated(gate, {"--limit", "3"})["counts"];
     for (const char* time : {"106751991167h", "2562047788016h", "18446744073709551615ms"})

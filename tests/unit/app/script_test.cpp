@@ -40,7 +40,7 @@ TEST(Script, WaitUntilIsMetByAStateOfTheCurrentInstant) {
         EXPECT_NE(run.err.find(":4: not met: expected `X1`, but `X1` is not active after 1 s\n"), std::string::npos)
             << run.err;
         EXPECT_EQ(run.err.find(":5:"), std::string::npos) << run.err;
-        EXPECT_EQ(run.err.find("nothing will happen"), std::string::npos) << run.err;
+        EXPECT_EQ(run.err.find("nothing changes"), std::string::npos) << run.err;
         // 1 s of line 4, 5 s of step 4
         EXPECT_NE(run.out.find(" 6 s  c: 5s/X4 is true"), std::string::npos) << run.out;
     }

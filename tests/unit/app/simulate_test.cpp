@@ -140,7 +140,7 @@ TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeObeyed) {
              {"do Lamp lit\n", ":1: error: `Lamp` to `lit` cannot happen now\n"},
              {"7\n", ":1: error: there is no choice now; let time pass with `wait`\n"},
              {"wait 1s\nback\nback\n", ":3: error: there is nothing to undo\n"},
-             {"wait\nwait\n", ":2: error: nothing will happen by itself; say how long to wait\n"},
+             {"wait\nwait\n", ":2: error: nothing changes as time passes; give `wait` a duration\n"},
          }) {
         SCOPED_TRACE(c.script);
         const std::string script = folder.write("script.txt", c.script);
@@ -196,7 +196,7 @@ TEST(Simulate, ReportsUnmetExpectationsAndContinues) {
     EXPECT_EQ(result.err,
               script + ":1: not met: expected `X1`, but `X1` is not active\n" + script +
                   ":4: not met: expected `X2`, but `X2` is not active after 1 s\n" + script +
-                  ":8: not met: expected `X1`, but `X1` is not active, and nothing will happen by itself\n");
+                  ":8: not met: expected `X1`, but `X1` is not active, and nothing changes as time passes\n");
     EXPECT_NE(folder.read("r.xml").find("tests=\"5\" failures=\"3\" errors=\"0\""), std::string::npos)
         << folder.read("r.xml");
 }
@@ -441,7 +441,7 @@ TEST(SimulateChart, RejectsInvalidInputsAndUndoesTheLastCommand) {
              {"UP = false\n", ":1: error: `UP` is so already\n"},
              {"do Press\n", ":1: error: there is no plant here, so no `Press`; inputs are set by `NAME = VALUE`\n"},
              {"back\n", ":1: error: there is nothing to undo\n"},
-             {"wait\n", ":1: error: nothing will happen by itself; say how long to wait\n"},
+             {"wait\n", ":1: error: nothing changes as time passes; give `wait` a duration\n"},
              {"UP = true\nGO = true\nback\nGO = false\n", ":4: error: `GO` is so already\n"},
          }) {
         SCOPED_TRACE(c.script);

@@ -136,6 +136,7 @@ TEST(Supervise, BadInputIsRejectedWithAdvice) {
     }
     const Result stopped = grafverif({"supervise", crossing, "--timeout", "0s"});
     EXPECT_EQ(stopped.code, ExitCode::Unknown) << stopped.out << stopped.err;
+    EXPECT_TRUE(says(stopped.out, "unknown: stopped at the time limit of 0 s; raise `--timeout`")) << stopped.out;
 }
 
 }  // namespace

@@ -49,6 +49,31 @@ TEST(Terminal, ReportsOfVeryManyPropertiesArePrinted) {
     EXPECT_NE(named.str().find("reachable.X1, reachable.X2, reachable.X3"), std::string::npos);
 }
 
+TEST(Terminal, FoldsRowsThatAreRepeatedInEqualTime) {
+    ChartRun run;
+    for (const char* name : {"0", "1"}) run.steps.add({{"", name}, "", ""});
+    shorten_names(run.steps);
+    const auto add = [&run](const char* what, std::int64_t ms, std::uint32_t step) {
+        run.moments.push_back({.move = run.moments.size(), .after = {ms, {{step}}, {}}});
+        run.rows.push_back({ChartRun::Kind::Controller, "lamp", what, {}, false, run.rows.size()});
+    };
+    add("power on", 0, 0);
+    for (std::int64_t k = 0; k < 5; ++k) {
+        add("on", 1000 * k + 500, 1);
+        add("off", 1000 * k + 1000, 0);
+    }
+    add("on", 7000, 1);
+    EXPECT_EQ(table(run),
+              "   time  what happened   inputs  cleared  situation  outputs\n"
+              "    0 s  lamp: power on  none             0          none\n"
+              "  0.5 s  lamp: on                         1\n"
+              "    1 s  lamp: off                        0\n"
+              "         repeated 4 times, every 1 s, until 5 s\n"
+              "    7 s  lamp: on                         1          none\n");
+    run.timed = false;  // steps of a model are not durations
+    EXPECT_EQ(table(run).find("repeated"), std::string::npos);
+}
+
 TEST(Terminal, PrintsATraceAsATableWithItsLoopMarked) {
     EXPECT_EQ(table(sample_run()),
               "   time  what happened               inputs     cleared     situation  outputs\n"

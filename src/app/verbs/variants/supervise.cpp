@@ -8,6 +8,7 @@
 #include <ostream>
 #include <utility>
 
+#include "app/stop_words.hpp"
 #include "app/system/guard.hpp"
 #include "app/verbs.hpp"
 #include "report/json_trace.hpp"
@@ -186,8 +187,9 @@ ExitCode supervise(Job& job, const Streams& streams) {
         .mode = options.mode,
         .read = {.include_folders = options.include_folders, .lossy = options.lossy, .constants = options.constants},
         .limits = bounds.limits()};
-    const auto found = supervised(*model, *loop, *job.sources.ids().begin(), job.sources, ask, job.diagnostics);
+    auto found = supervised(*model, *loop, *job.sources.ids().begin(), job.sources, ask, job.diagnostics);
     if (!found) return ExitCode::Input;
+    found->reason = with_remedy(with_who_stopped(std::move(found->reason), bounds.interrupted(), options), options);
     for (const std::string& failure : found->failures)
         streams.err << "grafverif: internal failure: " << printable(failure) << '\n';
     if (!found->failures.empty()) return ExitCode::Failure;
