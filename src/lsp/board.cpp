@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "support/memory_reserve.hpp"
 #include "support/messages.hpp"
 #include "support/messages_choice.hpp"
 
@@ -19,6 +20,7 @@ namespace {
 template <class Work>
 std::optional<Diagnostic> failure_of(const std::string& path, const Work& work) {
     try {
+        const ReserveUse use(false);
         return work(), std::nullopt;
     } catch (const std::bad_alloc&) {
         return messages::out_of_memory({});

@@ -9,6 +9,7 @@
 #include "lsp/rename.hpp"
 #include "lsp/scan.hpp"
 #include "lsp/session.hpp"
+#include "support/memory_reserve.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/language/format.hpp"
 
@@ -67,13 +68,16 @@ Json Session::feature_capabilities() {
 }
 
 std::shared_ptr<const Parsed> Session::parsed(const Json& params) {
-    auto file = workspace_.parsed(document(params));
+    const std::string path = document(params);
+    const ReserveUse use(false);
+    auto file = workspace_.parsed(path);
     if (file == nullptr) throw Refusal{request_failed, "the document is not there"};
     return file;
 }
 
 /// The names of a file and all related files, valid until one of the texts changes.
 const Names& Session::names(const Parsed& file) {
+    const ReserveUse use(false);
     if (workspace_.refresh()) dirty_ = true;
     Files related = workspace_.related(file.path);
     const auto is_known = [&](const Names& names) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <new>
 
 namespace grafverif::lsp {
 
@@ -31,56 +32,65 @@ std::optional<std::uint64_t> content_length(std::string_view line) {
 
 }  // namespace
 
+Framing::Framing(Receive receive, std::size_t largest) : receive_(std::move(receive)), largest_(largest) {
+    line_.reserve(longest_header + room_.size());
+}
+
 bool Framing::more() {
-    char room[1U << 16U];
-    const std::size_t count = receive_(room);
-    held_.append(room, count);
-    return count != 0;
+    begin_ = 0;
+    end_ = receive_(room_);
+    return end_ != 0;
 }
 
 /// A line without its end. Of an overlong line only the end is kept, so that a header after other bytes is found.
-std::optional<std::string> Framing::line() {
-    std::size_t looked_at = 0;
-    for (;;) {
-        const std::size_t end = held_.find('\n', looked_at);
-        if (end != std::string::npos) {
-            std::string line = held_.substr(0, end);
-            held_.erase(0, end + 1);
-            if (line.ends_with('\r')) line.pop_back();
-            return line;
+bool Framing::line() {
+    for (line_.clear();;) {
+        const std::string_view here(room_.data() + begin_, end_ - begin_);
+        const std::size_t count = std::min(here.find('\n'), here.size());
+        line_.append(here.substr(0, count));
+        if (line_.size() > longest_header) line_.erase(0, line_.size() - longest_header / 2);
+        begin_ += count;
+        if (count < here.size()) {
+            ++begin_;
+            if (line_.ends_with('\r')) line_.pop_back();
+            return true;
         }
-        if (held_.size() > longest_header) held_.erase(0, held_.size() - longest_header / 2);
-        looked_at = held_.size();
-        if (!more()) return {};
+        if (!more()) return false;
     }
 }
 
-bool Framing::skip(std::size_t count) {
+/// Consumes that many bytes of the stream and appends them to `text` unless it is null; false if the stream ends before.
+/// If memory is refused the bytes are consumed all the same, so that the next message is found.
+bool Framing::take(std::size_t count, std::string* text) {
+    bool refused = false;
     for (;;) {
-        const std::size_t here = std::min(count, held_.size());
-        held_.erase(0, here);
+        const std::size_t here = std::min(count, end_ - begin_);
+        try {
+            if (text != nullptr && !refused) text->append(room_.data() + begin_, here);
+        } catch (const std::bad_alloc&) {
+            refused = true;
+            *text = {};
+        }
+        begin_ += here;
         count -= here;
-        if (count == 0) return true;
+        if (count == 0) break;
         if (!more()) return false;
     }
+    if (refused) throw std::bad_alloc();
+    return true;
 }
 
 std::optional<Framed> Framing::next() {
     std::optional<std::uint64_t> length;
     for (;;) {
-        const auto line = this->line();
-        if (!line) return {};
-        if (const auto found = content_length(*line)) length = found;
-        if (line->empty() && length) break;
+        if (!line()) return {};
+        if (const auto found = content_length(line_)) length = found;
+        if (line_.empty() && length) break;
     }
-    if (*length > largest_) {
-        if (!skip(*length)) return {};
-        return Framed{{}, fmt::format("a message of {} bytes; {} are taken at most", *length, largest_)};
-    }
-    while (held_.size() < *length)
-        if (!more()) return {};
-    Framed message{held_.substr(0, *length), {}};
-    held_.erase(0, *length);
+    Framed message;
+    const bool fits = *length <= largest_;
+    if (!take(*length, fits ? &message.body : nullptr)) return {};
+    if (!fits) message.complaint = fmt::format("a message of {} bytes; {} are taken at most", *length, largest_);
     return message;
 }
 

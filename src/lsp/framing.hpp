@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The base protocol of LSP: a sequence of messages `Content-Length: N`, empty line, N bytes of JSON.
 //
-// Tolerates errors: bytes that are not a header are skipped up to the next one, and a message that is too large is
-// skipped completely.
+// Bytes that are not a header are skipped up to the next one. A message that is too large, or for which memory is
+// refused, is skipped completely.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -28,20 +29,22 @@ struct Framed {
 
 class Framing {
 public:
-    explicit Framing(Receive receive, std::size_t largest = largest_message)
-        : receive_(std::move(receive)), largest_(largest) {}
+    explicit Framing(Receive receive, std::size_t largest = largest_message);
 
-    /// The next message; nothing at the end of the stream. An incomplete last message is ignored.
+    /// The next message; nothing at the end of the stream. An incomplete last message is ignored. After std::bad_alloc
+    /// the next call returns the next message.
     std::optional<Framed> next();
 
 private:
     bool more();
-    std::optional<std::string> line();
-    bool skip(std::size_t count);
+    bool line();
+    bool take(std::size_t count, std::string* text);
 
     Receive receive_;
     std::size_t largest_;
-    std::string held_ = {};  ///< received and not yet consumed
+    std::array<char, std::size_t{1} << 16U> room_ = {};  ///< received; not yet consumed from `begin_` to `end_`
+    std::size_t begin_ = 0, end_ = 0;
+    std::string line_ = {};  ///< of the header; its capacity is that of the longest
 };
 
 /// `body` with its header.

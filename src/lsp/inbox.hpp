@@ -18,6 +18,7 @@ namespace grafverif::lsp {
 struct Item {
     std::shared_ptr<const nlohmann::json> message = {};
     std::string complaint = {};
+    bool refused = false;  ///< there was no memory for the message
     bool cancelled = false;
     std::function<void()> call = {};
 };

@@ -9,6 +9,7 @@
 
 #include "lsp/inbox.hpp"
 #include "lsp/session.hpp"
+#include "support/memory_reserve.hpp"
 
 namespace grafverif::lsp {
 
@@ -67,30 +68,64 @@ Item item_of(Framed framed) {
     return {.message = std::make_shared<const Json>(std::move(message))};
 }
 
+void put(Item item, Inbox& inbox) {
+    const std::string method = item.message != nullptr ? method_of(*item.message) : std::string();
+    if (method == "$/cancelRequest" && item.message->contains("params") && (*item.message)["params"].is_object())
+        inbox.cancel((*item.message)["params"].value("id", Json()));
+    else inbox.put(std::move(item));
+}
+
+/// Puts the next message or its error into the inbox; false after the last message.
+bool receive_next(Framing& framing, Inbox& inbox) {
+    Item item;
+    bool last = false;
+    try {
+        auto framed = framing.next();
+        if (!framed) return false;
+        item = item_of(std::move(*framed));
+        last = item.message != nullptr && method_of(*item.message) == "exit";
+    } catch (const std::bad_alloc&) {
+        item = {};
+        item.refused = true;
+    }
+    const ReserveUse use(true);
+    put(std::move(item), inbox);
+    return !last;
+}
+
 /// Receives until the end of the stream, or until the client sends `exit`.
 void receive_all(const Receive& receive, Inbox& inbox, std::atomic<bool>& ending) {
     try {
         Framing framing(receive);
-        while (auto framed = framing.next()) {
-            Item item;
+        for (bool more = true; more;) {
             try {
-                item = item_of(std::move(*framed));
-            } catch (const std::bad_alloc&) {
-                item = {.complaint = "there is not enough memory for the message"};
+                more = receive_next(framing, inbox);
+            } catch (const std::bad_alloc&) {  // a message for which not even the memory that is kept back is enough
             }
-            const std::string method = item.message != nullptr ? method_of(*item.message) : std::string();
-            if (method == "$/cancelRequest" && item.message->contains("params") &&
-                (*item.message)["params"].is_object())
-                inbox.cancel((*item.message)["params"].value("id", Json()));
-            else inbox.put(std::move(item));
-            if (method == "exit") break;
         }
-    } catch (const std::bad_alloc&) {  // a failed stream counts as a missing client
+    } catch (const std::bad_alloc&) {  // no buffer to receive into
     } catch (const std::system_error&) {
     }
     ending = true;
     inbox.close();
 }
+
+/// A thread that receives; joined also after an exception.
+class Receiver {
+public:
+    Receiver(const Receive& receive, Inbox& inbox, std::atomic<bool>& ending, const std::function<void()>& hang_up)
+        : hang_up_(hang_up), thread_([&] { receive_all(receive, inbox, ending); }) {}
+    ~Receiver() {
+        if (hang_up_) hang_up_();
+        thread_.join();
+    }
+    Receiver(const Receiver&) = delete;
+    Receiver& operator=(const Receiver&) = delete;
+
+private:
+    const std::function<void()>& hang_up_;
+    std::thread thread_;
+};
 
 }  // namespace
 
@@ -99,10 +134,12 @@ Ending converse(const Receive& receive, const Send& send, const Surroundings& su
     std::atomic<bool> ending = false;
     Session session(
         send, surroundings, [&](std::function<void()> call) { inbox.put({.call = std::move(call)}); }, ending);
-    std::thread receiver([&] { receive_all(receive, inbox, ending); });
+    const Receiver receiver(receive, inbox, ending, surroundings.hang_up);
     bool gone = false;
     while (!session.over() && !gone) {
+        if (surroundings.keep_memory_back) surroundings.keep_memory_back();
         try {
+            const ReserveUse use(true);  // a failure has to be reported
             auto item = inbox.take(0ms);
             if (!item) {
                 session.settle();
@@ -110,15 +147,14 @@ Ending converse(const Receive& receive, const Send& send, const Surroundings& su
             }
             if (item && item->call) item->call();
             else if (item && item->message != nullptr) session.take(*item->message, item->cancelled);
-            else if (item) session.refuse(item->complaint);
+            else if (item)
+                session.refuse(item->refused ? "there is not enough memory for the message" : item->complaint);
             else if (inbox.closed()) gone = true;
             else if (session.client() && surroundings.is_alive) gone = !surroundings.is_alive(*session.client());
         } catch (const std::bad_alloc&) {  // the response is dropped: there is no memory for an error either
         } catch (const std::system_error&) {
         }
     }
-    if (surroundings.hang_up) surroundings.hang_up();
-    receiver.join();
     if (gone) return Ending::Gone;
     return session.asked_to_end() ? Ending::Asked : Ending::Unasked;
 }

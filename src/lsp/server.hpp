@@ -30,6 +30,8 @@ struct Surroundings {
     std::function<std::string(const std::string& path)> simulator = {};
     /// Stores a text temporarily, under this name, for another program; returns its path. Empty: not available.
     std::function<std::string(const std::string& name, const std::string& text)> keep = {};
+    /// Reserves memory for the report of the next failed allocation; called between messages. Empty: none is reserved.
+    std::function<void()> keep_memory_back = {};
     /// Ends a waiting `Receive` if the client is gone without closing the stream.
     std::function<void()> hang_up = {};
 };

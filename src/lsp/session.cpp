@@ -99,9 +99,9 @@ Json Session::initialize(const Json& params) {
 
 void Session::did_open(const Json& params) {
     const Json& document = params.at("textDocument");
-    workspace_.open(document.at("uri").get<std::string>(), document.at("version").get<std::int64_t>(),
-                    document.at("text").get<std::string>());
     dirty_ = true;
+    workspace_.open(document.at("uri").get<std::string>(), document.at("version").get<std::int64_t>(),
+                    document.at("text").get_ref<const std::string&>());
 }
 
 void Session::did_change(const Json& params) {

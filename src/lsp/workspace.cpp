@@ -26,9 +26,13 @@ std::string Workspace::key(const std::string& path) const {
     return known_as.empty() ? path : known_as;
 }
 
-void Workspace::open(const std::string& uri, std::int64_t version, std::string text) {
+void Workspace::open(const std::string& uri, std::int64_t version, const std::string& text) {
     const std::string path = path_of_uri(uri);
-    open_[uri] = {uri, path, identity_of_existing(path), version, std::make_shared<const Text>(std::move(text))};
+    auto nothing = std::make_shared<const Text>(std::string());
+    OpenText fresh{uri, path, identity_of_existing(path), version, std::move(nothing), true};
+    OpenText& open = open_.insert_or_assign(uri, std::move(fresh)).first->second;
+    open.text = std::make_shared<const Text>(text);
+    open.out_of_step = false;
 }
 
 void Workspace::change(const std::string& uri, std::int64_t version, const std::vector<Change>& changes) {

@@ -52,7 +52,8 @@ public:
     /// Adds a folder to search for files that include open documents.
     void add_folder(const std::string& path) { folders_.push_back(path), scanned_ = false; }
 
-    void open(const std::string& uri, std::int64_t version, std::string text);
+    /// If memory is refused for its text, the document is open and out of step.
+    void open(const std::string& uri, std::int64_t version, const std::string& text);
     void change(const std::string& uri, std::int64_t version, const std::vector<Change>& changes);
     void close(const std::string& uri);
     const OpenText* find(const std::string& uri) const;

@@ -140,7 +140,7 @@ tree::File read_any(Id<Source> source, Sources& sources, const ImportOptions& op
     if (format != FileFormat::Xml) make_utf8(source, sources, diagnostics);
     switch (format) {
     case FileFormat::Unknown:
-    case FileFormat::Grafcet: return parse_file(source, sources, diagnostics);
+    case FileFormat::Grafcet: return parse_file(source, sources, diagnostics, options.stop);
     case FileFormat::Xml: return read_xml(source, sources, options, diagnostics);
     case FileFormat::StructuredText: return read_sfc_text(source, sources, options.lossy, diagnostics);
     }

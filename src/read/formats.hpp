@@ -6,6 +6,7 @@
 // cannot be represented in the input language is an error, or with `lossy` a warning and a comment in the text.
 #pragma once
 
+#include <atomic>
 #include <string_view>
 
 #include "grafverif/support/diagnostic.hpp"
@@ -25,6 +26,7 @@ FileFormat format_of(std::string_view text);
 
 struct ImportOptions {
     bool lossy = false;
+    const std::atomic<bool>* stop = nullptr;  ///< ends the reading of a text in our own language, incomplete
 };
 
 /// The declarations of `source`; `broken` after an error. A source in another encoding is converted to UTF-8.

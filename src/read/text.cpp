@@ -55,7 +55,7 @@ std::vector<tree::File> parse_with_includes(Id<Source> file, Sources& sources, c
     std::vector<Open> open;
     const auto enter = [&](Id<Source> source, std::string identity) {
         states[identity] = State::Open;
-        open.push_back({read_any(source, sources, {context.lossy}, diagnostics), std::move(identity), 0});
+        open.push_back({read_any(source, sources, {context.lossy, context.stop}, diagnostics), std::move(identity), 0});
     };
     const std::string main = sources[file].name;
     enter(file,
@@ -219,6 +219,7 @@ std::optional<Model> read_text(Id<Source> file, Sources& sources, const ReadCont
     const std::size_t errors = diagnostics.errors();
     bool files_missing = false;
     const std::vector<tree::File> files = parse_with_includes(file, sources, context, files_missing, diagnostics);
+    if (context.stop != nullptr && *context.stop) return {};
     auto model = model_of(files, files_missing, sources, context, diagnostics);
     if (diagnostics.errors() != errors) return {};
     return model;

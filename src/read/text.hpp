@@ -3,6 +3,7 @@
 // once. Components of the library are added if a closed loop refers to them and the input does not define them.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <optional>
@@ -35,6 +36,8 @@ struct ReadContext {
     std::span<const std::string> folders = {};  ///< search path for includes, after the folder of the including file
     std::map<std::string, std::string, std::less<>> constants = {};  ///< constants of closed loops set by the user:
                                                                      ///< name, value
+    /// Cancellation flag: once it is set, `read_text` soon returns no model, with arbitrary diagnostics.
+    const std::atomic<bool>* stop = nullptr;
 };
 
 /// The file that an include of `written` in the file `from` refers to: the first existing candidate, otherwise the

@@ -45,7 +45,7 @@ Diagnostic output_is_input(std::string_view output, std::string_view input) {
 
 Diagnostic out_of_step() {
     return error("out-of-memory", {},
-                 "a change of the editor was lost for lack of memory; close the document and open it again");
+                 "text of the editor was lost for lack of memory; close the document and open it again");
 }
 
 Diagnostic no_state_file(std::string_view path) {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Refusals of the system in this process: one allocation after another in the SAT engines, and threads.
-#include <dlfcn.h>
+#include "robust/refusals.hpp"
+
 #include <gtest/gtest.h>
-#include <pthread.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
-#include <cstdlib>
 #include <new>
 #include <system_error>
 
@@ -15,37 +13,6 @@
 #include "check/pdr/check.hpp"
 #include "support/untimed_loop.hpp"
 #include "unit/app/run_program.hpp"
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define SANITIZED  // sanitizers replace the same functions
-#endif
-
-namespace {
-
-thread_local std::int64_t allocations_left = -1;  ///< number of allocations before one is refused; negative: none is
-thread_local int threads_left = -1;               ///< number of threads that this one may start; negative: unlimited
-
-}  // namespace
-
-#ifndef SANITIZED
-// Not inlined: GCC would warn about `free` of a pointer from `operator new`.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-    if (allocations_left >= 0 && allocations_left-- == 0) throw std::bad_alloc();
-    if (void* const memory = std::malloc(std::max<std::size_t>(size, 1))) return memory;
-    throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-
-extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*),
-                              void* argument) noexcept {
-    using Create = int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
-    static const auto create = reinterpret_cast<Create>(::dlsym(RTLD_NEXT, "pthread_create"));
-    if (threads_left == 0) return EAGAIN;
-    if (threads_left > 0) --threads_left;
-    return create(thread, attributes, work, argument);
-}
-#endif
 
 namespace grafverif::app {
 namespace {
@@ -56,19 +23,8 @@ const std::string lamp =
     "closed_loop room { controller lamp; environment a = free(OUT = ON); environment b = free(OUT = OFF);\n"
     "property lit: reachable LAMP; property one: exactly one of { X0, X1 }; property never_lit: never LAMP; }\n";
 
-/// Refuses one allocation of this thread, after the given number, while it exists.
-class Refusal {
-public:
-    explicit Refusal(std::int64_t after) { allocations_left = after; }
-    ~Refusal() { allocations_left = -1; }
-    Refusal(const Refusal&) = delete;
-    Refusal& operator=(const Refusal&) = delete;
-};
-
 TEST(RefusedMemory, VerdictsOfTheSolversAreUnknownOrCorrect) {
-#ifdef SANITIZED
-    GTEST_SKIP() << "sanitizers have their own allocator";
-#endif
+    if (sanitized) GTEST_SKIP() << "sanitizers have their own allocator";
     using Method = PdrOptions::Method;
     const TransitionSystem system = untimed_text(lamp, {.plant = PlantApproach::Automata});
     std::size_t refused = 0;
@@ -82,7 +38,7 @@ TEST(RefusedMemory, VerdictsOfTheSolversAreUnknownOrCorrect) {
         {
             const Refusal count(many);
             expected = check_pdr(system, options);
-            made = many - allocations_left;
+            made = many - count.left();
         }
         ASSERT_GT(made, 1000);
         for (std::int64_t after = 0; after < made; after += std::max<std::int64_t>(1, made / 400)) {
@@ -105,19 +61,8 @@ TEST(RefusedMemory, VerdictsOfTheSolversAreUnknownOrCorrect) {
     EXPECT_GT(refused, 100U);
 }
 
-/// Refuses threads beyond the given number, started by this thread, while it exists.
-class FewThreads {
-public:
-    explicit FewThreads(int count) { threads_left = count; }
-    ~FewThreads() { threads_left = -1; }
-    FewThreads(const FewThreads&) = delete;
-    FewThreads& operator=(const FewThreads&) = delete;
-};
-
 TEST(RefusedThreads, AreReportedWithTheirOwnCode) {
-#ifdef SANITIZED
-    GTEST_SKIP() << "sanitizers replace the same function";
-#endif
+    if (sanitized) GTEST_SKIP() << "sanitizers replace the same function";
     const Folder folder;
     const std::string file = folder.write("lamp.grafcet", lamp);
     const std::vector<std::string> words{"check",  file, "--untimed", "--plant", "automata",
@@ -134,9 +79,7 @@ TEST(RefusedThreads, AreReportedWithTheirOwnCode) {
 }
 
 TEST(RefusedThreads, LeaveTheWorkOfMutateToTheOthers) {
-#ifdef SANITIZED
-    GTEST_SKIP() << "sanitizers replace the same function";
-#endif
+    if (sanitized) GTEST_SKIP() << "sanitizers replace the same function";
     const Folder folder;
     const std::vector<std::string> words{"mutate", folder.write("lamp.grafcet", lamp), "--jobs", "3"};
     const Result all = grafverif(words);
@@ -148,9 +91,7 @@ TEST(RefusedThreads, LeaveTheWorkOfMutateToTheOthers) {
 }
 
 TEST(RefusedThreads, LetServeStartOrEnd) {
-#ifdef SANITIZED
-    GTEST_SKIP() << "sanitizers replace the same function";
-#endif
+    if (sanitized) GTEST_SKIP() << "sanitizers replace the same function";
     const Folder folder;
     Options options;
     options.operands = {folder.write("lamp.grafcet", lamp)};

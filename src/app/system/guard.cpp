@@ -23,6 +23,7 @@
 
 #include "app/program.hpp"
 #include "app/system/child.hpp"
+#include "support/memory_reserve.hpp"
 
 namespace grafverif::app {
 
@@ -38,12 +39,14 @@ constexpr bool sanitized = false;
 
 constexpr std::uint64_t own_memory = std::uint64_t{32} << 20U;  ///< of the program itself: code, library, buffers
 constexpr std::size_t kept_back = std::size_t{2} << 20U;        ///< reserve for reporting that memory is exhausted
-constexpr auto patience_with_programs = 3s;
+constexpr std::size_t kept_to_land = std::size_t{1} << 20U;     ///< reserve for allocations that must not fail
+constexpr auto patience_with_programs = 3s, patience_with_readers = 3s;
 constexpr auto grace = 400ms, longest_grace = 60'000ms, look_every = 25ms;
 
 std::atomic<std::int64_t> telling = 0;      ///< since when results are printed, on the steady clock; 0: not yet
 std::atomic<std::int64_t> telling_cpu = 0;  ///< the processor time used until then, in nanoseconds
-std::atomic<char*> reserve = nullptr;
+std::atomic<void*> reserve = nullptr, landing = nullptr;
+thread_local bool keeping_back = false;
 
 void write_whole(std::string_view text) {
     while (!text.empty()) {
@@ -109,11 +112,30 @@ std::int64_t processor_time() {
     return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
 }
 
-void give_back_reserve() { std::free(reserve.exchange(nullptr)); }
+/// False if the memory was released before.
+bool give_back(std::atomic<void*>& kept) {
+    void* const memory = kept.exchange(nullptr);
+    ::operator delete(memory);
+    return memory != nullptr;
+}
 
 void no_memory() {
-    give_back_reserve();
+    if (keeping_back) throw std::bad_alloc();
+    if (must_not_fail() && (give_back(landing) || give_back(reserve))) return;  // the allocation is repeated
+    give_back(reserve);
     throw std::bad_alloc();
+}
+
+bool keep(std::atomic<void*>& kept, std::size_t size) {
+    if (kept != nullptr) return true;
+    keeping_back = true;
+    void* memory = ::operator new(size, std::nothrow);
+    keeping_back = false;
+    if (memory == nullptr) return false;
+    std::memset(memory, 1, size);
+    memory = kept.exchange(memory);  // another thread may have been as quick
+    ::operator delete(memory);
+    return true;
 }
 
 [[noreturn]] void give_up() {
@@ -157,10 +179,14 @@ void work_is_done() {
 
 void expect_memory_to_end() {
     grow_stack();
-    reserve = static_cast<char*>(std::malloc(kept_back));
-    if (char* const kept = reserve; kept != nullptr) std::memset(kept, 1, kept_back);
+    keep_memory_back();
     std::set_new_handler(no_memory);
     std::set_terminate(give_up);
+}
+
+bool keep_memory_back() {
+    const bool kept = keep(reserve, kept_back);
+    return keep(landing, kept_to_land) && kept;
 }
 
 MemoryUnbounded::MemoryUnbounded() {
@@ -218,11 +244,14 @@ void Guard::watch() {
 const std::string* Guard::reason() {
     const Steady::time_point now = Steady::now();
     if (!interrupted_ && interrupt_.asked()) interrupted_ = now;
-    const Steady::time_point told(Steady::duration(telling.load()));  // results may still be printed
-    if (interrupted_ && now - std::max(*interrupted_, told) >= grace) return &orders_.interrupted;
     // Results may be printed after the time limit, for the margin in processor time: neither a slow reader nor a loaded
-    // machine truncates them.
-    const bool printed = telling == 0 || std::chrono::nanoseconds(processor_time() - telling_cpu) >= margin_;
+    // machine truncates them. After Ctrl-C, patience_with_readers is the limit for a reader that does not read at all.
+    const std::chrono::nanoseconds used(telling == 0 ? 0 : processor_time() - telling_cpu);
+    const Steady::time_point told(Steady::duration(telling.load()));
+    const auto waited = interrupted_ ? now - std::max(*interrupted_, told) : Steady::duration(0);
+    if (interrupted_ && waited >= grace && (telling == 0 || used >= grace || waited >= patience_with_readers))
+        return &orders_.interrupted;
+    const bool printed = telling == 0 || used >= margin_;
     if (last_moment_ && now >= *last_moment_ && printed) return &orders_.timed_out;
     constexpr std::uint64_t times = sanitized ? 4 : 1;
     if (orders_.max_memory && resident() > times * with_margin(*orders_.max_memory)) return &orders_.out_of_memory;

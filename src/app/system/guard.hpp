@@ -65,6 +65,9 @@ void work_is_done();
 /// the stack, so that its growth does not raise a signal.
 void expect_memory_to_end();
 
+/// Reserves the memory again after a handled failure of an allocation. False if the system refuses it.
+bool keep_memory_back();
+
 /// While one exists, started programs inherit the original memory limit, not the reduced one of this process.
 class MemoryUnbounded {
 public:

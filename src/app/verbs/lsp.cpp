@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "app/serve/live_page.hpp"
+#include "app/system/guard.hpp"
 #include "app/system/interrupt.hpp"
 #include "app/system/process.hpp"
 #include "app/verbs.hpp"
@@ -81,14 +82,19 @@ public:
     Pages& operator=(const Pages&) = delete;
 
     std::string address(const std::string& path) {
-        std::unique_ptr<LivePage>& page = pages_[path];
-        if (page == nullptr) {
-            Options options = options_;
-            options.operands = {path};
-            page = std::make_unique<LivePage>(options);
-            threads_.emplace_back([this, &page = *page] { page.run(stop_); });
+        if (const auto known = pages_.find(path); known != pages_.end()) return known->second->address();
+        Options options = options_;
+        options.operands = {path};
+        auto page = std::make_unique<LivePage>(options);
+        LivePage& shown = *page;
+        const auto kept = pages_.emplace(path, std::move(page)).first;
+        try {
+            threads_.emplace_back([this, &shown] { shown.run(stop_); });
+        } catch (...) {
+            pages_.erase(kept);  // without its thread there is no answer
+            throw;
         }
-        return page->address();
+        return shown.address();
     }
 
 private:
@@ -138,6 +144,7 @@ ExitCode lsp(Job& job, const Streams& streams) {
     surroundings.is_alive = is_alive;
     surroundings.simulator = [&](const std::string& path) { return pages.address(path); };
     surroundings.keep = [&](const std::string& name, const std::string& text) { return shelf.keep(name, text); };
+    surroundings.keep_memory_back = [] { app::keep_memory_back(); };
     surroundings.hang_up = [&] { ear.stop(); };
     const auto ending =
         grafverif::lsp::converse([&](std::span<char> room) { return ear.receive(room); }, send, surroundings);

@@ -79,17 +79,22 @@ std::optional<std::int64_t> scaled(std::string_view digits, std::string_view dec
 
 }  // namespace
 
-Lexer::Lexer(const Source& source, Span part, tree::File& file, Diagnostics& diagnostics)
+Lexer::Lexer(const Source& source, Span part, tree::File& file, Diagnostics& diagnostics, const std::atomic<bool>* stop)
     : source_(&source),
       scanner_(std::string_view(source.text).substr(part.begin, part.end - part.begin)),
       file_(&file),
       words_(file.words),
       diagnostics_(&diagnostics),
+      stop_(stop),
       here_{part.source, part.begin, part.begin} {
     last_where_ = here_;
 }
 
 Token Lexer::next() {
+    if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) {
+        blocks_.clear();
+        return {0, here_};
+    }
     if (recovering_) resynchronise();
     else consumed();
     Token token;

@@ -9,6 +9,7 @@
 // CUT_OFF, because a Bison parser aborts if it cannot discard the offending token.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -46,7 +47,8 @@ public:
     using Kind = Parser::symbol_kind_type;
 
     /// Reads `part` of `source`.
-    Lexer(const Source& source, Span part, tree::File& file, Diagnostics& diagnostics);
+    Lexer(const Source& source, Span part, tree::File& file, Diagnostics& diagnostics,
+          const std::atomic<bool>* stop = nullptr);
 
     /// First occurrence of each word of the file.
     std::span<const Span> first_places() const { return first_places_; }
@@ -97,6 +99,7 @@ private:
     tree::Words words_;
     std::vector<Span> first_places_ = {};
     Diagnostics* diagnostics_;
+    const std::atomic<bool>* stop_;
 
     std::string_view match_ = {};  ///< current match of the scanner
     Span here_ = {};               ///< its position

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "support/memory_reserve.hpp"
 #include "syntax/language/builder.hpp"
 #include "syntax/language/display.hpp"
 #include "syntax/language/lexer.hpp"
@@ -11,7 +12,8 @@
 
 namespace grafverif {
 
-tree::File parse_file(Id<Source> source, const Sources& sources, Diagnostics& diagnostics) {
+tree::File parse_file(Id<Source> source, const Sources& sources, Diagnostics& diagnostics,
+                      const std::atomic<bool>* stop) {
     tree::File file;
     file.source = source;
     const std::size_t size = std::min(sources[source].text.size(), largest_text + 1);
@@ -20,9 +22,11 @@ tree::File parse_file(Id<Source> source, const Sources& sources, Diagnostics& di
     if (is_readable(whole, sources, diagnostics)) {
         check_controls(whole, sources, diagnostics);
         tree::Builder build(file, diagnostics);
-        tree::Lexer lexer(sources[source], whole, file, diagnostics);
-        file.lost = tree::Parser(lexer, build).parse() != 0 || file.lost;
-        check_confusables(file, lexer.first_places(), diagnostics);
+        tree::Lexer lexer(sources[source], whole, file, diagnostics, stop);
+        tree::Parser parser = made_with_reserve([&] { return tree::Parser(lexer, build); });
+        file.lost = parser.parse() != 0 || file.lost;
+        file.broken = stop != nullptr && *stop;
+        if (!file.broken) check_confusables(file, lexer.first_places(), diagnostics);
     } else {
         file.lost = true;
     }

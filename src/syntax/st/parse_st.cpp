@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "syntax/st/parse_st.hpp"
 
+#include "support/memory_reserve.hpp"
 #include "syntax/st/st_builder.hpp"
 #include "syntax/st/st_lexer.hpp"
 
@@ -13,7 +14,7 @@ bool parsed(Builder& build, const Text& text, Parser::token_kind_type goal, File
             Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     Lexer lexer(text, goal, file, sources, diagnostics);
-    Parser parser(lexer, build);
+    Parser parser = made_with_reserve([&] { return Parser(lexer, build); });
     const bool complete = parser.parse() == 0;
     return complete && diagnostics.errors() == errors;
 }

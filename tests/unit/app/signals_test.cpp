@@ -104,6 +104,35 @@ TEST(Signals, EndAControllerUnderTestAndAllItHasStarted) {
     }
 }
 
+/// A loaded machine looks the same from inside: what is known is printed slowly.
+TEST(Signals, LeaveAReportWholeThatIsReadLate) {
+    const Folder folder;
+    fs::create_directory(folder.file("tmp"));
+    const Variable tmp("TMPDIR", folder.file("tmp"));
+    fs::permissions(folder.write("verifyta", "#!/bin/sh\n" + endless(folder.file("pids"))), fs::perms::owner_all);
+    const Variable path("PATH", folder.file("") + ":/usr/bin:/bin");
+    Pipe out = make_pipe();
+    const int room = ::fcntl(out.write.number(), F_SETPIPE_SZ, 4096);
+    ASSERT_GT(room, 0);
+    std::string text(static_cast<std::size_t>(room), ' ');
+    ASSERT_EQ(::write(out.write.number(), text.data(), text.size()), room) << "the pipe is full";
+    const Descriptor nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
+    Child program({GRAFVERIF_PROGRAM, "check", station, "--engine", "verifyta", "--format", "json"},
+                  {nothing.number(), out.write.number(), nothing.number()});
+    out.write = Descriptor();
+    EXPECT_TRUE(waited_for([&] { return pids_in(folder).size() == 3; }));
+    program.send(SIGTERM);
+    text.clear();
+    std::this_thread::sleep_for(std::chrono::seconds(1));  // longer than a run may take that prints nothing
+    for (std::array<char, 4096> part;;) {
+        const ssize_t count = ::read(out.read.number(), part.data(), part.size());
+        if (count <= 0) break;
+        text.append(part.data(), static_cast<std::size_t>(count));
+    }
+    EXPECT_TRUE(nlohmann::json::accept(text)) << text;
+    EXPECT_TRUE(waited_for([&] { return program.ended().has_value(); }));
+}
+
 TEST(Signals, EndTheLanguageServerWithItsDrawings) {
     for (const int signal : all_signals) {
         SCOPED_TRACE(::strsignal(signal));

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <map>
 #include <sstream>
 #include <string>
@@ -76,6 +77,22 @@ const std::string lamp =
     "}\n";
 
 // -- charts -----------------------------------------------------------------------------------------------------------
+
+TEST(ReadText, WithoutAModelOnceItIsStopped) {
+    std::atomic<bool> stop = false;
+    Sources sources;
+    Diagnostics diagnostics;
+    const Id<Source> main = sources.add({"main.grafcet",
+                                         "include \"part.grafcet\";\n"
+                                         "grafcet a { initial step 0; transition t: 0 -> 0 when true; }\n"});
+    ReadContext context;
+    context.stop = &stop;
+    context.load = [&](const std::string&, std::string&) -> std::optional<std::string> {
+        stop = true;  // what follows would be correct
+        return "grafcet b { initial step 0; transition t: 0 -> 0 when true; }\n";
+    };
+    EXPECT_FALSE(read_text(main, sources, context, diagnostics));
+}
 
 TEST(ReadChart, NamesTransitionsByPosition) {
     const Chart chart = *model(lamp).charts.begin();

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -62,6 +63,17 @@ std::string errors_of(const std::string& text) {
 struct Case {
     std::string in, out;
 };
+
+TEST(ParseFile, EndsAtTheNextTokenOnceItIsStopped) {
+    const Sources sources = one("grafcet a { initial step 0; transition t: 0 -> 0 when true; }\n");
+    const std::atomic<bool> stop = true;
+    Diagnostics diagnostics;
+    const tree::File file = parse_file(Id<Source>{0}, sources, diagnostics, &stop);
+    EXPECT_TRUE(file.broken);
+    EXPECT_TRUE(file.declarations.empty());
+    const std::atomic<bool> going_on = false;
+    EXPECT_EQ(parse_file(Id<Source>{0}, sources, diagnostics, &going_on).declarations.size(), 1u);
+}
 
 TEST(ParseCondition, BindsOperatorsAsInTheLanguage) {
     const std::vector<Case> cases = {
