@@ -57,7 +57,7 @@ grafcet lamp {
     input ON;
     output LAMP;
     initial step 0 { LAMP; }
-    transition t0: 0 -> 0 when ON;
+    transition t0: 0 -> 0 when 3s/X0 && ON;
 }
 closed_loop room {
     controller lamp;
