@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "ir/junction.hpp"
 #include "ir/probes.hpp"
 #include "support/overloaded.hpp"
 
@@ -64,16 +65,6 @@ private:
     const ObserverTerms& terms_;
     Scope scope_;
 };
-
-/// True if the term may be undefined: expressions evaluated in every run must not introduce new undefined values.
-bool may_divide(const Exprs& exprs, Id<Expr> root, std::vector<bool>& seen) {
-    if (seen[root.index]) return false;
-    seen[root.index] = true;
-    const Op op = exprs[root].op;
-    return op == Op::Divide || op == Op::Modulo || std::ranges::any_of(exprs.operands(root), [&](Id<Expr> operand) {
-               return may_divide(exprs, operand, seen);
-           });
-}
 
 constexpr std::int64_t none_yet = 0, met = 1, over = 2;  ///< values of the variable that tracks the scope
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Operands of conjunctions and disjunctions.
+// Operands of conjunctions and disjunctions; terms that divide.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "grafverif/ir/expr.hpp"
@@ -13,6 +14,16 @@ inline std::vector<Id<Expr>> operands_of(const Exprs& exprs, Id<Expr> term, Op o
     if (exprs[term].op != op) return {term};
     const auto operands = exprs.operands(term);
     return {operands.begin(), operands.end()};
+}
+
+/// True if an operation of the term may have no value. `seen`: subterms already examined, by index.
+inline bool may_divide(const Exprs& exprs, Id<Expr> root, std::vector<bool>& seen) {
+    if (seen[root.index]) return false;
+    seen[root.index] = true;
+    const Op op = exprs[root].op;
+    return op == Op::Divide || op == Op::Modulo || std::ranges::any_of(exprs.operands(root), [&](Id<Expr> operand) {
+               return may_divide(exprs, operand, seen);
+           });
 }
 
 }  // namespace grafverif

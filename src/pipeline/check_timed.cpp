@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
+#include <deque>
 #include <functional>
 #include <iterator>
 #include <utility>
@@ -58,14 +60,13 @@ TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options)
     return timed;
 }
 
-/// A bounded search of observe(loop), then input abstractions for the properties that it leaves open. These have half
-/// of the remaining time, since the search of the complete loop may have to follow.
+/// A bounded search of observe(loop), then until `deadline` input abstractions for the properties that it leaves open.
 TimedResult search_first(const Network& loop, const Observe& observe, const TimedOptions& options,
-                         const WholeSearch& search) {
+                         const WholeSearch& search, const Deadline& deadline) {
     TimedResult result = search(observe(loop), options);
     TimedOptions abstract = options;
     abstract.max_states = TimedOptions{}.max_states;
-    abstract.deadline = share_of(options.deadline, 2);
+    abstract.deadline = deadline;
     decide_by_inputs(loop, observe, abstract, result);
     return result;
 }
@@ -76,33 +77,65 @@ TimedResult search(const LoopToCheck& loop, const CheckOptions& options) {
     if (options.whole) return check_timed(loop.network, timed);
     const auto whole = [&](const Network& network, const TimedOptions& of) {
         const bool first = of.max_states == limits.whole && timed.max_states > limits.whole && !loop.cures_left_out;
-        return first ? search_first(network, std::identity{}, of, check_timed_by_parts)
+        // The search of the complete loop may have to follow.
+        return first ? search_first(network, std::identity{}, of, check_timed_by_parts, most_of(of.deadline))
                      : check_timed_by_parts(network, of);
     };
     return check_timed_by_cells(loop.network, timed, limits, {}, whole);
 }
 
-/// `observe` adds the observer of the only property. An observer reads the complete loop, so localization does not
+/// Searches for a property with an observer, in two steps. An observer reads the complete loop, so localization does not
 /// apply. Timelocks are searched in the loop without the observer.
-TimedResult search_watched(const LoopToCheck& loop, const Observe& observe, const CheckOptions& options) {
-    TimedOptions timed = timed_options(loop, options);
-    timed.timelock = false;
-    const CellLimits limits;
-    const Network network = observe(loop.network);
-    if (options.whole || loop.cures_left_out || timed.max_states <= limits.whole) return check_timed(network, timed);
-    TimedOptions first = timed;
-    first.max_states = limits.whole;
-    first.many = {};
-    TimedResult found = search_first(expand(loop.network), observe, first, check_timed);
-    const bool open = std::ranges::any_of(found.verdicts, [&](const Verdict& verdict) {
-        return verdict.obstacle == Obstacle::Bound && !is_probe(network.properties[verdict.about]);
-    });
-    if (!open) return found;
-    TimedResult complete = check_timed(network, timed);
-    for (std::size_t k = 0; k < found.verdicts.size(); ++k)
-        if (found.verdicts[k].abstraction) complete.verdicts[k] = std::move(found.verdicts[k]);
-    return complete;
-}
+class WatchedSearch {
+public:
+    /// `observe` adds the observer of the only property.
+    WatchedSearch(const LoopToCheck& loop, Observe observe, const CheckOptions& options)
+        : loop_(loop), observe_(std::move(observe)), timed_(timed_options(loop, options)) {
+        timed_.timelock = false;
+        const CellLimits limits;
+        const bool in_two_steps = !options.whole && !loop.cures_left_out && timed_.max_states > limits.whole;
+        bound_ = in_two_steps ? limits.whole : timed_.max_states;
+    }
+
+    /// A bounded search and input abstractions. True if a verdict is left open that the second step may decide.
+    bool begin(const Deadline& deadline) {
+        if (bound_ == timed_.max_states) {
+            timed_.deadline = deadline;
+            result_ = check_timed(network(), timed_);
+            return false;
+        }
+        TimedOptions first = timed_;
+        first.max_states = bound_;
+        first.many = {};
+        first.deadline = most_of(deadline);
+        result_ = search_first(expand(loop_.network), observe_, first, check_timed, first.deadline);
+        return std::ranges::any_of(result_.verdicts, [&](const Verdict& verdict) {
+            const bool is_open = verdict.obstacle == Obstacle::Bound || verdict.obstacle == Obstacle::Stopped;
+            return is_open && !is_probe(network().properties[verdict.about]);
+        });
+    }
+
+    /// The search of the complete loop.
+    void complete(const Deadline& deadline) {
+        timed_.deadline = deadline;
+        TimedResult found = check_timed(network(), timed_);
+        for (std::size_t k = 0; k < found.verdicts.size(); ++k)
+            if (result_.verdicts[k].abstraction) found.verdicts[k] = std::move(result_.verdicts[k]);
+        result_ = std::move(found);
+    }
+
+    std::uint64_t states() const { return result_.states; }
+    TimedResult result() { return std::move(result_); }
+
+private:
+    Network network() const { return observe_(loop_.network); }
+
+    const LoopToCheck& loop_;
+    const Observe observe_;
+    TimedOptions timed_;
+    std::uint64_t bound_ = 0;  // of the first step
+    TimedResult result_ = {};
+};
 
 /// Converts the results of the engine to a report; runs that do not replay are failures and are not reported.
 class Reporter {
@@ -188,30 +221,54 @@ LoopToCheck loop_to_check(const Model& model, Id<ClosedLoop> loop, const Network
 
 namespace {
 
-/// The verdict on a property with an observer: checks the loop with only this observer added.
-Report check_watched(const LoopToCheck& loop, Id<Property> id, const CheckOptions& options) {
-    const std::string& name = loop.network.properties[id].name;
-    const Observe observe = [&](const Network& of) {
-        Network network = observed(of, {id}, Vacuity::Probed);
-        for (const Property& property : std::exchange(network.properties, {}))
-            if (property.name == name || probed_by(property) == name) network.properties.add(property);
-        return network;
-    };
-    const Network network = observe(loop.network);
-    CheckOptions own = options;
-    own.properties.clear();
-    for (const Property& property : network.properties) own.properties.push_back(property.name);
-    own.profile = false;
-    const LoopToCheck watched_loop{network, loop.charts, loop.cures_left_out, loop.finest};
-    Report report = Reporter(watched_loop, own).report(search_watched(loop, observe, own));
-    const Property& sentence = loop.network.properties[id];
-    for (Answer& answer : report.answers) {
-        if (answer.verdict.outcome != Outcome::Violated || !answer.trace) continue;
-        if (const auto found = violation_of(sentence.watch, operand_texts(loop.network, sentence), *answer.trace))
-            answer.verdict.notes.insert(answer.verdict.notes.begin(), found->words());
+/// The check of a property with an observer, in the loop with only this observer added.
+class WatchedCheck {
+public:
+    WatchedCheck(const LoopToCheck& loop, Id<Property> id, const CheckOptions& options)
+        : loop_(loop),
+          id_(id),
+          observe_([name = loop.network.properties[id].name, id](const Network& of) {
+              Network network = observed(of, {id}, Vacuity::Probed);
+              for (const Property& property : std::exchange(network.properties, {}))
+                  if (property.name == name || probed_by(property) == name) network.properties.add(property);
+              return network;
+          }),
+          network_(observe_(loop.network)),
+          own_(options_of(options)),
+          search_(loop_, observe_, own_) {}
+
+    bool begin(const Deadline& deadline) { return search_.begin(deadline); }
+    void complete(const Deadline& deadline) { search_.complete(deadline); }
+    std::uint64_t states() const { return search_.states(); }
+
+    Report report() {
+        const LoopToCheck watched_loop{network_, loop_.charts, loop_.cures_left_out, loop_.finest};
+        Report report = Reporter(watched_loop, own_).report(search_.result());
+        const Property& sentence = loop_.network.properties[id_];
+        for (Answer& answer : report.answers) {
+            if (answer.verdict.outcome != Outcome::Violated || !answer.trace) continue;
+            if (const auto found = violation_of(sentence.watch, operand_texts(loop_.network, sentence), *answer.trace))
+                answer.verdict.notes.insert(answer.verdict.notes.begin(), found->words());
+        }
+        return report;
     }
-    return report;
-}
+
+private:
+    CheckOptions options_of(const CheckOptions& options) const {
+        CheckOptions own = options;
+        own.properties.clear();
+        for (const Property& property : network_.properties) own.properties.push_back(property.name);
+        own.profile = false;
+        return own;
+    }
+
+    const LoopToCheck& loop_;
+    const Id<Property> id_;
+    const Observe observe_;
+    const Network network_;
+    const CheckOptions own_;
+    WatchedSearch search_;
+};
 
 /// Adds the results of another search; `earlier`: number of states explored by the searches before.
 void take(Report&& found, std::uint64_t earlier, Report& report) {
@@ -221,6 +278,14 @@ void take(Report&& found, std::uint64_t earlier, Report& report) {
     for (Breakdown& breakdown : found.breakdowns)
         if (std::ranges::find(report.breakdowns, breakdown.message, &Breakdown::message) == report.breakdowns.end())
             report.breakdowns.push_back(std::move(breakdown));
+}
+
+/// The states that the longest search of a report explored.
+std::uint64_t states_of(const Report& report) {
+    std::uint64_t states = 0;
+    for (const Answer& answer : report.answers)
+        states = std::max<std::uint64_t>(states, std::stoull('0' + answer.verdict.states));
+    return states;
 }
 
 /// Sorts by the properties of the loop, followed by the others.
@@ -258,19 +323,31 @@ Report check(const LoopToCheck& loop, const CheckOptions& options) {
     }
     std::vector<Id<Property>> asked;
     std::ranges::copy_if(by_observers, std::back_inserter(asked), is_asked);
-    Report report{alone.name, basis_of(alone, "timed")};
+    // The abstractions of all properties come before the searches of the complete loop.
+    const Deadline deadline = options.limits.deadline;
+    std::deque<WatchedCheck> checks;
+    std::vector<std::uint64_t> earlier(asked.size(), 0);  // states explored before the last search of each
+    std::vector<std::size_t> open;
     std::uint64_t states = 0;
-    for (std::size_t i = 0; i < asked.size(); ++i) {  // each has an equal share of the remaining time
-        CheckOptions share = options;
-        share.limits.deadline = share_of(options.limits.deadline, asked.size() - i + 1);
-        Report made = check_watched(loop, asked[i], share);
-        const std::uint64_t explored = std::stoull('0' + made.answers.front().verdict.states);
-        take(std::move(made), std::exchange(states, states + explored), report);
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        earlier[i] = states;
+        if (checks.emplace_back(loop, asked[i], options).begin(share_of(deadline, asked.size() - i + 1)))
+            open.push_back(i);
+        states += checks[i].states();
     }
+    if (!open.empty()) rest.limits.deadline = share_of(deadline, 2);
     const LoopToCheck unwatched{alone, loop.charts, loop.cures_left_out, loop.finest};
     Report made = Reporter(unwatched, rest).report(search(unwatched, rest));
+    const std::uint64_t before_rest = std::exchange(states, states + states_of(made));
+    for (std::size_t k = 0; k < open.size(); ++k) {
+        earlier[open[k]] = states;
+        checks[open[k]].complete(share_of(deadline, open.size() - k));
+        states += checks[open[k]].states();
+    }
+    Report report{alone.name, basis_of(alone, "timed")};
+    for (std::size_t i = 0; i < checks.size(); ++i) take(checks[i].report(), earlier[i], report);
     report.profile = std::move(made.profile);
-    take(std::move(made), states, report);
+    take(std::move(made), before_rest, report);
     put_in_order(loop.network, report.answers);
     return report;
 }

@@ -43,6 +43,7 @@ std::string panel_loop(Random& random) {
                                 "S1, S2",
                                 {"S1", "S2", "!S1 && !S2", "S1 && S2", "rise(S2)"}},
                                {"environment EN = level(V = N);", "N: int 0..2", {"N > 1", "N == 0", "N == 1"}}};
+    if (chance(random, 15)) panel.push_back({"environment EX = expiring(OUT = Z);", "Z", {"Z", "rise(Z)"}});
     while (panel.size() > 3 || (panel.size() > 2 && chance(random, 60)))
         panel.erase(panel.begin() + random_number(random, 0, static_cast<std::int64_t>(panel.size()) - 1));
     const std::string& first = panel[0].conditions[0];
@@ -90,6 +91,8 @@ std::string panel_loop(Random& random) {
         "urgent on -> off when !P do S := false; }\n"
         "component level(output V: int 0..2) { clock t; initial location any; "
         "timed any -> any when V < 2 && t >= 1s do V := V + 1, t := 0; timed any -> any when V > 0 do V := V - 1; }\n"
+        "component expiring(output OUT) { clock t; initial location off; location on invariant t <= 3s; "
+        "timed off -> on when t >= 1s do OUT := true, t := 0; }\n"
         "component pulse(input P) { initial location off; location on; urgent off -> on when P; timed on -> off; }\n";
     text += "closed_loop panel {\ncontroller c" + std::string(chance(random, 30) ? " with every_cycle" : "") + ";\n";
     if (two) text += "controller d;\n";
@@ -105,7 +108,7 @@ std::string panel_loop(Random& random) {
     text += "property p1: never " + term() + when + ";\nproperty p2: always " + term() + ";\nproperty p3: reachable " +
             term() + when +
             ";\nproperty p4: exactly one of {c.X0, c.X1, c.X2};\n"
-            "property p5: reachable all steps;\nproperty p6: never c.X1 && L && !Q" +
+            "property p5: reachable all steps;\nproperty d: no deadlock;\nproperty p6: never c.X1 && L && !Q" +
             when + ";\n";
     text += "property w1: " +
             one_of(random, {"(" + atom() + ") leads to (" + term() + ") within 2s", "(" + atom() + ") holds for 1s",
@@ -127,7 +130,10 @@ struct Compared {
             const bool faulty = there.obstacle == Obstacle::Faulty;
             if (!here.abstraction || (there.outcome == Outcome::Unknown && !faulty)) continue;
             ++seen[std::string(word(here.outcome)) + (here.run ? " with a run" : " without a run")];
+            if (here.property == "no_timelock" || here.property == "d") ++seen[here.property];
             if (!here.abstraction->untimed.empty()) ++seen["with untimed instances"];
+            const auto& chosen = here.abstraction->chosen;
+            if (std::ranges::find(chosen, "Fol") != chosen.end()) ++seen["with a chosen plant"];
             const bool differs = faulty ? !here.run : here.outcome != there.outcome;
             wrong += differs ? 1 : 0;
             if (!expected) continue;
@@ -158,10 +164,10 @@ int compare(const Network& loop, const InputAblations& ablations, bool expected,
             return made;
         };
         const Network network = observe(loop);
-        const TimedResult complete = check_timed(network, {.max_states = complete_limit, .timelock = false});
+        const TimedResult complete = check_timed(network, {.max_states = complete_limit, .timelock = group.empty()});
         if (!complete.complete) continue;
         ++seen["searches compared"];
-        TimedOptions options{.max_states = 3, .timelock = false};
+        TimedOptions options{.max_states = 3, .timelock = group.empty()};
         TimedResult inputs = check_timed(network, options);
         if (inputs.complete) continue;
         inputs.time_passes = complete.time_passes;  // results of a longer first search
@@ -186,6 +192,9 @@ TEST(InputAbstraction, PanelLoopsGetTheVerdictsOfTheCompleteLoop) {
     tell(seen);
     EXPECT_GT(seen["holds without a run"], law_size(5));
     EXPECT_GT(seen["violated with a run"], law_size(5));
+    EXPECT_GT(seen["with a chosen plant"], law_size(5));
+    EXPECT_GT(seen["no_timelock"], law_size(5));
+    EXPECT_GT(seen["d"], law_size(5));
 }
 
 TEST(InputAbstraction, RandomLoopsGetTheVerdictsOfTheCompleteLoop) {
@@ -211,7 +220,9 @@ TEST(InputAbstraction, EachPremiseIsNeeded) {
     };
     for (const Premise& premise : {Premise{"a change of an input begins a cycle", &InputAblations::no_cycle_on_change},
                                    Premise{"all reachable values are chosen", &InputAblations::initial_values},
-                                   Premise{"readers see the instance", &InputAblations::ignore_readers}}) {
+                                   Premise{"readers see the instance", &InputAblations::ignore_readers},
+                                   Premise{"guards on other variables may hold", &InputAblations::own_guards_only},
+                                   Premise{"an abstracted instance can rest", &InputAblations::all_can_rest}}) {
         InputAblations ablations;
         ablations.*premise.omitted = true;
         std::map<std::string, int> seen;

@@ -12,6 +12,7 @@
 #include "check/timed/machine.hpp"
 #include "check/timed/questions.hpp"
 #include "ir/junction.hpp"
+#include "ir/slots.hpp"
 
 namespace grafverif {
 
@@ -108,12 +109,28 @@ std::vector<Stage> stages_of(const AbstractRun& run, const std::vector<Id<Networ
     return stages;
 }
 
-/// A single instance of the network: the set of its possible states.
+/// A process alone in the network, among values of the other variables: the set of states in which it can be.
 class Alone {
 public:
-    Alone(const Network& complete, const AutonomousInstance& instance, InputLevel level, std::int64_t unit)
-        : instance_(instance), network_(only(complete, instance, level, unit)), machine_(network_) {
+    /// `known`: the variables of other processes whose values are given.
+    Alone(const Network& complete, const AbstractableProcess& process, InputLevel level, std::int64_t unit,
+          const std::set<Id<Network::Variable>>& known)
+        : process_(process), network_(only(complete, process, level, unit, known)), machine_(network_) {
+        for (const Id<Network::Variable> variable : Slots(network_, process.process).read())
+            if (known.contains(variable)) given_.push_back(variable);
         states_.insert(timed::packed_initial(network_, machine_.layout()));
+    }
+
+    /// From here on, the variables of other processes have these values.
+    void give(const std::vector<std::int64_t>& variables) {
+        move();
+        States given;
+        for (std::vector<Word> words : states_) {
+            for (const Id<Network::Variable> variable : given_)
+                machine_.layout().variables[variable.index].set(words.data(), variables[variable.index]);
+            given.insert(std::move(words));
+        }
+        states_ = std::move(given);
     }
 
     void pass_time(std::int64_t units) {
@@ -121,7 +138,7 @@ public:
             move();
             States later;
             for (std::vector<Word> words : states_)
-                if (machine_.delay(words.data())) later.insert(std::move(words));
+                if (delay(words)) later.insert(std::move(words));
             if (later == states_) return;
             states_ = std::move(later);
         }
@@ -134,7 +151,7 @@ public:
             size = states_.size();
             const States now = states_;
             for (std::vector<Word> words : now)
-                if (machine_.delay(words.data())) states_.insert(std::move(words));
+                if (delay(words)) states_.insert(std::move(words));
         }
     }
 
@@ -143,9 +160,9 @@ public:
         move();
         std::erase_if(states_, [&](const std::vector<Word>& words) {
             std::vector<std::int64_t> values;
-            for (const Id<Network::Variable> output : instance_.outputs)
+            for (const Id<Network::Variable> output : process_.outputs)
                 values.push_back(machine_.layout().variables[output.index].get(words.data()));
-            const auto row = std::ranges::find(instance_.valuations, values) - instance_.valuations.begin();
+            const auto row = std::ranges::find(process_.valuations, values) - process_.valuations.begin();
             return (possible >> row & 1U) == 0;
         });
     }
@@ -157,9 +174,9 @@ public:
             const auto differs = [&](Id<Network::Variable> output) {
                 return machine_.layout().variables[output.index].get(words.data()) != state.variables[output.index];
             };
-            const std::int64_t location = machine_.layout().locations[instance_.process.index].get(words.data());
-            return location != state.locations[instance_.process.index].index ||
-                   std::ranges::any_of(instance_.outputs, differs);
+            const std::int64_t location = machine_.layout().locations[process_.process.index].get(words.data());
+            return location != state.locations[process_.process.index].index ||
+                   std::ranges::any_of(process_.outputs, differs);
         });
     }
 
@@ -168,46 +185,52 @@ public:
 private:
     using States = std::set<std::vector<Word>>;
 
-    static Network only(const Network& complete, const AutonomousInstance& instance, InputLevel level,
-                        std::int64_t unit) {
+    static Network only(const Network& complete, const AbstractableProcess& made, InputLevel level, std::int64_t unit,
+                        const std::set<Id<Network::Variable>>& known) {
         Network network = complete;
         network.properties = {};
         for (const Id<Network::Process> id : network.processes.ids()) {
-            if (id == instance.process) continue;
+            if (id == made.process) continue;
             Network::Template& automaton = network.templates[network.processes[id].automaton];
             automaton.edges = {};
             for (Network::Location& location : automaton.locations) location.invariant.clear();
         }
-        const Network::Process& process = complete.processes[instance.process];
+        const Network::Process& process = complete.processes[made.process];
         Network::Template& automaton = network.templates[process.automaton];
         for (Network::Edge& edge : automaton.edges) {
             std::erase_if(edge.assignments, [&](const Network::Assignment& assignment) {
                 const Id<Network::Variable> target{static_cast<std::uint32_t>(network.exprs[assignment.target].value)};
-                return std::ranges::find(instance.outputs, target) == instance.outputs.end();
+                return std::ranges::find(made.outputs, target) == made.outputs.end();
             });
-            edge.guard = instance_guard(network, instance, edge.guard);
+            edge.guard = known_guard(network, made, edge.guard, known);
             if (level == InputLevel::Untimed) edge.constraint.clear();
         }
         if (level != InputLevel::Complete) pace(complete, process, automaton, unit, network.exprs);
         return network;
     }
 
-    /// The guard without the condition that an observer adds to every edge.
-    static Id<Expr> instance_guard(Network& network, const AutonomousInstance& instance, Id<Expr> guard) {
+    /// What the guard says of the outputs and of variables that are known; the rest may be true.
+    static Id<Expr> known_guard(Network& network, const AbstractableProcess& made, Id<Expr> guard,
+                                const std::set<Id<Network::Variable>>& known) {
         std::vector<Id<Expr>> kept;
         const Exprs from = network.exprs;
         for (const Id<Expr> operand : operands_of(from, guard, Op::And)) {
-            const auto own = [&](Id<Expr> leaf) {
+            const auto is_known = [&](Id<Expr> leaf) {
                 const Id<Network::Variable> variable{static_cast<std::uint32_t>(from[leaf].value)};
-                return from[leaf].op != Op::Variable ||
-                       std::ranges::find(instance.outputs, variable) != instance.outputs.end();
+                return from[leaf].op != Op::Variable || known.contains(variable) ||
+                       std::ranges::find(made.outputs, variable) != made.outputs.end();
             };
-            if (std::ranges::all_of(leaves(from, operand), own)) kept.push_back(operand);
+            if (std::ranges::all_of(leaves(from, operand), is_known)) kept.push_back(operand);
         }
         return network.exprs.conjunction(kept);
     }
 
-    /// Adds all states reachable by edges, without time.
+    bool delay(std::vector<Word>& words) {
+        machine_.expand(words.data(), moves_);
+        return !moves_.urgent && machine_.delay(words.data());
+    }
+
+    /// All states that edges lead to, without time.
     void move() {
         std::vector<std::vector<Word>> open(states_.begin(), states_.end());
         while (!open.empty()) {
@@ -222,9 +245,10 @@ private:
         }
     }
 
-    const AutonomousInstance& instance_;
+    const AbstractableProcess& process_;
     const Network network_;
     timed::Machine machine_;
+    std::vector<Id<Network::Variable>> given_ = {};
     timed::Moves moves_ = {};
     States states_ = {};
 };
@@ -312,11 +336,12 @@ private:
         }
     }
 
-    /// A Chosen instance moves towards the goal of the stage, others move freely.
+    /// An autonomous Chosen instance moves towards the goal of the stage, others as they like.
     bool may_move(const Word* at, std::size_t stage, Id<Network::Process> process) const {
         const std::size_t i = instance_of_[process.index];
         if (i == none || run_.levels[i] != InputLevel::Chosen) return true;
-        const AutonomousInstance& instance = run_.instances[i];
+        const AbstractableProcess& instance = run_.instances[i];
+        if (!instance.autonomous) return true;
         std::vector<std::int64_t> values;
         for (const Id<Network::Variable> output : instance.outputs)
             values.push_back(layout_.variables[output.index].get(at));
@@ -388,7 +413,19 @@ private:
 
 namespace {
 
-/// True if no PLC has anything to do.
+/// Those that the states of the abstract run have as the loop has them.
+std::set<Id<Network::Variable>> known_variables(const AbstractRun& run) {
+    std::set<Id<Network::Variable>> known;
+    for (const Id<Network::Process> id : run.network.processes.ids()) {
+        if (run.network.processes[id].kind == Network::ProcessKind::Observer) continue;
+        for (const Id<Network::Variable> variable : Slots(run.network, id).written())
+            if (run.network.variables[variable].role != Network::Role::Flag && !run.network.variables[variable].scratch)
+                known.insert(variable);
+    }
+    return known;  // a Chosen instance has no edges there, so it writes nothing
+}
+
+/// All PLCs have nothing to do.
 bool is_stable(const AbstractRun& run, const NetworkState& state) {
     return std::ranges::all_of(run.network.controllers, [&](const Network::Controller& controller) {
         return state.locations[controller.process.index] == controller.waiting &&
@@ -401,10 +438,11 @@ bool is_stable(const AbstractRun& run, const NetworkState& state) {
 std::optional<Impossible> impossible(const Network& complete, const AbstractRun& abstract, std::size_t instance,
                                      bool waits) {
     const InputLevel now = abstract.levels[instance];
-    const std::int64_t units = abstract.network.time_unit_ms / complete.time_unit_ms;
+    const std::int64_t units = std::max<std::int64_t>(abstract.network.time_unit_ms / complete.time_unit_ms, 1);
     const std::vector<Sampling> all = samplings(abstract);
+    const std::set<Id<Network::Variable>> known = known_variables(abstract);
     const auto first = [&](InputLevel level) -> std::optional<Impossible> {
-        Alone alone(complete, abstract.instances[instance], level, units);
+        Alone alone(complete, abstract.instances[instance], level, units, known);
         if (waits) alone.wait();
         auto next = all.begin();
         for (std::size_t at = 0; at < abstract.path.size(); ++at) {
@@ -415,13 +453,15 @@ std::optional<Impossible> impossible(const Network& complete, const AbstractRun&
             else if (sampled) alone.show(next->possible[instance]);
             if (sampled) ++next;
             if (alone.is_nowhere()) return Impossible{at, level};
+            alone.give(abstract.path[at].state.variables);
             if (waits && is_stable(abstract, abstract.path[at].state)) alone.wait();
         }
         return {};
     };
-    for (const InputLevel level : {InputLevel::Untimed, InputLevel::Paced, InputLevel::Complete})
-        if (level > now)
-            if (const std::optional<Impossible> found = first(level)) return found;
+    for (InputLevel level = now; level != InputLevel::Complete;) {
+        level = next_level(abstract.instances[instance], level);
+        if (const std::optional<Impossible> found = first(level)) return found;
+    }
     return {};
 }
 

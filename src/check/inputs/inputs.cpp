@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -25,6 +26,8 @@ struct Task {
     Levels levels = {};
     std::vector<std::size_t> verdicts = {};
     std::size_t rounds = 0;
+    bool coarse = false;   // instances that read the loop, and timers, are abstracted
+    bool passing = false;  // of time: verdicts on `no timelock` and `no deadlock`
 };
 
 class ByInputs {
@@ -37,7 +40,7 @@ public:
           result_(result),
           limits_(limits),
           ablations_(ablations),
-          instances_(autonomous_instances(loop)),
+          instances_(abstractable_processes(loop, ablations)),
           observed_(expand(observe(loop))),
           complete_(in_longest_unit(observed_)),
           writers_(observed_.variables.size()) {}
@@ -49,7 +52,8 @@ public:
         while (!tasks_.empty() && !stopped()) {
             const Task task = std::move(tasks_.front());
             tasks_.pop_front();
-            search(task);
+            if (task.passing) search_passing(task);
+            else search(task);
         }
     }
 
@@ -60,12 +64,18 @@ private:
     }
 
     void collect();
-    Levels first_levels(const Property& property) const;
+    Levels first_levels(const Property& property, bool coarse) const;
+    void refine(std::size_t verdict, const Task& task, const Levels& levels, std::vector<Task>& tasks) const;
     void search(const Task& task);
+    void search_passing(const Task& task);
+    Levels levels_of_resting() const;
+    TimedResult searched(const Network& network, const InputAbstraction& abstraction, TimedOptions options);
     void conclude(std::size_t verdict, const Verdict& found, const Task& task);
-    std::optional<Run> real_run(std::size_t verdict, const AbstractRun& abstract, Levels& raised);
+    std::optional<Run> real_run(std::size_t verdict, const AbstractRun& abstract, const Task& task, Levels& raised);
+    bool first_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const;
     InputsAbstracted abstracted(const Levels& levels) const;
     Property single(std::size_t verdict) const;
+    bool is_about_passing(const Verdict& verdict) const;
 
     const Network& loop_;
     const Observe& observe_;
@@ -73,7 +83,7 @@ private:
     TimedResult& result_;
     const InputLimits& limits_;
     const InputAblations& ablations_;
-    const std::vector<AutonomousInstance> instances_;
+    const std::vector<AbstractableProcess> instances_;
     const Network observed_;
     const Network complete_;                        // in its longest time unit
     std::vector<std::set<std::uint32_t>> writers_;  // processes, per variable of observed_
@@ -84,22 +94,33 @@ void ByInputs::collect() {
     for (const Id<Network::Process> id : observed_.processes.ids())
         for (const Id<Network::Variable> variable : Slots(observed_, id).written())
             writers_[variable.index].insert(id.index);
-    std::map<Levels, std::vector<std::size_t>> groups;
+    std::map<std::pair<bool, Levels>, Task> groups;
+    Task passing{levels_of_resting(), {}, 0, false, true};
     const auto probe = std::ranges::find(result_.verdicts, settled_probe, &Verdict::property);
     const bool ever_settled = probe == result_.verdicts.end() || probe->outcome == Outcome::Holds;
     for (std::size_t k = 0; k < result_.verdicts.size(); ++k) {
         const Verdict& verdict = result_.verdicts[k];
-        if (verdict.obstacle != Obstacle::Bound || !verdict.about.valid()) continue;
+        if (verdict.obstacle != Obstacle::Bound) continue;
+        if (is_about_passing(verdict)) passing.verdicts.push_back(k);
+        if (!verdict.about.valid()) continue;
         const Property& property = observed_.properties[verdict.about];
         if (!is_about_single_states(property.pattern) && property.pattern != Pattern::ReachableAllSteps) continue;
         if (property.at_stable && !ever_settled) continue;
-        groups[first_levels(property)].push_back(k);
+        Levels levels = first_levels(property, false);
+        Levels coarser = first_levels(property, true);
+        const bool coarse = coarser != levels;
+        if (coarse) levels = std::move(coarser);
+        Task& task = groups[{!coarse, levels}];
+        task.levels = std::move(levels);
+        task.coarse = coarse;
+        task.verdicts.push_back(k);
     }
-    for (auto& [levels, verdicts] : groups) tasks_.push_back({levels, std::move(verdicts)});
+    for (auto& [order, task] : groups) tasks_.push_back(std::move(task));
+    if (!passing.verdicts.empty()) tasks_.push_back(std::move(passing));
 }
 
-/// `property` is one of observe(loop): it also reads the variables and processes that its observer reads.
-Levels ByInputs::first_levels(const Property& property) const {
+/// `property` is one of observe(loop): what its observer reads is read by it.
+Levels ByInputs::first_levels(const Property& property, bool coarse) const {
     std::set<std::uint32_t> variables, processes;
     const auto read = [&](Id<Expr> term) {
         for (const Id<Expr> leaf : leaves(observed_.exprs, term)) {
@@ -125,24 +146,103 @@ Levels ByInputs::first_levels(const Property& property) const {
         if (writers.size() == 1) processes.insert(*writers.begin());
     }
     Levels levels;
-    std::size_t splits = 0;
-    for (const AutonomousInstance& instance : instances_) {
-        bool is_read = (instance.is_read && !ablations_.ignore_readers) || processes.contains(instance.process.index);
-        for (const Id<Network::Variable> output : instance.outputs)
-            is_read = is_read || variables.contains(output.index);
-        const std::size_t more = (instance.valuations.size() - 1) * std::max<std::size_t>(loop_.controllers.size(), 1);
-        if (!is_read && splits + more <= timed::Choices::most_splits) {
-            splits += more;
-            levels.push_back(InputLevel::Chosen);
-        } else {
-            levels.push_back(InputLevel::Untimed);
-        }
+    for (const AbstractableProcess& process : instances_) {
+        bool is_stored = process.valuations.empty() || processes.contains(process.process.index);
+        for (const Id<Network::Variable> output : process.outputs)
+            is_stored = is_stored || variables.contains(output.index);
+        const bool by_itself = process.autonomous && !process.valuations.empty();
+        if (!by_itself && !coarse) levels.push_back(InputLevel::Complete);
+        else levels.push_back(is_stored ? InputLevel::Untimed : InputLevel::Chosen);
     }
+    if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
+    std::size_t splits = 0;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        if (levels[i] != InputLevel::Chosen) continue;
+        const std::size_t more =
+            (instances_[i].valuations.size() - 1) * std::max<std::size_t>(loop_.controllers.size(), 1);
+        if (splits + more <= timed::Choices::most_splits) splits += more;
+        else levels[i] = InputLevel::Untimed;
+    }
+    if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
     return levels;
 }
 
+/// Adds the verdict to the task of its next search: with `levels` if they are other than those of `task`, otherwise with
+/// all processes complete that read the loop. Properties that look for a state have one next search.
+void ByInputs::refine(std::size_t verdict, const Task& task, const Levels& levels, std::vector<Task>& tasks) const {
+    const Property& property = observed_.properties[result_.verdicts[verdict].about];
+    Task next{levels, {verdict}, task.rounds + 1, task.coarse};
+    const bool ends = levels == task.levels || next.rounds == (task.coarse ? limits_.coarse_rounds : limits_.rounds);
+    if (ends && !task.coarse) return;
+    if (ends) next = {first_levels(property, false), {verdict}, 0, false};
+    const auto joins = [&](const Task& other) {
+        if (other.coarse != next.coarse) return false;
+        const Pattern first = observed_.properties[result_.verdicts[other.verdicts.front()].about].pattern;
+        const bool both_look = !is_about_all_states(property.pattern) && !is_about_all_states(first);
+        return other.levels == next.levels || both_look;
+    };
+    const auto joined = std::ranges::find_if(tasks, joins);
+    if (joined == tasks.end()) return tasks.push_back(std::move(next));
+    joined->verdicts.push_back(verdict);
+    for (std::size_t i = 0; i < next.levels.size(); ++i)
+        joined->levels[i] = std::max(joined->levels[i], next.levels[i]);
+    if (!ablations_.ignore_readers) store_what_is_read(instances_, joined->levels);
+}
+
+/// `no timelock`, declared or not, and `no deadlock`.
+bool ByInputs::is_about_passing(const Verdict& verdict) const {
+    if (!verdict.about.valid()) return true;
+    const Property& property = observed_.properties[verdict.about];
+    return property.pattern == Pattern::NoDeadlock || timed::about_time(property);
+}
+
+/// As coarse as the premises of ir/network_inputs.hpp allow.
+Levels ByInputs::levels_of_resting() const {
+    Levels levels;
+    for (const AbstractableProcess& process : instances_) {
+        const bool abstracted = process.autonomous && process.can_rest;
+        const bool chosen = abstracted && !process.valuations.empty();
+        levels.push_back(chosen ? InputLevel::Chosen : abstracted ? InputLevel::Untimed : InputLevel::Complete);
+    }
+    if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
+    return levels;
+}
+
+TimedResult ByInputs::searched(const Network& network, const InputAbstraction& abstraction, TimedOptions options) {
+    options.profile = false;
+    options.many = {};
+    options.choices = abstraction.choices;
+    options.max_states = std::min(options_.max_states, limits_.states);
+    TimedResult found = check_timed(network, options);
+    result_.states += found.states;
+    result_.transitions += found.transitions;
+    result_.bytes = std::max(result_.bytes, found.bytes);
+    result_.seconds += found.seconds;
+    return found;
+}
+
+void ByInputs::search_passing(const Task& task) {
+    const InputAbstraction abstraction =
+        abstract_inputs(loop_, instances_, task.levels, ablations_, ChoiceLifetime::Instant);
+    TimedOptions options = options_;
+    options.properties = {timed::undeclared_timelock(loop_).name};
+    options.timelock = true;
+    const TimedResult found = searched(in_longest_unit(expand(abstraction.network)), abstraction, options);
+    const auto passes = std::ranges::find_if(found.verdicts, [&](const Verdict& verdict) {
+        return !verdict.about.valid() || timed::about_time(abstraction.network.properties[verdict.about]);
+    });
+    if (passes == found.verdicts.end() || passes->outcome != Outcome::Holds || !found.complete) return;
+    const bool lively = std::ranges::any_of(instances_, &AbstractableProcess::lively);
+    for (const std::size_t k : task.verdicts) {
+        const Verdict& verdict = result_.verdicts[k];
+        const bool about_deadlock =
+            verdict.about.valid() && observed_.properties[verdict.about].pattern == Pattern::NoDeadlock;
+        if (!about_deadlock || lively) conclude(k, *passes, task);
+    }
+}
+
 void ByInputs::search(const Task& task) {
-    InputAbstraction abstraction = abstract_inputs(loop_, instances_, task.levels, ablations_);
+    const InputAbstraction abstraction = abstract_inputs(loop_, instances_, task.levels, ablations_);
     const Network network = in_longest_unit(expand(observe_(abstraction.network)), abstraction.paced);
     TimedOptions options = options_;
     options.properties.clear();
@@ -151,18 +251,10 @@ void ByInputs::search(const Task& task) {
         if (std::ranges::find(options.properties, name) == options.properties.end()) options.properties.push_back(name);
     }
     options.timelock = false;
-    options.profile = false;
-    options.many = {};
-    options.choices = abstraction.choices;
     options.paths = true;
     options.until_decided = true;
-    options.max_states = std::min(options_.max_states, limits_.states);
-    const TimedResult found = check_timed(network, options);
-    result_.states += found.states;
-    result_.transitions += found.transitions;
-    result_.bytes = std::max(result_.bytes, found.bytes);
-    result_.seconds += found.seconds;
-    std::map<Levels, std::vector<std::size_t>> raised;
+    const TimedResult found = searched(network, abstraction, options);
+    std::vector<Task> next;
     for (const std::size_t k : task.verdicts) {
         const auto at = std::ranges::find(found.verdicts, result_.verdicts[k].property, &Verdict::property);
         if (at == found.verdicts.end()) continue;
@@ -170,20 +262,22 @@ void ByInputs::search(const Task& task) {
         if (!path.empty()) {
             Levels levels = task.levels;
             const AbstractRun abstract{network, instances_, task.levels, abstraction.choices, path};
-            if (std::optional<Run> run = real_run(k, abstract, levels)) {
+            if (std::optional<Run> run = real_run(k, abstract, task, levels)) {
                 Verdict verdict = *at;
                 verdict.run = std::move(run);
                 conclude(k, verdict, task);
-            } else if (levels != task.levels && task.rounds + 1 < limits_.rounds) {
-                raised[levels].push_back(k);
+            } else if (!stopped()) {
+                refine(k, task, levels, next);
             }
         } else if (found.complete && at->outcome != Outcome::Unknown) {
             Verdict verdict = *at;
             verdict.run.reset();
             conclude(k, verdict, task);
+        } else if (!stopped()) {
+            refine(k, task, task.levels, next);
         }
     }
-    for (auto& [levels, verdicts] : raised) tasks_.push_back({levels, std::move(verdicts), task.rounds + 1});
+    std::ranges::move(next, std::back_inserter(tasks_));
 }
 
 void ByInputs::conclude(std::size_t k, const Verdict& found, const Task& task) {
@@ -209,9 +303,13 @@ Property ByInputs::single(std::size_t k) const {
     return property;
 }
 
-/// If there is no real run, `raised` are the levels to try next.
-std::optional<Run> ByInputs::real_run(std::size_t k, const AbstractRun& abstract, Levels& raised) {
-    FollowLimits limits{.states = limits_.followed, .deadline = options_.deadline, .stop = options_.stop};
+/// Without a real run, `raised` are the levels to try next.
+std::optional<Run> ByInputs::real_run(std::size_t k, const AbstractRun& abstract, const Task& task, Levels& raised) {
+    // A guided search costs more than a coarse abstraction.
+    if (task.coarse && first_impossible(abstract, true, raised)) return {};
+    FollowLimits limits{.states = task.coarse ? limits_.followed_coarse : limits_.followed,
+                        .deadline = options_.deadline,
+                        .stop = options_.stop};
     Followed followed = follow(complete_, single(k), abstract, limits);
     if (followed.run) {
         for (Move& move : followed.run->moves)
@@ -219,26 +317,33 @@ std::optional<Run> ByInputs::real_run(std::size_t k, const AbstractRun& abstract
                 delay->units *= complete_.time_unit_ms / observed_.time_unit_ms;
         return std::move(followed.run);
     }
-    // One instance at a time, since few are usually needed: one that the property reads, or the first in the run.
-    for (const bool waits : {true, false}) {
-        std::optional<Impossible> best;
-        std::size_t instance = 0;
-        const auto rank = [&](std::size_t i, const Impossible& found) {
-            return std::pair(abstract.levels[i] == InputLevel::Chosen, found.at);
-        };
-        for (std::size_t i = 0; i < instances_.size(); ++i) {
-            const std::optional<Impossible> found = impossible(complete_, abstract, i, waits);
-            if (!found || (best && rank(i, *found) >= rank(instance, *best))) continue;
-            best = found;
-            instance = i;
-        }
-        if (!best) continue;
-        raised[instance] = best->level;
+    if ((!task.coarse && first_impossible(abstract, true, raised)) || first_impossible(abstract, false, raised))
         return {};
-    }
     for (const std::size_t i : followed.blamed)
-        if (raised[i] != InputLevel::Complete) raised[i] = static_cast<InputLevel>(static_cast<int>(raised[i]) + 1);
+        if (raised[i] != InputLevel::Complete) raised[i] = next_level(instances_[i], raised[i]);
+    if (!ablations_.ignore_readers) store_what_is_read(instances_, raised);
     return {};
+}
+
+/// Raises the level of one process that cannot do what the run has of it: few are needed most often. One that the property
+/// reads, or the first in the run.
+bool ByInputs::first_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const {
+    std::optional<Impossible> best;
+    std::size_t process = 0;
+    const auto rank = [&](std::size_t i, const Impossible& found) {
+        return std::pair(abstract.levels[i] == InputLevel::Chosen, found.at);
+    };
+    for (std::size_t i = 0; i < instances_.size() && !stopped(); ++i) {
+        if (abstract.levels[i] == InputLevel::Complete) continue;
+        const std::optional<Impossible> found = impossible(complete_, abstract, i, waits);
+        if (!found || (best && rank(i, *found) >= rank(process, *best))) continue;
+        best = found;
+        process = i;
+    }
+    if (!best) return false;
+    raised[process] = best->level;
+    if (!ablations_.ignore_readers) store_what_is_read(instances_, raised);
+    return true;
 }
 
 InputsAbstracted ByInputs::abstracted(const Levels& levels) const {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Decides properties about single states on input abstractions of a closed loop (ir/network_inputs.hpp).
 //
-// Each property begins with the coarsest levels: `Untimed` for the autonomous instances that it reads, `Chosen` for the
-// others. Properties with equal levels share a search, whose time unit is the greatest common divisor of the durations
-// in the abstraction. A verdict that the abstraction preserves is a verdict of the complete loop. A run that it does
-// not preserve is followed in the complete loop (follow.hpp); if that succeeds, it is a real run. Otherwise the levels
-// of the instances that the run depends on are raised, and the search is repeated.
+// Each property begins with the coarsest levels: `Untimed` for the processes that it reads and for timers, `Chosen` for
+// the others. Properties with equal levels share a search, whose time unit is the greatest common divisor of the
+// durations in the abstraction. What the abstraction preserves is a verdict of the complete loop. A run that it does not
+// preserve is followed on the complete loop (follow.hpp): found there, it is a real run. Otherwise the level of a process
+// that cannot do what the run has of it is raised, and the search is repeated. A property that this leaves open begins
+// again with autonomous instances abstracted only.
 //
 // An abstraction with a model error gives no verdict, since the states after the error are not explored.
 #pragma once
@@ -22,7 +23,9 @@ using Observe = std::function<Network(const Network&)>;
 struct InputLimits {
     std::uint64_t states = std::uint64_t{1} << 24U;  ///< of one search of an abstraction
     std::size_t followed = 200'000;                  ///< states of one guided search
+    std::size_t followed_coarse = 20'000;            ///< the same while instances that read the loop are abstracted
     std::size_t rounds = 8;                          ///< searches of one property
+    std::size_t coarse_rounds = 32;                  ///< before those, with instances that read the loop abstracted
 };
 
 /// Decides the properties that `result` leaves open because of its bound on states. `loop`: expanded, without

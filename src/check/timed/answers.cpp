@@ -6,6 +6,7 @@
 #include <atomic>
 #include <new>
 
+#include "check/timed/components.hpp"
 #include "check/timed/lost.hpp"
 #include "check/timed/questions.hpp"
 #include "ir/patterns.hpp"
@@ -198,8 +199,26 @@ void Questions::answer_deadlock(Question& question, Graph& graph, const Limits& 
     holds_if_dense(question, graph, graph.stuck_bound);
 }
 
+/// In an input abstraction, urgent edges must lead to the passing of time for all valuations chosen
+/// (ir/network_inputs.hpp); that they do for some says nothing.
+void Questions::answer_timelock_of_choices(Question& question, Graph& graph, const Limits& limits) const {
+    holds_if_dense(question, graph, graph.locked_bound);
+    if (question.verdict.outcome != Outcome::Holds) return;
+    std::vector<std::uint32_t> successors;
+    Components components(graph.states(), limits, [&](std::uint32_t state, const auto& take) {
+        if (graph.kind(state) != StateKind::Urgent) return;
+        graph.urgent_successors(state, successors);
+        for (const std::uint32_t next : successors) take(next);
+    });
+    for (std::uint32_t state = 0; state < graph.states(); ++state) components.visit(state);
+    if (components.any_cycle())
+        unknown(question.verdict, Obstacle::Inexact,
+                "in the abstraction, urgent edges may follow each other without end");
+}
+
 void Questions::answer_timelock(Question& question, Graph& graph, const Limits& limits) {
     if (outcomes_.obstacle == Obstacle::Stopped) return unknown(question.verdict, Obstacle::Stopped, outcomes_.reason);
+    if (!machine_.choices().empty()) return answer_timelock_of_choices(question, graph, limits);
     StateSet passes = states_of_kind(
         graph, limits, [](StateKind kind) { return kind == StateKind::Passes || kind == StateKind::PassesOrActs; });
     auto locked = out_of_reach(graph, passes, Transitions::Actions, limits);

@@ -112,6 +112,7 @@ bool Machine::delay(Word* words) const {
             if (value < at.cap) words[at.word] += Word{1} << at.shift;
         }
     }
+    for (const Field& set : until_delay_) words[set.word] |= set.mask();
     return true;
 }
 

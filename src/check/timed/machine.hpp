@@ -133,6 +133,7 @@ private:
     std::vector<Tick> ticks_ = {};
     std::vector<Row> rows_ = {};
     std::vector<Place> places_ = {};
+    std::vector<Field> until_delay_ = {};  // the sets of choices that a delay makes complete again
     bool timed_ = false;
 };
 

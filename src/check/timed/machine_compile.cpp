@@ -28,6 +28,8 @@ Machine::Machine(const Network& network, std::vector<InputChoice> choices)
       layout_(layout_of(network, clocks_, choices_)),
       compiler_(network_, layout_, program_) {
     if (!choices_.empty()) program_.below = Choices::set(choices_.size()) - 1;
+    for (std::size_t i = 0; i < choices_.size(); ++i)
+        if (choices_[i].until_delay) until_delay_.push_back(layout_.choices[i]);
     for (const Id<Network::Process> process : network.processes.ids()) compile(process);
 }
 

@@ -64,6 +64,7 @@ private:
     void answer_liveness(Question& question, Graph& graph, const Limits& limits);
     void answer_deadlock(Question& question, Graph& graph, const Limits& limits);
     void answer_timelock(Question& question, Graph& graph, const Limits& limits);
+    void answer_timelock_of_choices(Question& question, Graph& graph, const Limits& limits) const;
     void answer_possible(Question& question, Graph& graph, const Limits& limits);
     void tell_lost(const Question& question, Graph& graph, const Limits& limits, Verdict& verdict) const;
     void holds_unless(Question& question, Obstacle obstacle, const std::string& reason) const;

@@ -16,14 +16,14 @@ namespace grafverif {
 namespace {
 
 /// The verdict that input abstractions give on the only property of a loop.
-Verdict decided(const std::string& text, const InputLimits& limits = {}) {
+Verdict decided(const std::string& text, const InputLimits& limits = {}, const InputAblations& ablations = {}) {
     const Network loop = expand(read_loop(text).network);
     const Observe observe = [&](const Network& of) { return observed(of, watched(of)); };
     TimedOptions options{.max_states = 6, .timelock = false};
     TimedResult result = check_timed(observe(loop), options);
     result.time_passes = true;
     options.max_states = 100'000;
-    decide_by_inputs(loop, observe, options, result, limits);
+    decide_by_inputs(loop, observe, options, result, limits, ablations);
     const Verdict found = result.verdicts.front();
     if (found.run) {
         EXPECT_TRUE(replay(observe(loop), *found.run)) << "a run of the complete loop";
@@ -77,34 +77,150 @@ TEST(InputAbstraction, LeavesTheVerdictOpenIfNoRoundIsLeft) {
     EXPECT_FALSE(found.abstraction);
 }
 
-TEST(InputAbstraction, IsOfferedForInstancesThatReadNothingButThemselves) {
+AbstractableProcess named(const Network& network, const std::string& name) {
+    for (const AbstractableProcess& process : abstractable_processes(network))
+        if (network.processes[process.process].name == name) return process;
+    ADD_FAILURE() << name << " is missing";
+    return {};
+}
+
+const std::string follower =
+    "component follower(input P; output S) { clock t; initial location off; location going invariant t <= 2s; "
+    "location on with S := true; urgent off -> going when P do t := 0; timed going -> on when t == 2s do S := true; "
+    "urgent on -> off when !P do S := false; }\n";
+
+TEST(InputAbstraction, KnowsWhatEachProcessWritesAndWhichProcessesReadIt) {
     const Network network = expand(
         read_loop("grafcet c { input A, B, D; output Q; initial step 0 { Q; } step 1; transition t: 0 -> 1 when A && B "
-                  "&& D; }\n"
+                  "&& D && 1s/X0; }\n"
                   "component lamp_of(input P) { initial location off; location on; urgent off -> on when P; timed on "
-                  "-> off; }\n"
-                  "component follower(input P; output S) { initial location off; location on; urgent off -> on when P "
-                  "do S := true; "
-                  "urgent on -> off when !P do S := false; }\n"
+                  "-> off; }\n" +
+                  follower +
                   "closed_loop l { controller c; plant Fol = follower(P = Q, S = D); plant Lamp = lamp_of(P = B);\n"
                   "environment EA = push_button(OUT = A); environment EB = push_button(OUT = B); }\n")
             .network);
-    const std::vector<AutonomousInstance> found = autonomous_instances(network);
-    ASSERT_EQ(found.size(), 2U);
-    EXPECT_EQ(network.processes[found[0].process].name, "EA");
-    EXPECT_FALSE(found[0].is_read);
-    EXPECT_EQ(found[0].valuations, (std::vector<std::vector<std::int64_t>>{{0}, {1}}));
-    EXPECT_EQ(network.processes[found[1].process].name, "EB");
-    EXPECT_TRUE(found[1].is_read) << "by Lamp";
+    using Valuations = std::vector<std::vector<std::int64_t>>;
+    EXPECT_TRUE(named(network, "EA").autonomous);
+    EXPECT_EQ(named(network, "EA").valuations, (Valuations{{0}, {1}}));
+    EXPECT_TRUE(named(network, "EA").readers.empty());
+    EXPECT_EQ(named(network, "EB").readers, std::vector{named(network, "Lamp").process});
+    EXPECT_FALSE(named(network, "Fol").autonomous);
+    EXPECT_EQ(named(network, "Fol").valuations, (Valuations{{0}, {1}})) << "whatever Q is";
+    EXPECT_TRUE(named(network, "Lamp").valuations.empty()) << "it has no outputs";
+    EXPECT_TRUE(named(network, "T_X0_1s").valuations.empty()) << "the PLC shares its variables";
 }
 
-TEST(InputAbstraction, RejectsAnInstanceThatLeavesItsRange) {
-    const Network network = expand(
-        read_loop("grafcet c { input N: int 0..2; initial step 0; step 1; transition t: 0 -> 1 when N == 2; }\n"
-                  "component counter(output V: int 0..2) { initial location any; timed any -> any do V := V + 1; }\n"
-                  "closed_loop l { controller c; environment E = counter(V = N); }\n")
-            .network);
-    EXPECT_TRUE(autonomous_instances(network).empty());
+TEST(InputAbstraction, StoresAnInstanceThatMayLeaveItsRange) {
+    const auto valuations = [](const std::string& guard) {
+        const Network network =
+            expand(read_loop("grafcet c { input N: int 0..2; output Q; initial step 0 { Q; } step 1; "
+                             "transition t: 0 -> 1 when N == 2; }\n"
+                             "component counter(input P; output V: int 0..2) { initial location any; "
+                             "timed any -> any when " +
+                             guard +
+                             " do V := V + 1; }\n"
+                             "closed_loop l { controller c; plant E = counter(P = Q, V = N); }\n")
+                       .network);
+        return named(network, "E").valuations.size();
+    };
+    EXPECT_EQ(valuations("P"), 0U);
+    EXPECT_EQ(valuations("P && V < 2"), 3U);
+    EXPECT_EQ(valuations("V < 2 && 4 / V > 1"), 0U) << "division by zero";
+}
+
+/// A cylinder, driven by a button, beside another one, whose order a delay of 2 s ends.
+std::string two_followers(const std::string& property) {
+    return follower + loop("input A, D, E; output Q, R;",
+                           "initial step 0; step 1 { Q; } step 2 { R; } step 3; transition t0: 0 -> 1 when A; "
+                           "transition t1: 1 -> 2 when D; transition t2: 2 -> 3 when 3s/X2; "
+                           "transition t3: 3 -> 0 when !A && !E;",
+                           "plant Fol = follower(P = Q, S = D);\nplant Other = follower(P = R, S = E);\n"
+                           "environment EA = push_button(OUT = A);",
+                           property);
+}
+
+struct LevelsOf {
+    bool chosen = false, untimed = false;
+};
+LevelsOf levels_of(const Verdict& verdict, const std::string& name) {
+    if (!verdict.abstraction) return {};
+    const auto has = [&](const std::vector<std::string>& names) {
+        return std::ranges::find(names, name) != names.end();
+    };
+    return {has(verdict.abstraction->chosen), has(verdict.abstraction->untimed)};
+}
+
+TEST(InputAbstraction, OmitsInstancesThatReadTheLoopWhereThePropertyDoesNotNeedThem) {
+    const Verdict found = decided(two_followers("never Q && R"));
+    EXPECT_EQ(found.outcome, Outcome::Holds);
+    EXPECT_TRUE(levels_of(found, "Fol").chosen);
+    EXPECT_TRUE(levels_of(found, "Other").chosen);
+    EXPECT_TRUE(levels_of(found, "T_X2_3s").untimed);
+}
+
+TEST(InputAbstraction, KeepsTheLogicOfAnInstanceThatThePropertyReads) {
+    const Verdict found = decided(two_followers("never R && !D && X1 at stable"));
+    EXPECT_EQ(found.outcome, Outcome::Holds);
+    const Verdict logic = decided(two_followers("never D && X0 at stable"));
+    EXPECT_EQ(logic.outcome, Outcome::Holds);
+    EXPECT_TRUE(levels_of(logic, "Fol").untimed);
+    EXPECT_TRUE(levels_of(logic, "Other").chosen);
+}
+
+TEST(InputAbstraction, RaisesAnInstanceToCompleteWhereItsTimeMatters) {
+    const Verdict found = decided(two_followers("X1 holds at most 2s"));
+    EXPECT_EQ(found.outcome, Outcome::Holds);
+    EXPECT_FALSE(levels_of(found, "Fol").chosen || levels_of(found, "Fol").untimed);
+    EXPECT_TRUE(levels_of(found, "Other").chosen);
+    const Verdict shorter = decided(two_followers("X1 holds at most 1s"));
+    EXPECT_EQ(shorter.outcome, Outcome::Violated);
+    EXPECT_TRUE(shorter.run);
+}
+
+TEST(InputAbstraction, RaisesATimerToCompleteWhereItsTimeMatters) {
+    const Verdict found = decided(two_followers("X2 holds for 3s"));
+    EXPECT_EQ(found.outcome, Outcome::Holds);
+    EXPECT_FALSE(levels_of(found, "T_X2_3s").untimed);
+    EXPECT_TRUE(levels_of(found, "Fol").chosen);
+}
+
+TEST(InputAbstraction, IgnoresWhatQuiescenceSaysOfOmittedInstances) {
+    const std::string text = two_followers("never Q && X1 at stable");
+    EXPECT_EQ(decided(text).outcome, Outcome::Violated);
+    EXPECT_EQ(decided(text, {.rounds = 1, .coarse_rounds = 1}, {.keep_quiescence = true}).outcome, Outcome::Holds)
+        << "the test would not detect that the premise is violated";
+}
+
+/// A chart that changes its step for ever within an instant while `when` holds, behind two buttons.
+std::string unstable(const std::string& when, const std::string& property) {
+    return loop("input A, B; output L;",
+                "initial step 0; step 1; step 2 { L; } transition t0: 0 -> 1 when A; transition t1: 1 -> 2 when !A; "
+                "transition t2: 2 -> 0 when B; transition t3: 1 -> 0 when " +
+                    when + ";",
+                "environment EA = push_button(OUT = A);\nenvironment EB = push_button(OUT = B);", property);
+}
+
+TEST(InputAbstraction, ProvesThatTimePassesForAllValuations) {
+    for (const char* property : {"no timelock", "no deadlock"}) {
+        const Verdict stable = decided(unstable("!A && B", property));
+        EXPECT_EQ(stable.outcome, Outcome::Holds) << property;
+        ASSERT_TRUE(stable.abstraction) << property;
+        EXPECT_EQ(stable.abstraction->chosen.size(), 2U);
+        EXPECT_EQ(decided(unstable("A && B", property)).outcome, Outcome::Unknown) << property;
+        EXPECT_EQ(decided(unstable("A && B", property), {}, {.initial_values = true}).outcome, Outcome::Holds)
+            << "the test would not detect that the premise is violated";
+    }
+}
+
+TEST(InputAbstraction, ProvesNoAbsenceOfDeadlockWithoutALivelyInstance) {
+    const auto once = [](const std::string& property) {
+        return "component once(output OUT) { initial location off; location on; timed off -> on do OUT := true; }\n" +
+               loop("input A, B; output L;",
+                    "initial step 0; step 1 { L; } step 2; transition t0: 0 -> 1 when A; transition t1: 1 -> 2 when B;",
+                    "environment EA = once(OUT = A);\nenvironment EB = once(OUT = B);", property);
+    };
+    EXPECT_EQ(decided(once("no timelock")).outcome, Outcome::Holds);
+    EXPECT_EQ(decided(once("no deadlock")).outcome, Outcome::Unknown);
 }
 
 /// Inputs I1..In, each of them free.

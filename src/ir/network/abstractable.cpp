@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+// The processes that an input abstraction can reduce, and the output values that each can reach.
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "ir/junction.hpp"
+#include "ir/network/variables.hpp"
+#include "ir/network_inputs.hpp"
+#include "ir/slots.hpp"
+
+namespace grafverif {
+
+namespace {
+
+constexpr std::size_t most_valuations = 32;
+constexpr std::size_t most_states = 4096;  // of an instance, without clocks
+
+/// Who writes and reads each variable.
+struct Users {
+    std::vector<std::set<Id<Network::Process>>> writers, readers;
+
+    explicit Users(const Network& network) : writers(network.variables.size()), readers(network.variables.size()) {
+        for (const Id<Network::Process> id : network.processes.ids()) {
+            const Slots slots(network, id);
+            for (const Id<Network::Variable> variable : slots.written()) writers[variable.index].insert(id);
+            for (const Id<Network::Variable> variable : slots.read()) readers[variable.index].insert(id);
+        }
+    }
+};
+
+class Finder {
+public:
+    Finder(const Network& network, const InputAblations& ablations)
+        : network_(network), ablations_(ablations), users_(network) {
+        for (const Network::Controller& controller : network.controllers) plcs_.insert(controller.process);
+    }
+
+    std::optional<AbstractableProcess> process(Id<Network::Process> id) const {
+        const Network::ProcessKind kind = network_.processes[id].kind;
+        if (kind == Network::ProcessKind::Controller || kind == Network::ProcessKind::Observer) return {};
+        AbstractableProcess made{.process = id};
+        const Slots slots(network_, id);
+        bool alone = kind != Network::ProcessKind::Timer;  // writes what it writes
+        for (const Id<Network::Variable> variable : slots.written()) {
+            if (is_flag(variable)) continue;
+            if (network_.variables[variable].scratch || users_.writers[variable.index].size() > 1) alone = false;
+            else made.outputs.push_back(variable);
+        }
+        made.can_rest = ablations_.all_can_rest || can_rest(slots.automaton);
+        made.autonomous = alone && !made.outputs.empty() && reads_itself(slots, made.outputs);
+        if (!alone || made.outputs.empty() || !sets_flags_only(slots) || !explore(slots, made)) made.valuations = {};
+        made.lively = made.lively && made.autonomous && made.can_rest;
+        std::set<Id<Network::Process>> readers;
+        for (const Id<Network::Variable> variable : made.outputs)
+            for (const Id<Network::Process> reader : users_.readers[variable.index])
+                if (reader != id && !plcs_.contains(reader)) readers.insert(reader);
+        add_guards_of_plcs(made.outputs, readers);
+        made.readers.assign(readers.begin(), readers.end());
+        return made;
+    }
+
+private:
+    bool is_flag(Id<Network::Variable> variable) const {
+        return network_.variables[variable].role == Network::Role::Flag && variable != network_.race;
+    }
+
+    static bool can_rest(const Network::Template& automaton) {
+        return std::ranges::all_of(automaton.locations, [](const auto& at) { return at.invariant.empty(); }) &&
+               std::ranges::none_of(automaton.edges, &Network::Edge::urgent);
+    }
+
+    static bool waits_only(const Network::Edge& edge) {
+        return std::ranges::all_of(edge.constraint, [](const Network::ClockConstraint& constraint) {
+            return constraint.relation == Op::Greater || constraint.relation == Op::GreaterEqual;
+        });
+    }
+
+    static bool reads_only(const Exprs& exprs, Id<Expr> term, const std::vector<Id<Network::Variable>>& variables) {
+        bool only = true;
+        each_variable(exprs, term, [&](Id<Network::Variable> variable) {
+            only = only && std::ranges::find(variables, variable) != variables.end();
+        });
+        return only;
+    }
+
+    bool reads_itself(const Slots& slots, const std::vector<Id<Network::Variable>>& outputs) const {
+        return std::ranges::all_of(slots.automaton.edges, [&](const Network::Edge& edge) {
+            const auto value_is_own = [&](const Network::Assignment& assignment) {
+                return reads_only(network_.exprs, assignment.value, outputs);
+            };
+            return reads_only(network_.exprs, edge.guard, outputs) &&
+                   std::ranges::all_of(edge.assignments, value_is_own);
+        });
+    }
+
+    bool sets_flags_only(const Slots& slots) const {
+        return std::ranges::all_of(slots.automaton.edges, [&](const Network::Edge& edge) {
+            const auto sets = [&](const Network::Assignment& assignment) {
+                return !is_flag(variable_of(network_.exprs, assignment.target)) ||
+                       is_true(network_.exprs, assignment.value);
+            };
+            return edge.calls.empty() && std::ranges::all_of(edge.assignments, sets);
+        });
+    }
+
+    /// A condition of the PLC's cycle is evaluated outside of its sampling.
+    void add_guards_of_plcs(const std::vector<Id<Network::Variable>>& outputs,
+                            std::set<Id<Network::Process>>& readers) const {
+        for (const Id<Network::Process> plc : plcs_)
+            for (const Network::Edge& edge : network_.templates[network_.processes[plc].automaton].edges)
+                each_variable(network_.exprs, edge.guard, [&](Id<Network::Variable> variable) {
+                    if (std::ranges::find(outputs, variable) != outputs.end()) readers.insert(plc);
+                });
+    }
+
+    /// The conjuncts of a guard that read only `outputs`; the others can be true. Nothing if one of them can fail.
+    std::optional<std::vector<Id<Expr>>> own_conjuncts(Id<Expr> guard,
+                                                       const std::vector<Id<Network::Variable>>& outputs) const {
+        std::vector<Id<Expr>> own;
+        for (const Id<Expr> operand : operands_of(network_.exprs, guard, Op::And)) {
+            if (ablations_.own_guards_only || reads_only(network_.exprs, operand, outputs)) own.push_back(operand);
+            else if (std::vector<bool> seen(network_.exprs.size()); may_divide(network_.exprs, operand, seen))
+                return {};
+        }
+        return own;
+    }
+
+    /// All locations and outputs that are reachable without clocks, whatever other processes do. False: too many, or a
+    /// value out of range or of another process.
+    bool explore(const Slots& slots, AbstractableProcess& made) const {
+        struct State {
+            Id<Network::Location> location = {};
+            std::vector<std::int64_t> values = {};
+            auto operator<=>(const State&) const = default;
+        };
+        State initial{slots.process.initial, {}};
+        std::map<Id<Network::Variable>, std::size_t> column;
+        for (const Id<Network::Variable> variable : made.outputs) {
+            column.emplace(variable, initial.values.size());
+            initial.values.push_back(network_.variables[variable].initial);
+        }
+        std::set<State> seen{initial};
+        std::vector<State> open{initial};
+        made.lively = true;
+        while (!open.empty()) {
+            const State now = std::move(open.back());
+            open.pop_back();
+            bool moves = false;
+            for (const Network::Edge& edge : slots.automaton.edges) {
+                if (edge.from != now.location) continue;
+                State next{edge.to, now.values};
+                const auto value = [&](Id<Expr> term) {
+                    return evaluate(network_.exprs, term, [&](const Expr& leaf) {
+                        const Id<Network::Variable> variable{static_cast<std::uint32_t>(leaf.value)};
+                        const auto found = column.find(variable);
+                        return found == column.end() ? network_.variables[variable].initial
+                                                     : next.values[found->second];
+                    });
+                };
+                const auto own = own_conjuncts(edge.guard, made.outputs);
+                if (!own) return false;
+                bool enabled = true;
+                for (const Id<Expr> conjunct : *own) {
+                    const std::optional<std::int64_t> holds = value(conjunct);
+                    if (!holds) return false;
+                    enabled = enabled && *holds != 0;
+                }
+                if (!enabled) continue;
+                moves = moves || waits_only(edge);
+                for (const Network::Assignment& assignment : edge.assignments) {
+                    const Id<Network::Variable> target = variable_of(network_.exprs, assignment.target);
+                    if (is_flag(target)) continue;
+                    if (!reads_only(network_.exprs, assignment.value, made.outputs)) return false;
+                    const std::optional<std::int64_t> result = value(assignment.value);
+                    const Type& type = network_.variables[target].type;
+                    if (!result || *result < type.low || *result > type.high) return false;
+                    next.values[column.at(target)] = *result;
+                }
+                if (!seen.insert(next).second) continue;
+                if (seen.size() > most_states) return false;
+                open.push_back(std::move(next));
+            }
+            made.lively = made.lively && moves;
+        }
+        std::set<std::vector<std::int64_t>> valuations;
+        for (const State& state : seen) valuations.insert(state.values);
+        made.valuations.assign(valuations.begin(), valuations.end());
+        return made.valuations.size() <= most_valuations;
+    }
+
+    const Network& network_;
+    const InputAblations& ablations_;
+    Users users_;
+    std::set<Id<Network::Process>> plcs_ = {};
+};
+
+}  // namespace
+
+std::vector<AbstractableProcess> abstractable_processes(const Network& network, const InputAblations& ablations) {
+    const Finder finder(network, ablations);
+    std::vector<AbstractableProcess> found;
+    for (const Id<Network::Process> id : network.processes.ids())
+        if (std::optional<AbstractableProcess> process = finder.process(id)) found.push_back(std::move(*process));
+    return found;
+}
+
+}  // namespace grafverif
