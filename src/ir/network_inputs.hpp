@@ -25,9 +25,9 @@
 // Hence `always`, `never`, `exactly one of` that hold in A hold in N. A `reachable` that is violated in A is violated
 // in N. Both are true with `at stable` as well. Runs of A do not transfer to N.
 //
-// `no timelock` holds in N if, with ChoiceLifetime::Instant, (1) all abstracted instances can rest, (2) the urgent edges
-// of A have no cycle, and (3) each bound of an invariant that is in force where no urgent edge is enabled can be left in
-// time (premise of dense time, docs/engines.md). In a state of N, let the abstracted instances rest. Urgent edges lead to
+// `no timelock` holds in N under three premises on A with ChoiceLifetime::Instant. (1) All abstracted instances can rest.
+// (2) The urgent edges of A have no cycle. (3) In each state without enabled urgent edge, each bound of an invariant can
+// be left in time (premise of dense time, docs/explanation/engines.md). In a state of N, let the abstracted instances rest. Urgent edges lead to
 // a state without urgent edges: they are edges of A, or begin a cycle that EVOL_PL requests, as an additional edge of A
 // does, once for each PLC. There time passes, or stops at a bound that an edge leaves; each clock stops it once in an
 // instant. `no deadlock` holds in N if also one instance is lively.
@@ -48,8 +48,7 @@ struct InputAblations {
     bool no_cycle_on_change = false;  ///< a cycle begins only if the rest of the loop requests it
     bool initial_values = false;      ///< Chosen instances keep their initial outputs
     bool ignore_readers = false;      ///< a process that reads a Chosen instance sees its initial outputs
-    bool own_guards_only =
-        false;  ///< valuations are those that an instance reaches while other variables keep their initial values
+    bool own_guards_only = false;     ///< valuations are computed for the initial values of other variables
     bool all_can_rest = false;     ///< instances with invariants or urgent edges are abstracted as if they could rest
     bool keep_quiescence = false;  ///< the condition of quiescence still reads Chosen instances
 };
@@ -62,7 +61,7 @@ struct AbstractableProcess {
     std::vector<std::vector<std::int64_t>> valuations = {};
     std::vector<Id<Network::Process>> readers = {};  ///< of the outputs; of PLCs, those that read them in a guard
     bool autonomous = false;
-    bool can_rest = false;  ///< no invariant and no urgent edge: it may stay where it is
+    bool can_rest = false;  ///< no invariant and no urgent edge: it need not move
     bool lively = false;    ///< autonomous, can rest, and can always move after some time
 
     bool operator==(const AbstractableProcess&) const = default;

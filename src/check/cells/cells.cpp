@@ -367,13 +367,15 @@ TimedResult with_time_told(TimedResult result) {
 TimedResult check_timed_by_cells(const Network& network, const TimedOptions& options, const CellLimits& limits,
                                  const LocalAblations& ablations, const WholeSearch& whole) {
     const bool asked = std::ranges::any_of(network.properties, [&](const Property& property) {
-        const bool states = is_about_single_states(property.pattern) || property.pattern == Pattern::ReachableAllSteps;
-        return timed::asked(options, property) && states;
+        const Pattern pattern = property.pattern;
+        return timed::asked(options, property) &&
+               (is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps ||
+                pattern == Pattern::NoDeadlock || pattern == Pattern::NoTimelock);
     });
     if (!asked) return with_time_told(whole(network, options));
     Network flat = expand(network);
     const NetworkCells cells = cells_of(flat);
-    if (cells.count < 2 || !terms_have_values(flat)) return with_time_told(whole(network, options));
+    if (!terms_have_values(flat)) return with_time_told(whole(network, options));
     return with_time_told(ByCells(std::move(flat), cells, options, limits, ablations, whole).result());
 }
 

@@ -127,8 +127,8 @@ private:
         return own;
     }
 
-    /// All locations and outputs that are reachable without clocks, whatever other processes do. False: too many, or a
-    /// value out of range or of another process.
+    /// Enumerates the reachable combinations of locations and outputs, clocks ignored, for any values of other variables.
+    /// False if there are too many, or a value is out of range or depends on another process.
     bool explore(const Slots& slots, AbstractableProcess& made) const {
         struct State {
             Id<Network::Location> location = {};

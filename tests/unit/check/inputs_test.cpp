@@ -128,7 +128,7 @@ TEST(InputAbstraction, StoresAnInstanceThatMayLeaveItsRange) {
     EXPECT_EQ(valuations("V < 2 && 4 / V > 1"), 0U) << "division by zero";
 }
 
-/// A cylinder, driven by a button, beside another one, whose order a delay of 2 s ends.
+/// A cylinder that a button starts, and another one whose order ends after 3 s.
 std::string two_followers(const std::string& property) {
     return follower + loop("input A, D, E; output Q, R;",
                            "initial step 0; step 1 { Q; } step 2 { R; } step 3; transition t0: 0 -> 1 when A; "
@@ -191,7 +191,7 @@ TEST(InputAbstraction, IgnoresWhatQuiescenceSaysOfOmittedInstances) {
         << "the test would not detect that the premise is violated";
 }
 
-/// A chart that changes its step for ever within an instant while `when` holds, behind two buttons.
+/// A chart with two buttons. It changes its step infinitely often within an instant while `when` holds.
 std::string unstable(const std::string& when, const std::string& property) {
     return loop("input A, B; output L;",
                 "initial step 0; step 1; step 2 { L; } transition t0: 0 -> 1 when A; transition t1: 1 -> 2 when !A; "
