@@ -27,7 +27,7 @@
 //
 // `no timelock` holds in N under three premises on A with ChoiceLifetime::Instant. (1) All abstracted instances can rest.
 // (2) The urgent edges of A have no cycle. (3) In each state without enabled urgent edge, each bound of an invariant can
-// be left in time (premise of dense time, docs/explanation/engines.md). In a state of N, let the abstracted instances rest. Urgent edges lead to
+// be left in time (premise of dense time, docs/explanation/timed-engine.md). In a state of N, let the abstracted instances rest. Urgent edges lead to
 // a state without urgent edges: they are edges of A, or begin a cycle that EVOL_PL requests, as an additional edge of A
 // does, once for each PLC. There time passes, or stops at a bound that an edge leaves; each clock stops it once in an
 // instant. `no deadlock` holds in N if also one instance is lively.
