@@ -109,7 +109,7 @@ std::vector<Stage> stages_of(const AbstractRun& run, const std::vector<Id<Networ
     return stages;
 }
 
-/// A process alone in the network, among values of the other variables: the set of states in which it can be.
+/// A single process of the network with given values of other variables: the set of its possible states.
 class Alone {
 public:
     /// `known`: the variables of other processes whose values are given.
@@ -209,7 +209,7 @@ private:
         return network;
     }
 
-    /// What the guard says of the outputs and of variables that are known; the rest may be true.
+    /// The conjuncts of the guard over outputs and known variables. The others may be true.
     static Id<Expr> known_guard(Network& network, const AbstractableProcess& made, Id<Expr> guard,
                                 const std::set<Id<Network::Variable>>& known) {
         std::vector<Id<Expr>> kept;
@@ -230,7 +230,7 @@ private:
         return !moves_.urgent && machine_.delay(words.data());
     }
 
-    /// All states that edges lead to, without time.
+    /// Adds all states reachable by edges, without time.
     void move() {
         std::vector<std::vector<Word>> open(states_.begin(), states_.end());
         while (!open.empty()) {
@@ -336,7 +336,7 @@ private:
         }
     }
 
-    /// An autonomous Chosen instance moves towards the goal of the stage, others as they like.
+    /// An autonomous Chosen instance moves towards the goal of the stage, others move freely.
     bool may_move(const Word* at, std::size_t stage, Id<Network::Process> process) const {
         const std::size_t i = instance_of_[process.index];
         if (i == none || run_.levels[i] != InputLevel::Chosen) return true;
@@ -413,7 +413,7 @@ private:
 
 namespace {
 
-/// Those that the states of the abstract run have as the loop has them.
+/// The variables whose values in the abstract run are values of the loop.
 std::set<Id<Network::Variable>> known_variables(const AbstractRun& run) {
     std::set<Id<Network::Variable>> known;
     for (const Id<Network::Process> id : run.network.processes.ids()) {
@@ -425,7 +425,7 @@ std::set<Id<Network::Variable>> known_variables(const AbstractRun& run) {
     return known;  // a Chosen instance has no edges there, so it writes nothing
 }
 
-/// All PLCs have nothing to do.
+/// True if no PLC has anything to do.
 bool is_stable(const AbstractRun& run, const NetworkState& state) {
     return std::ranges::all_of(run.network.controllers, [&](const Network::Controller& controller) {
         return state.locations[controller.process.index] == controller.waiting &&

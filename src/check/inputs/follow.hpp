@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Guided search: a run of the complete network along a run of its input abstraction (ir/network_inputs.hpp).
 //
-// The abstract run is cut into stages, one per valuation of the steps and internal variables of the controllers. The
-// search is best-first: by the last stage that a run has shown, then by the number of variables that differ from the next
-// stage, then breadth-first. An autonomous Chosen instance moves only if its outputs are not among those that the abstract run samples
-// on the way to the next stage. So what it finds is a real run, and it finds it quickly if the abstract run can be
-// stretched in time; that it finds none proves nothing.
+// The abstract run is divided into stages, one per valuation of the steps and internal variables of the controllers.
+// The search is best-first: by the last stage that a run has shown, then by the number of variables that differ from
+// the next stage, then breadth-first. An autonomous Chosen instance moves only if its outputs are not among those that
+// the abstract run samples before the next stage. So a run that is found is a real run, and it is found quickly if the
+// abstract run can be stretched in time. If none is found, nothing is proved.
 #pragma once
 
 #include <atomic>
@@ -39,14 +39,14 @@ struct Followed {
     std::vector<std::size_t> blamed = {};  ///< without a run: the instances that the last stage waits for
 };
 
-/// Where a process by itself, among the values that a run shows of the others, cannot show what the run has of it.
+/// A place in a run where a single process, given the values of the others, cannot do what the run requires of it.
 struct Impossible {
     std::size_t at = 0;     ///< in the path
     InputLevel level = {};  ///< an abstraction with this level excludes this run
 };
 
-/// The first such place, if there is one; `waits`: at the beginning and where all PLCs are stable, any time may pass before
-/// the run continues. What the run does not show (Chosen instances, flags) is taken as the process needs it.
+/// The first such place, if there is one. `waits`: initially, and whenever all PLCs are stable, any time may pass before
+/// the run continues. Values that the run does not have (Chosen instances, flags) are any that the process needs.
 /// `complete`: the expanded network, whose time unit divides that of the abstract run.
 std::optional<Impossible> impossible(const Network& complete, const AbstractRun& abstract, std::size_t instance,
                                      bool waits);

@@ -119,7 +119,7 @@ void ByInputs::collect() {
     if (!passing.verdicts.empty()) tasks_.push_back(std::move(passing));
 }
 
-/// `property` is one of observe(loop): what its observer reads is read by it.
+/// `property` is one of observe(loop): it also reads the variables and processes that its observer reads.
 Levels ByInputs::first_levels(const Property& property, bool coarse) const {
     std::set<std::uint32_t> variables, processes;
     const auto read = [&](Id<Expr> term) {
@@ -303,7 +303,7 @@ Property ByInputs::single(std::size_t k) const {
     return property;
 }
 
-/// Without a real run, `raised` are the levels to try next.
+/// If there is no real run, `raised` are the levels to try next.
 std::optional<Run> ByInputs::real_run(std::size_t k, const AbstractRun& abstract, const Task& task, Levels& raised) {
     // A guided search costs more than a coarse abstraction.
     if (task.coarse && first_impossible(abstract, true, raised)) return {};

@@ -3,10 +3,10 @@
 //
 // Each property begins with the coarsest levels: `Untimed` for the processes that it reads and for timers, `Chosen` for
 // the others. Properties with equal levels share a search, whose time unit is the greatest common divisor of the
-// durations in the abstraction. What the abstraction preserves is a verdict of the complete loop. A run that it does not
-// preserve is followed on the complete loop (follow.hpp): found there, it is a real run. Otherwise the level of a process
-// that cannot do what the run has of it is raised, and the search is repeated. A property that this leaves open begins
-// again with autonomous instances abstracted only.
+// durations in the abstraction. A verdict that the abstraction preserves is a verdict of the complete loop. A run that it
+// does not preserve is followed in the complete loop (follow.hpp); if that succeeds, it is a real run. Otherwise the
+// level of a process that cannot do what the run requires of it is raised, and the search is repeated. A property that
+// remains open begins again with autonomous instances abstracted only.
 //
 // An abstraction with a model error gives no verdict, since the states after the error are not explored.
 #pragma once
