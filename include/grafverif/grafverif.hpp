@@ -139,13 +139,14 @@ struct CheckOptions {
     bool profile = false;  ///< always returns a state profile, not only for many states (timed engine)
     std::function<void(const StateProfile&)> many = {};  ///< called once when the timed engine reaches a million states
     bool whole = false;                                  ///< explores independent subsystems together
-    unsigned jobs = 0;  ///< threads of the timed engine; 0 selects one thread per core. Does not affect results
+    unsigned jobs = 0;  ///< threads; 0 selects one per core (untimed: at most two). Does not affect verdicts
 };
 
 /// Decides the properties of a closed loop with the timed engine. All runs in the report are replayed on IEC 60848.
 std::optional<Report> check(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
                             const CheckOptions& options, Diagnostics& diagnostics);
-/// The same for the untimed model, with the symbolic engine; each verdict states its consequence for the timed loop.
+/// The same for the untimed model, by the symbolic engine, which localization, PDR and BMC join if it takes long; each
+/// verdict states its consequence for the timed loop.
 std::optional<Report> check_untimed(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
                                     const CheckOptions& options, Diagnostics& diagnostics);
 /// A chart alone: decides if each step is reachable.

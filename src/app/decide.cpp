@@ -30,10 +30,10 @@ std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, Job& j
                                                   : check(loop, options);
 }
 
-/// Decides the properties of a transition system with the selected engine; engines for timed models select the symbolic
-/// one.
+/// Decides the properties of a transition system with the selected engine, by default with the portfolio.
 std::optional<Report> system_report(const SystemToCheck& system, Job& job, const CheckOptions& options) {
     switch (job.options.engine) {
+    case Engine::Embedded:
     case Engine::Auto: return check_together(system, options);
     case Engine::Pdr: return check_states(system, options);
     case Engine::Bmc: return check_states(system, options, bounded_search(job.options.max_steps));
@@ -41,7 +41,6 @@ std::optional<Report> system_report(const SystemToCheck& system, Job& job, const
     case Engine::Hwmcc: return check_by_command(system, job.options.engine_command, options);
     case Engine::Nusmv: return check_by_nusmv(system, "NuSMV", options, job.diagnostics);
     case Engine::Nuxmv: return check_by_nusmv(system, "nuXmv", options, job.diagnostics);
-    case Engine::Embedded:
     case Engine::Symbolic:
     case Engine::Timed:
     case Engine::Verifyta: break;

@@ -36,6 +36,7 @@ struct BddLimits {
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;                         ///< cancellation flag, set by another thread
     std::uint64_t work = std::numeric_limits<std::uint64_t>::max();  ///< operation steps: a deterministic deadline
+    std::atomic<std::uint64_t>* worked = nullptr;                    ///< operation steps are added to it periodically
 };
 
 class BddExhausted : public std::exception {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Portfolio engine: runs the symbolic engine in one thread (decomposed into subsystems, as when it runs alone) and
-// alternates PDR and BMC in a second thread, on one system. The first engine that decides a property provides its
-// verdict, and a note names that engine. When all properties are decided, all engines stop.
+// Portfolio of engines on one system. The symbolic engine works in one thread, by sub-loops. After a share of the time for
+// itself, cells and then PDR and BMC in turns join in another. The first that decides a property has decided it, and a note
+// names it; when all is decided the others end. What they find is checked as it is when each works alone, so verdicts do
+// not depend on who was first; which run is shown may.
 //
-// Results are validated as in a single-engine run, so verdicts do not depend on which engine finishes first; the
-// counterexample may.
+// Without a second thread they work sequentially, each but the last for a bounded share of the time.
 //
-// One memory limit covers all engines: half of it is available to decision diagrams, and the solvers stop when the
-// process has allocated more than the limit since the start.
+// The memory allowed bounds all of it: three quarters are for decision diagrams, and the solvers end if all that the
+// program took since the beginning exceeds it. When all have ended and memory was short, diagrams may have all of it.
 #pragma once
 
 #include "check/pdr/check.hpp"
@@ -30,9 +30,19 @@ struct TogetherOptions {
     bool witnesses = true;                                       ///< a run for each `reachable` that holds
     bool whole = false;                                          ///< the symbolic engine does not decompose the system
     bool equal_latches = false;                                  ///< see PdrOptions
+    /// Steps of operations on decision diagrams after which the others join, or after a quarter of the time; 0: at once.
+    std::uint64_t alone = 0;
+    unsigned jobs = 0;  ///< 1: no thread is started
+    /// Cheap proofs, before the solvers begin: verdicts without runs, of the properties that it decides. Ends on `stop`.
+    std::function<std::vector<Verdict>(const std::atomic<bool>* stop)> first = {};
 };
 
-/// Requires verify(system).empty(). Throws if the system refuses a thread.
-PdrResult check_together(const TransitionSystem& system, const TogetherOptions& options = {});
+struct TogetherResult : PdrResult {
+    bool alone =
+        false;  ///< the symbolic engine ended before the others joined: the verdicts are its own, without a note
+};
+
+/// Requires verify(system).empty().
+TogetherResult check_together(const TransitionSystem& system, const TogetherOptions& options = {});
 
 }  // namespace grafverif

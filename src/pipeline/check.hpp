@@ -12,6 +12,7 @@
 #include "analyse/analyse.hpp"
 #include "check/cells/cells.hpp"
 #include "check/pdr/check.hpp"
+#include "check/symbolic/symbolic.hpp"
 #include "check/vacuity.hpp"
 #include "grafverif/grafverif.hpp"
 #include "ir/flat_system.hpp"
@@ -82,6 +83,7 @@ std::vector<std::size_t> asked_properties(const TransitionSystem& system, const 
 std::vector<std::string> names_asked(const TransitionSystem& system, const std::vector<std::string>& names);
 
 Report check(const SystemToCheck& check, const CheckOptions& options);
+std::string words_of(const SymbolicProgress& now);
 /// Checks properties about states, by an embedded engine on circuits or a search procedure that replaces it.
 struct StateSearch {
     std::string name = "pdr";
@@ -100,8 +102,9 @@ Report check_states(const SystemToCheck& check, const CheckOptions& options, con
 std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOptions& options,
                                       const CellLimits& limits = {.whole = 1U << 15U, .local = 1U << 18U});
 
-/// Checks the properties that localization does not decide, by the embedded engines in parallel.
-Report check_together(const SystemToCheck& check, const CheckOptions& options);
+/// Checks by the symbolic engine, which localization, PDR and BMC join if it takes long. `alone`: see TogetherOptions; about
+/// a second, but the same number of steps on any machine.
+Report check_together(const SystemToCheck& check, const CheckOptions& options, std::uint64_t alone = 20'000'000);
 
 /// Checks the implicit properties of a chart alone by `decide`. Under stability search, the search of `analyse` adds
 /// whether the chart becomes stable, which no engine decides. Nothing after an error.

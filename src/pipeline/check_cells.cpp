@@ -65,6 +65,7 @@ std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOpt
         const Id<Property> id = asked.at(found.property);
         Verdict& verdict = decided.emplace_back(verdict_on(id, check.system.properties[id]));
         verdict.outcome = found.outcome;
+        verdict.vacuous = found.vacuous;
         verdict.states = std::move(found.states);
         verdict.transitions = found.transitions;
         verdict.seconds = found.seconds;

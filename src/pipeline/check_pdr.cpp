@@ -24,6 +24,14 @@ std::string words_of(const PdrProgress& now) {
     return fmt::format("{}, {} MiB, {:.0f} s", far, now.bytes >> 20U, now.seconds);
 }
 
+}  // namespace
+
+std::string words_of(const SymbolicProgress& now) {
+    return fmt::format("{} steps deep, {} MiB, {:.0f} s", now.depth, now.bytes >> 20U, now.seconds);
+}
+
+namespace {
+
 /// `result` as a report; it is empty if no property was selected.
 Report reported(PdrResult result, const SystemToCheck& check, SystemReporter::Of of, const std::string& engine,
                 const CheckOptions& options) {
@@ -53,37 +61,33 @@ Report check_states(const SystemToCheck& check, const CheckOptions& options, con
     return reported(asks ? check_pdr(check.system, pdr) : PdrResult(), check, of, search.name, options);
 }
 
-Report check_together(const SystemToCheck& check, const CheckOptions& options) {
+Report check_together(const SystemToCheck& check, const CheckOptions& options, std::uint64_t alone) {
     TogetherOptions all;
     all.witnesses = options.witnesses;
     all.whole = options.whole;
     set_limits(all, options.limits);
     if (options.limits.progress)
         all.progress = [&options](const TogetherProgress& now) {
-            options.limits.progress(
-                {[&now] { return fmt::format("symbolic: {} steps deep; {}", now.symbolic.depth, words_of(now.pdr)); }});
+            options.limits.progress({[&now] {
+                if (now.pdr.seconds == 0) return words_of(now.symbolic);
+                return fmt::format("symbolic: {} steps deep; {}", now.symbolic.depth, words_of(now.pdr));
+            }});
         };
-    std::vector<Verdict> decided = decided_by_cells(check, options);
-    for (std::string& name : names_asked(check.system, options.properties))
-        if (std::ranges::find(decided, name, &Verdict::property) == decided.end())
-            all.properties.push_back(std::move(name));
-    // An empty list would select all properties. If localization decides a property, no model error is possible, and
-    // without properties that is the only result.
-    PdrResult result;
-    if (!all.properties.empty() || (decided.empty() && options.properties.empty()))
-        result = check_together(check.system, all);
-    if (result.fault && !decided.empty()) {  // then nothing is decided
-        all.properties = names_asked(check.system, options.properties);
-        result = check_together(check.system, all);
-        decided.clear();
-    }
-    for (Verdict& verdict : decided) {
-        const auto place = std::ranges::upper_bound(result.verdicts, verdict.about.index, {},
-                                                    [](const Verdict& each) { return each.about.index; });
-        result.runs.insert(result.runs.begin() + (place - result.verdicts.begin()), std::nullopt);
-        result.verdicts.insert(place, std::move(verdict));
-    }
-    return reported(std::move(result), check, SystemReporter::Of::EmbeddedEngine, "auto", options);
+    all.jobs = options.jobs;
+    all.alone = alone;
+    all.properties = names_asked(check.system, options.properties);
+    all.first = [&](const std::atomic<bool>* stop) {
+        CheckOptions own = options;
+        own.jobs = 1;
+        own.limits.memory = options.limits.memory.value_or(all.max_memory) / 4;
+        own.limits.stop = stop;
+        own.limits.progress = {};
+        return decided_by_cells(check, own);
+    };
+    const bool asks = options.properties.empty() || !all.properties.empty();  // an empty list would select all
+    TogetherResult result = asks ? check_together(check.system, all) : TogetherResult{{}, true};
+    const std::string engine = result.alone ? "symbolic" : "auto";
+    return reported(std::move(result), check, SystemReporter::Of::EmbeddedEngine, engine, options);
 }
 
 }  // namespace grafverif

@@ -144,9 +144,7 @@ Report check(const SystemToCheck& check, const CheckOptions& options) {
     set_limits(symbolic, options.limits);
     if (options.limits.progress)
         symbolic.progress = [&options](const SymbolicProgress& now) {
-            options.limits.progress({[&now] {
-                return fmt::format("{} steps deep, {} MiB, {:.0f} s", now.depth, now.bytes >> 20U, now.seconds);
-            }});
+            options.limits.progress({[&now] { return words_of(now); }});
         };
     SymbolicResult result;
     if (options.properties.empty() || !symbolic.properties.empty())  // an empty list would select all
@@ -207,12 +205,12 @@ std::optional<Report> check_untimed(const Model& model, Id<ClosedLoop> id, const
                                     const CheckOptions& options, Diagnostics& diagnostics) {
     const auto system = system_with_probes(model, id, how, diagnostics);
     if (!system || !all_known(options.properties, property_names(*system), diagnostics)) return {};
-    return check(system_to_check(*system, model, id, how), options);
+    return check_together(system_to_check(*system, model, id, how), options);
 }
 
 std::optional<Report> check_untimed(const Model& model, Id<Chart> chart, const ModelOptions& how,
                                     const CheckOptions& options, Diagnostics& diagnostics) {
-    const auto embedded = [&](const SystemToCheck& system) { return std::optional(check(system, options)); };
+    const auto embedded = [&](const SystemToCheck& system) { return std::optional(check_together(system, options)); };
     return check_chart(model, chart, how, options, diagnostics, embedded);
 }
 

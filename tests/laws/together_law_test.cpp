@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The portfolio engine compared with the symbolic engine alone: the same faults, verdicts, vacuity and lengths of
-// shortest runs on random systems and on random loops in every approach and schedule, whichever engine is first.
+// shortest runs on random systems and on random loops in every approach and schedule, whichever engine is first, and in any order.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 using System = TransitionSystem;
 
 struct Compared {
-    std::size_t systems = 0, runs = 0, faults = 0, given_up = 0;
+    std::size_t systems = 0, runs = 0, faults = 0, given_up = 0, alone = 0;
     std::map<std::string, std::size_t> by = {};  ///< verdicts by the engine that their notes name
 };
 
@@ -42,14 +42,14 @@ bool is_shortest(const Verdict& verdict) {
 }
 
 void compare_verdict(const Verdict& verdict, const std::optional<SystemRun>& run, const Verdict& expected,
-                     const std::optional<SystemRun>& expected_run, Compared& compared) {
+                     const std::optional<SystemRun>& expected_run, bool alone, Compared& compared) {
     SCOPED_TRACE(expected.property + ", " + decided_by(verdict));
     ASSERT_EQ(verdict.property, expected.property);
     ASSERT_EQ(verdict.outcome, expected.outcome) << verdict.reason;
     ASSERT_EQ(verdict.vacuous, expected.vacuous);
     ASSERT_EQ(run.has_value(), expected_run.has_value());
     if (verdict.outcome == Outcome::Unknown) return;
-    ASSERT_NE(decided_by(verdict), "");
+    ASSERT_EQ(decided_by(verdict).empty(), alone);
     ++compared.by[decided_by(verdict)];
     const bool lasso = run && run->loop;
     if (!run || lasso || !is_shortest(verdict)) return;
@@ -58,7 +58,7 @@ void compare_verdict(const Verdict& verdict, const std::optional<SystemRun>& run
 }
 
 /// Skips a system with a dead end: one engine searches for dead ends and finds it, the others do not.
-std::optional<PdrResult> compare(const System& system, Compared& compared) {
+std::optional<PdrResult> compare(const System& system, Compared& compared, const TogetherOptions& how = {}) {
     constexpr std::chrono::milliseconds patience(300);
     const SymbolicResult alone = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + patience});
     if (gave_up(alone.verdicts)) {
@@ -66,7 +66,7 @@ std::optional<PdrResult> compare(const System& system, Compared& compared) {
         return {};
     }
     if (alone.fault && alone.fault->kind == SystemFault::Kind::DeadEnd) return {};
-    PdrResult all = check_together(system, {});
+    TogetherResult all = check_together(system, how);
     EXPECT_EQ(all.failures, std::vector<std::string>{});
     EXPECT_EQ(all.fault.has_value(), alone.fault.has_value());
     ++compared.systems;
@@ -77,7 +77,8 @@ std::optional<PdrResult> compare(const System& system, Compared& compared) {
     }
     EXPECT_EQ(all.verdicts.size(), alone.verdicts.size());
     for (std::size_t i = 0; i < alone.verdicts.size() && !testing::Test::HasFatalFailure(); ++i)
-        compare_verdict(all.verdicts[i], all.runs[i], alone.verdicts[i], alone.runs[i], compared);
+        compare_verdict(all.verdicts[i], all.runs[i], alone.verdicts[i], alone.runs[i], all.alone, compared);
+    compared.alone += all.alone ? 1 : 0;
     return all;
 }
 
@@ -100,6 +101,36 @@ TEST(TogetherLaw, AgreesWithTheSymbolicEngineAloneOnRandomSystems) {
     say(compared);
     EXPECT_GT(compared.faults, 0u);
     EXPECT_GT(compared.runs, 100u);
+}
+
+/// Without threads, too, and where the others join at any time; against PDR alone as well.
+TEST(TogetherLaw, VerdictsDoNotDependOnWhoWorksWhen) {
+    Compared compared;
+    std::size_t by_pdr = 0;
+    for (int seed = 1; seed <= law_size(100) && !HasFatalFailure(); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(1000 + seed));
+        System system = random_system(random);
+        ask_more(system, random);
+        const auto joining = static_cast<std::uint64_t>(random_number(random, 0, 20'000));
+        for (const auto& [alone, jobs] : {std::pair<std::uint64_t, unsigned>{0, 1}, {1, 1}, {joining, 2}, {~0ULL, 2}}) {
+            TogetherOptions how;
+            how.alone = alone;
+            how.jobs = jobs;
+            const auto found = compare(system, compared, how);
+            if (!found || found->fault || alone != 0) continue;
+            const PdrResult pdr =
+                check_pdr(system, {.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(1)});
+            for (std::size_t i = 0; i < pdr.verdicts.size(); ++i) {
+                if (pdr.verdicts[i].outcome == Outcome::Unknown) continue;
+                EXPECT_EQ(pdr.verdicts[i].outcome, found->verdicts[i].outcome) << pdr.verdicts[i].property;
+                ++by_pdr;
+            }
+        }
+    }
+    say(compared);
+    EXPECT_GT(compared.alone, 0u);
+    EXPECT_GT(by_pdr, 100u);
 }
 
 TEST(TogetherLaw, AgreesWithTheSymbolicEngineAloneOnRandomLoopsAndItsRunsReplay) {
@@ -130,7 +161,7 @@ TEST(TogetherLaw, AgreesWithTheSymbolicEngineAloneOnRandomLoopsAndItsRunsReplay)
 }
 
 TEST(TogetherLaw, BoundsEndInUnknown) {
-    const System system = untimed_sample("testing_station/testing_station.grafcet",
+    const System system = untimed_sample("testing_station/faulty.grafcet",
                                          {.plant = PlantApproach::Automata, .time = TimeModel::Discrete});
     const std::atomic<bool> stop = true;
     TogetherOptions stopped, late, small;
@@ -139,7 +170,7 @@ TEST(TogetherLaw, BoundsEndInUnknown) {
     small.max_memory = std::uint64_t{1} << 20U;
     for (const auto& [options, obstacle] :
          {std::pair(stopped, Obstacle::Stopped), {late, Obstacle::Stopped}, {small, Obstacle::Memory}}) {
-        const PdrResult result = check_together(system, options);
+        const TogetherResult result = check_together(system, options);
         ASSERT_FALSE(result.verdicts.empty());
         EXPECT_EQ(result.failures, std::vector<std::string>{});
         for (const Verdict& verdict : result.verdicts)
@@ -152,14 +183,14 @@ TEST(TogetherLaw, BoundsEndInUnknown) {
 
 TEST(TogetherLaw, CancellationAtAnyTimeReturnsTheResultsSoFar) {
     const System system = untimed_sample("pick_and_place/pick_and_place.grafcet", {});
-    const PdrResult whole = check_together(system, {});
+    const TogetherResult whole = check_together(system, {});
     for (std::size_t calls = 1; calls <= 8; calls *= 2) {
         std::atomic<bool> stop = false;
         std::size_t told = 0;
         TogetherOptions options;
         options.stop = &stop;
         options.progress = [&](const TogetherProgress&) { stop = ++told >= calls; };
-        const PdrResult part = check_together(system, options);
+        const TogetherResult part = check_together(system, options);
         ASSERT_EQ(part.verdicts.size(), whole.verdicts.size());
         for (std::size_t i = 0; i < part.verdicts.size(); ++i)
             if (part.verdicts[i].outcome != Outcome::Unknown) {

@@ -11,6 +11,7 @@
 
 #include "app/serve/live_page.hpp"
 #include "check/pdr/check.hpp"
+#include "check/together.hpp"
 #include "support/untimed_loop.hpp"
 #include "unit/app/run_program.hpp"
 
@@ -64,17 +65,34 @@ TEST(RefusedMemory, VerdictsOfTheSolversAreUnknownOrCorrect) {
 TEST(RefusedThreads, AreReportedWithTheirOwnCode) {
     if (sanitized) GTEST_SKIP() << "sanitizers replace the same function";
     const Folder folder;
-    const std::string file = folder.write("lamp.grafcet", lamp);
-    const std::vector<std::string> words{"check",  file, "--untimed", "--plant", "automata",
-                                         "--jobs", "1",  "--engine",  "auto",    "--whole"};
+    const std::vector<std::string> words{"serve", folder.write("lamp.grafcet", lamp)};
+    Result result;
+    {
+        const FewThreads few(0);
+        result = grafverif(words);
+    }
+    EXPECT_EQ(result.code, ExitCode::Unknown);
+    EXPECT_NE(result.err.find("[threads-refused]"), std::string::npos) << result.err;
+}
+
+TEST(RefusedThreads, LeaveTheWorkOfThePortfolioToTheCaller) {
+#ifdef SANITIZED
+    GTEST_SKIP() << "sanitizers replace the same function";
+#endif
+    const TransitionSystem system = untimed_text(lamp, {.plant = PlantApproach::Automata});
+    const TogetherResult expected = check_together(system);
     for (const int count : {0, 1}) {
-        Result result;
+        TogetherResult found;
         {
             const FewThreads few(count);
-            result = grafverif(words);
+            found = check_together(system);
         }
-        EXPECT_EQ(result.code, ExitCode::Unknown) << count;
-        EXPECT_NE(result.err.find("[threads-refused]"), std::string::npos) << count << result.err;
+        EXPECT_FALSE(found.alone);
+        ASSERT_EQ(found.verdicts.size(), expected.verdicts.size());
+        for (std::size_t i = 0; i < found.verdicts.size(); ++i) {
+            EXPECT_NE(found.verdicts[i].outcome, Outcome::Unknown);
+            EXPECT_EQ(found.verdicts[i].outcome, expected.verdicts[i].outcome) << found.verdicts[i].property;
+        }
     }
 }
 

@@ -13,7 +13,8 @@ namespace symbolic {
 Check::Check(const TransitionSystem& system, const SymbolicOptions& options)
     : options_(options),
       flat_(flattened(system)),
-      space_({options.max_memory, options.deadline, options.stop}),
+      space_(
+          {.memory = options.max_memory, .deadline = options.deadline, .stop = options.stop, .worked = options.worked}),
       questions_(system, flat_) {
     const std::unordered_set<std::string_view> asked(options.properties.begin(), options.properties.end());
     for (const Id<Property> id : system.properties.ids())

@@ -43,6 +43,7 @@ struct SymbolicOptions {
     bool by_kind = true;  ///< steps that change few bits are separate clusters, whose reachable states are computed by
                           ///< saturation,
     std::uint64_t one_by_one = 200'000;  ///< after this number of operation steps was spent on a breadth-first search
+    std::atomic<std::uint64_t>* worked = nullptr;  ///< operation steps are added to it periodically
 };
 
 struct SymbolicResult {

@@ -16,6 +16,7 @@ namespace {
 
 const std::string tanks = (root / "samples/tanks/tanks.grafcet").string();
 const std::string station = (root / "samples/testing_station/testing_station.grafcet").string();
+const std::string faulty = (root / "samples/testing_station/faulty.grafcet").string();
 
 std::string lamp(const std::string& properties) {
     return "grafcet lamp { input A; output L, M; initial step 0; step 1 { L; } step 2 { M; }\n"
@@ -111,25 +112,28 @@ TEST(Bmc, ShowsShortestRunsAndTheSearchedLength) {
     EXPECT_NE(near.out.find("no run of up to 1 step violates it"), std::string::npos) << near.out;
 }
 
-TEST(Auto, NamesTheDecidingEngineAndUsesTheTimedOneForTimedModels) {
+TEST(Auto, NamesTheSymbolicEngineThatDecidesAloneAndUsesTheTimedOneForTimedModels) {
     const Folder folder;
     const std::string file = folder.write(
         "lamp.grafcet", lamp("property one: never L && M; property dark: never M; property back: X1 leads to X0;"));
     const Result result = grafverif({"check", file, "--untimed", "--engine", "auto"});
     EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
-    EXPECT_NE(result.out.find("checked with: auto, untimed: no plant"), std::string::npos) << result.out;
+    EXPECT_EQ(result.out, grafverif({"check", file, "--untimed", "--engine", "symbolic"}).out);
+    EXPECT_EQ(result.out, grafverif({"check", file, "--untimed"}).out);
+    EXPECT_NE(result.out.find("checked with: symbolic, untimed: no plant"), std::string::npos) << result.out;
     EXPECT_TRUE(holds(result.out, "one")) << result.out;
     EXPECT_NE(result.out.find("dark: violated"), std::string::npos) << result.out;
-    EXPECT_NE(result.out.find(": decided by "), std::string::npos) << result.out;
     EXPECT_NE(result.out.find("back: "), std::string::npos) << result.out;
     EXPECT_EQ(result.out.find("unknown"), std::string::npos) << result.out;
     EXPECT_EQ(grafverif({"check", file, "--engine", "auto"}).out, grafverif({"check", file}).out);
 }
 
-TEST(Auto, DecidesByLocalizationFirstAndTheRestByEngines) {
+TEST(Auto, IsTheDefaultAndDecidesByLocalizationFirstAndTheRestByEngines) {
     const std::string line = (root / "samples/transfer_line/transfer_line.grafcet").string();
-    const std::vector<std::string> command = {"check",    line,      "--untimed", "--engine", "auto", "--plant",
-                                              "automata", "--grain", "atomic",    "--format", "json"};
+    const std::vector<std::string> command = {"check",   line,     "--untimed", "--plant", "automata",
+                                              "--grain", "atomic", "--format",  "json"};
+    std::vector<std::string> one_thread = command;
+    one_thread.insert(one_thread.end(), {"--jobs", "1"});
     const Result ran = grafverif(command);
     EXPECT_EQ(ran.code, ExitCode::Unknown) << "there is no time in this model that could be locked";
     const auto properties = nlohmann::json::parse(ran.out)["properties"];
@@ -145,6 +149,8 @@ TEST(Auto, DecidesByLocalizationFirstAndTheRestByEngines) {
             EXPECT_EQ(properties[k]["notes"], nlohmann::json{"decided by cells"});
         }
     }
+    for (const auto& [key, property] : nlohmann::json::parse(grafverif(one_thread).out)["properties"].items())
+        EXPECT_EQ(property["verdict"], properties[std::stoul(key)]["verdict"]) << property["name"];
     std::vector<std::string> whole = command;
     whole.insert(whole.end(),
                  {"--whole", "--property", "no_out_of_range", "--property", "held_2", "--timeout", "300ms"});
@@ -156,8 +162,8 @@ TEST(Pdr, TimeAndMemoryEndInUnknown) {
         const Result late = grafverif({"check", tanks, "--untimed", "--engine", engine, "--timeout", "0ms"});
         EXPECT_EQ(late.code, ExitCode::Unknown);
         EXPECT_NE(late.out.find("stopped at the time limit of 0 s"), std::string::npos) << late.out;
-        const Result small = grafverif({"check", station, "--engine", engine, "--plant", "automata", "--time",
-                                        "discrete", "--max-memory", "1M", "--property", "P15"});
+        const Result small = grafverif({"check", engine == "auto" ? faulty : station, "--engine", engine, "--plant",
+                                        "automata", "--time", "discrete", "--max-memory", "1M", "--property", "P15"});
         EXPECT_EQ(small.code, ExitCode::Unknown) << small.err;
         EXPECT_NE(small.out.find("the memory allowed, 1 MiB, is used up"), std::string::npos) << small.out;
     }
