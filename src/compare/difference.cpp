@@ -26,7 +26,7 @@ std::string sorted_text(std::vector<std::string> lines) {
     return text;
 }
 
-/// Which steps are the same.
+/// Matching of steps between the charts.
 class Twins {
 public:
     Twins(const Chart& a, const Chart& b) : charts_{&a, &b} {
@@ -40,9 +40,9 @@ public:
             }
     }
 
-    /// The step of the other chart that `step` of the chart `k` is; not valid: none.
+    /// The step of the other chart that corresponds to `step` of chart `k`; invalid: none.
     Step twin(std::size_t k, Step step) const { return of_[k][step.index]; }
-    /// The name of the first chart where it is there too.
+    /// The name in the first chart if the step exists there; otherwise its own.
     std::string common_name(std::size_t k, Step step) const {
         const Step other = of_[k][step.index];
         if (k == 0 || !other.valid()) return name_of(*charts_[k], step).text();
@@ -55,7 +55,7 @@ private:
         of_[1][of_b.index] = of_a;
     }
 
-    /// What is known of a step that has no twin yet; `whole`: its transitions and their conditions too.
+    /// Features of an unmatched step; `whole`: including its transitions and their conditions.
     std::string looks(std::size_t k, Step step, bool whole) const {
         const Wording words(*charts_[k], [&](Step each) {
             return each == step ? "@" : of_[k][each.index].valid() ? common_name(k, each) : std::string("?");
@@ -71,7 +71,7 @@ private:
         return words.head(step) + '\n' + sorted_text(std::move(lines));
     }
 
-    /// Whether steps were found that alone look alike.
+    /// Matches steps whose features are unique in both charts; true if it found any.
     bool pair_by_looks(bool whole) {
         std::map<std::string, std::array<std::vector<Step>, 2>> alike;
         for (const std::size_t k : {0U, 1U})
@@ -107,11 +107,11 @@ private:
         changes_.push_back({kind, std::move(subject), std::move(before), std::move(after)});
     }
 
-    /// As the chart's own text has it.
+    /// Texts with the chart's own names.
     Wording own(std::size_t k) const {
         return {*charts_[k], [chart = charts_[k]](Step step) { return name_of(*chart, step).text(); }};
     }
-    /// Under the names of the first chart, to be compared.
+    /// Texts with the names of the first chart, for comparison.
     Wording common(std::size_t k) const {
         return {*charts_[k], [this, k](Step step) { return twins_.common_name(k, step); }};
     }
@@ -160,7 +160,7 @@ private:
         return lines;
     }
 
-    /// What only one of two lists has; lines that begin with the same word are one that was changed.
+    /// Adds the entries that only one of the lists has; entries that begin with the same word are one changed entry.
     void add_lists(const std::string& subject, std::vector<Line> before, std::vector<Line> after) {
         for (auto line = before.begin(); line != before.end();) {
             const auto same = std::ranges::find(after, line->common, &Line::common);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// difference: Chart, Chart -> what the text of the second says otherwise: steps, transitions, actions, variables,
-// constraints that were added, removed, changed, renamed.
+// difference: Chart, Chart -> textual differences of the second chart: steps, transitions, actions, variables,
+// constraints that were added, removed, changed or renamed.
 //
-// Steps are the same that have one name; of the others those that alone look alike: kind, actions, and the transitions beside
-// them, between steps that are known to be the same (looked at again as long as that finds more). Transitions are the same
-// that lie between the same steps with the same condition, else those with one name, else those alone between their steps. Names of
-// transitions, order and layout say nothing.
+// Steps correspond if they have the same name. Others correspond if they are the only ones with equal features: kind,
+// actions, and the adjacent transitions to corresponding steps (repeated while this finds more). Transitions correspond
+// if they connect the same steps with the same condition; otherwise if they have the same name, or are the only ones
+// between their steps. Names of transitions, order and layout are ignored.
 #pragma once
 
 #include <vector>
@@ -15,8 +15,8 @@
 
 namespace grafverif {
 
-/// In the order variables, constraints, steps with their actions, transitions. Empty iff both are the same chart but for
-/// order, names of transitions, and what no text says.
+/// In the order variables, constraints, steps with their actions, transitions. Empty iff both charts are equal up to
+/// order, names of transitions, and data that is not part of the text.
 std::vector<ChartChange> difference(const Chart& a, const Chart& b);
 
 }  // namespace grafverif

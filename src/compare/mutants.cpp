@@ -23,7 +23,7 @@ void collect_lists(Items& items, std::vector<Items*>& lists) {
         if (auto* partial = std::get_if<tree::Partial>(&item)) collect_lists(partial->items, lists);
 }
 
-/// A place in a chart that stays the same in a copy of the file.
+/// A position in a chart that is valid in every copy of the file.
 struct At {
     std::size_t list = 0, item = 0, action = 0;
 };
@@ -82,7 +82,8 @@ private:
                    .substr(std::string("transition ").size());
     }
 
-    /// Adds the file with `change` made to the item at `at`, and to its list, unless that is a text that there is already.
+    /// Adds a mutant: the file with `change` applied to the item at `at` and to its list, unless this text exists
+    /// already.
     template <class Change>
     void add(const char* kind, At at, const Change& change) {
         tree::File file = file_;
@@ -100,7 +101,7 @@ private:
 
     // -- terms -----------------------------------------------------------------------------------------------------------
 
-    /// The node is overwritten where it stands, among its siblings.
+    /// Overwrites the node; its siblings are kept.
     static void put(tree::File& file, Id<tree::Expr> place, tree::Expr node) {
         node.next = file.exprs[place].next;
         file.exprs[place] = node;
@@ -120,7 +121,7 @@ private:
             found.push_back(each);
         return found;
     }
-    /// A node of fewer than two operands is what is left of it.
+    /// Removes an operand; a node with a single remaining operand is replaced by it.
     static void drop(tree::File& file, Id<tree::Expr> place, std::size_t operand) {
         std::vector<Id<tree::Expr>> left = operands(file, place);
         left.erase(left.begin() + static_cast<std::ptrdiff_t>(operand));
@@ -131,7 +132,7 @@ private:
             file.exprs[left[k]].next = k + 1 < left.size() ? left[k + 1] : Id<tree::Expr>{};
     }
 
-    /// The mistakes in a Boolean term; within edges, times and comparisons there are durations only.
+    /// The mutants of a Boolean term; edges, time conditions and comparisons are not changed inside, except durations.
     void change_condition(At at, Id<tree::Expr> term) {
         if (!term.valid()) return;
         add("term-negated", at, [term](tree::File& file, Items&, tree::ChartItem&) { negate(file, term); });
@@ -195,7 +196,7 @@ private:
         }
     }
 
-    /// To the step that the list has next, round and round.
+    /// Replaces the successor by the next step in the list, cyclically.
     void change_successor(At at, const tree::Transition& transition, std::size_t place, const Items& list) {
         std::vector<tree::Name> steps;
         for (const tree::ChartItem& item : list)
@@ -253,7 +254,7 @@ private:
         });
     }
 
-    /// Those that continuous actions of the chart set, in order of first use.
+    /// Outputs of continuous actions of the chart, in order of first use.
     std::vector<tree::Name> continuous_outputs() const {
         tree::File file = file_;
         std::vector<tree::Name> found;

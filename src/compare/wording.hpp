@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Wording: the parts of a chart as its text has them, steps under names that the caller gives.
+// Wording: prints the parts of a chart, with names of steps that the caller provides.
 #pragma once
 
 #include <functional>
@@ -10,12 +10,12 @@
 
 namespace grafverif::comparing {
 
-/// How a step is called: `2`, `G1.2`.
+/// The name of a step: `2`, `G1.2`.
 using Naming = std::function<std::string(Id<Chart::Step>)>;
 
 class Wording {
 public:
-    /// The chart outlives it.
+    /// `chart` must outlive this object.
     Wording(const Chart& chart, Naming naming) : chart_(chart), naming_(std::move(naming)) {}
 
     /// `!START && G1.X2`
