@@ -71,15 +71,34 @@ TimedResult search_first(const Network& loop, const Observe& observe, const Time
     return result;
 }
 
+bool has_open(const TimedResult& result) {
+    return std::ranges::any_of(result.verdicts,
+                               [](const Verdict& verdict) { return verdict.obstacle == Obstacle::Bound; });
+}
+
+/// `complete`, with the verdicts that abstractions gave before.
+TimedResult with_abstracted(TimedResult&& before, TimedResult&& complete) {
+    for (std::size_t k = 0; k < complete.verdicts.size(); ++k)
+        if (before.verdicts[k].abstraction) complete.verdicts[k] = std::move(before.verdicts[k]);
+    return std::move(complete);
+}
+
 TimedResult search(const LoopToCheck& loop, const CheckOptions& options) {
     const TimedOptions timed = timed_options(loop, options);
     const CellLimits limits;
     if (options.whole) return check_timed(loop.network, timed);
+    // Localization scales with the number of PLCs, input abstraction does not: of several PLCs it comes second.
+    const bool is_first = loop.network.controllers.size() == 1;
     const auto whole = [&](const Network& network, const TimedOptions& of) {
-        const bool first = of.max_states == limits.whole && timed.max_states > limits.whole && !loop.cures_left_out;
+        const bool bounded = of.max_states <= limits.whole;
+        if (timed.max_states <= limits.whole || loop.cures_left_out || bounded != is_first)
+            return check_timed_by_parts(network, of);
+        TimedOptions first = of;
+        first.max_states = std::min(of.max_states, limits.whole);
         // The search of the complete loop may have to follow.
-        return first ? search_first(network, std::identity{}, of, check_timed_by_parts, most_of(of.deadline))
-                     : check_timed_by_parts(network, of);
+        TimedResult found = search_first(network, std::identity{}, first, check_timed_by_parts, most_of(of.deadline));
+        if (bounded || !has_open(found)) return found;
+        return with_abstracted(std::move(found), check_timed_by_parts(network, of));
     };
     return check_timed_by_cells(loop.network, timed, limits, {}, whole);
 }
@@ -118,10 +137,7 @@ public:
     /// The search of the complete loop.
     void complete(const Deadline& deadline) {
         timed_.deadline = deadline;
-        TimedResult found = check_timed(network(), timed_);
-        for (std::size_t k = 0; k < found.verdicts.size(); ++k)
-            if (result_.verdicts[k].abstraction) found.verdicts[k] = std::move(result_.verdicts[k]);
-        result_ = std::move(found);
+        result_ = with_abstracted(std::move(result_), check_timed(network(), timed_));
     }
 
     std::uint64_t states() const { return result_.states; }

@@ -69,7 +69,8 @@ private:
     void search(const Task& task);
     void search_passing(const Task& task);
     Levels levels_of_resting() const;
-    TimedResult searched(const Network& network, const InputAbstraction& abstraction, TimedOptions options);
+    TimedResult searched(const Network& network, const InputAbstraction& abstraction, TimedOptions options,
+                         bool is_coarse);
     void conclude(std::size_t verdict, const Verdict& found, const Task& task);
     std::optional<Run> real_run(std::size_t verdict, const AbstractRun& abstract, const Task& task, Levels& raised);
     bool first_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const;
@@ -208,11 +209,12 @@ Levels ByInputs::levels_of_resting() const {
     return levels;
 }
 
-TimedResult ByInputs::searched(const Network& network, const InputAbstraction& abstraction, TimedOptions options) {
+TimedResult ByInputs::searched(const Network& network, const InputAbstraction& abstraction, TimedOptions options,
+                               bool is_coarse) {
     options.profile = false;
     options.many = {};
     options.choices = abstraction.choices;
-    options.max_states = std::min(options_.max_states, limits_.states);
+    options.max_states = std::min(options_.max_states, is_coarse ? limits_.coarse_states : limits_.states);
     TimedResult found = check_timed(network, options);
     result_.states += found.states;
     result_.transitions += found.transitions;
@@ -227,7 +229,7 @@ void ByInputs::search_passing(const Task& task) {
     TimedOptions options = options_;
     options.properties = {timed::undeclared_timelock(loop_).name};
     options.timelock = true;
-    const TimedResult found = searched(in_longest_unit(expand(abstraction.network)), abstraction, options);
+    const TimedResult found = searched(in_longest_unit(expand(abstraction.network)), abstraction, options, false);
     const auto passes = std::ranges::find_if(found.verdicts, [&](const Verdict& verdict) {
         return !verdict.about.valid() || timed::about_time(abstraction.network.properties[verdict.about]);
     });
@@ -253,7 +255,7 @@ void ByInputs::search(const Task& task) {
     options.timelock = false;
     options.paths = true;
     options.until_decided = true;
-    const TimedResult found = searched(network, abstraction, options);
+    const TimedResult found = searched(network, abstraction, options, task.coarse);
     std::vector<Task> next;
     for (const std::size_t k : task.verdicts) {
         const auto at = std::ranges::find(found.verdicts, result_.verdicts[k].property, &Verdict::property);

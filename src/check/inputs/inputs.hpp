@@ -21,11 +21,12 @@ namespace grafverif {
 using Observe = std::function<Network(const Network&)>;
 
 struct InputLimits {
-    std::uint64_t states = std::uint64_t{1} << 24U;  ///< of one search of an abstraction
-    std::size_t followed = 200'000;                  ///< states of one guided search
-    std::size_t followed_coarse = 20'000;            ///< the same while instances that read the loop are abstracted
-    std::size_t rounds = 8;                          ///< searches of one property
-    std::size_t coarse_rounds = 32;                  ///< before those, with instances that read the loop abstracted
+    std::uint64_t states = std::uint64_t{1} << 24U;         ///< of one search of an abstraction
+    std::uint64_t coarse_states = std::uint64_t{1} << 22U;  ///< while plants are abstracted
+    std::size_t followed = 200'000;                         ///< states of one guided search
+    std::size_t followed_coarse = 20'000;  ///< the same while instances that read the loop are abstracted
+    std::size_t rounds = 8;                ///< searches of one property
+    std::size_t coarse_rounds = 32;        ///< before those, with instances that read the loop abstracted
 };
 
 /// Decides the properties that `result` leaves open because of its bound on states. `loop`: expanded, without
