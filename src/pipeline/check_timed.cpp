@@ -87,18 +87,13 @@ TimedResult search(const LoopToCheck& loop, const CheckOptions& options) {
     const TimedOptions timed = timed_options(loop, options);
     const CellLimits limits;
     if (options.whole) return check_timed(loop.network, timed);
-    // Localization scales with the number of PLCs, input abstraction does not: of several PLCs it comes second.
-    const bool is_first = loop.network.controllers.size() == 1;
+    // Localization is cheap and scales with the number of fragments, so input abstraction follows it.
     const auto whole = [&](const Network& network, const TimedOptions& of) {
-        const bool bounded = of.max_states <= limits.whole;
-        if (timed.max_states <= limits.whole || loop.cures_left_out || bounded != is_first)
-            return check_timed_by_parts(network, of);
+        if (of.max_states <= limits.whole || loop.cures_left_out) return check_timed_by_parts(network, of);
         TimedOptions first = of;
-        first.max_states = std::min(of.max_states, limits.whole);
-        // The search of the complete loop may have to follow.
+        first.max_states = limits.whole;
         TimedResult found = search_first(network, std::identity{}, first, check_timed_by_parts, most_of(of.deadline));
-        if (bounded || !has_open(found)) return found;
-        return with_abstracted(std::move(found), check_timed_by_parts(network, of));
+        return has_open(found) ? with_abstracted(std::move(found), check_timed_by_parts(network, of)) : found;
     };
     return check_timed_by_cells(loop.network, timed, limits, {}, whole);
 }

@@ -68,7 +68,9 @@ std::size_t line_of(const Mutant& mutant, const Sources& sources) {
 void print_scores(const Mutation& mutation, std::ostream& out) {
     const char* const yet = not_judged(mutation) > 0 ? " so far" : "";
     const Score specified = of_specification(mutation), tested = of_tests(mutation);
-    if (mutation.properties.empty()) out << "no property to notice them: no closed loop has this chart\n";
+    // A run that was stopped early has not found the properties yet.
+    if (mutation.properties.empty() && not_judged(mutation) == 0)
+        out << "no property to notice them: no closed loop has this chart\n";
     else
         out << fmt::format("the specification notices {} of {}{}{}\n", specified.noticed, specified.judged,
                            percent(specified), yet);

@@ -336,6 +336,7 @@ TEST(PublicApi, ProgressCallbackMayEndTheWork) {
     std::atomic<bool> stop = false;
     std::string words;
     CheckOptions options;
+    options.jobs = 1;  // otherwise the engines may end before the callback's request reaches them
     options.limits.stop = &stop;
     options.limits.progress = [&](const Progress& now) {
         words = now.words();
