@@ -104,7 +104,7 @@ std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOpt
 
 /// Checks by the symbolic engine, which localization, PDR and BMC join if it takes long. `alone`: see TogetherOptions; about
 /// a second, but the same number of steps on any machine.
-Report check_together(const SystemToCheck& check, const CheckOptions& options, std::uint64_t alone = 20'000'000);
+Report check_together(const SystemToCheck& check, const CheckOptions& options, std::uint64_t alone = 50'000'000);
 
 /// Checks the implicit properties of a chart alone by `decide`. Under stability search, the search of `analyse` adds
 /// whether the chart becomes stable, which no engine decides. Nothing after an error.
