@@ -102,9 +102,9 @@ TimedResult search(const LoopToCheck& loop, const CheckOptions& options) {
 /// apply. Timelocks are searched in the loop without the observer.
 class WatchedSearch {
 public:
-    /// `observe` adds the observer of the only property.
-    WatchedSearch(const LoopToCheck& loop, Observe observe, const CheckOptions& options)
-        : loop_(loop), observe_(std::move(observe)), timed_(timed_options(loop, options)) {
+    /// `observe` adds the observer of the only property; `network` is that of the loop with it. All outlive the search.
+    WatchedSearch(const LoopToCheck& loop, const Observe& observe, const Network& network, const CheckOptions& options)
+        : loop_(loop), observe_(observe), network_(network), timed_(timed_options(loop, options)) {
         timed_.timelock = false;
         const CellLimits limits;
         const bool in_two_steps = !options.whole && !loop.cures_left_out && timed_.max_states > limits.whole;
@@ -115,7 +115,7 @@ public:
     bool begin(const Deadline& deadline) {
         if (bound_ == timed_.max_states) {
             timed_.deadline = deadline;
-            result_ = check_timed(network(), timed_);
+            result_ = check_timed(network_, timed_);
             return false;
         }
         TimedOptions first = timed_;
@@ -125,24 +125,23 @@ public:
         result_ = search_first(expand(loop_.network), observe_, first, check_timed, first.deadline);
         return std::ranges::any_of(result_.verdicts, [&](const Verdict& verdict) {
             const bool is_open = verdict.obstacle == Obstacle::Bound || verdict.obstacle == Obstacle::Stopped;
-            return is_open && !is_probe(network().properties[verdict.about]);
+            return is_open && !is_probe(network_.properties[verdict.about]);
         });
     }
 
     /// The search of the complete loop.
     void complete(const Deadline& deadline) {
         timed_.deadline = deadline;
-        result_ = with_abstracted(std::move(result_), check_timed(network(), timed_));
+        result_ = with_abstracted(std::move(result_), check_timed(network_, timed_));
     }
 
     std::uint64_t states() const { return result_.states; }
     TimedResult result() { return std::move(result_); }
 
 private:
-    Network network() const { return observe_(loop_.network); }
-
     const LoopToCheck& loop_;
-    const Observe observe_;
+    const Observe& observe_;
+    const Network& network_;
     TimedOptions timed_;
     std::uint64_t bound_ = 0;  // of the first step
     TimedResult result_ = {};
@@ -246,7 +245,7 @@ public:
           }),
           network_(observe_(loop.network)),
           own_(options_of(options)),
-          search_(loop_, observe_, own_) {}
+          search_(loop_, observe_, network_, own_) {}
 
     bool begin(const Deadline& deadline) { return search_.begin(deadline); }
     void complete(const Deadline& deadline) { search_.complete(deadline); }

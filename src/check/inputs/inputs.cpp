@@ -327,8 +327,8 @@ std::optional<Run> ByInputs::real_run(std::size_t k, const AbstractRun& abstract
     return {};
 }
 
-/// Raises the level of one process that cannot do what the run has of it: few are needed most often. One that the property
-/// reads, or the first in the run.
+/// Raises the level of one process that cannot do what the run requires of it, since few are usually needed: one that the
+/// property reads, or the first in the run. False if there is none.
 bool ByInputs::first_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const {
     std::optional<Impossible> best;
     std::size_t process = 0;
