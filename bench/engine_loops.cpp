@@ -94,7 +94,7 @@ public:
             if (text.find("grafcet " + name + " {") != std::string::npos) chart_ = name;
     }
 
-    /// `text` with `_k` appended to each name; steps in properties are those of the chart.
+    /// `text` with `_k` appended to each name; steps in verdicts are those of the chart.
     std::string with(int k, const std::string& text) const {
         static const std::regex word("[A-Za-z_]\\w*");
         const std::string number = "_" + std::to_string(k);

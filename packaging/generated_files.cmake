@@ -10,7 +10,7 @@ function(says file)
 endfunction()
 
 execute_process(COMMAND "${PROGRAM}" help OUTPUT_VARIABLE overview)
-string(REGEX REPLACE "^.*\nVerbs:(\n.*)\n\n`.*$" "\\1" overview "${overview}")
+string(REGEX REPLACE "^.*\nCommands:(\n.*)\n\n`.*$" "\\1" overview "${overview}")
 string(REGEX MATCHALL "\n  [a-z0-9]+" verbs "${overview}")
 list(TRANSFORM verbs STRIP)
 file(MAKE_DIRECTORY "${place}/share/man/man1")

@@ -81,4 +81,4 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 
 
 def build_sdist(sdist_directory, config_settings=None):
-    raise NotImplementedError("there is no source distribution for PyPI; build a wheel from the repository")
+    raise NotImplementedError("source distributions are not supported; build a wheel from the repository")

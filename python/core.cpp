@@ -332,11 +332,11 @@ private:
 
     Id<ClosedLoop> loop_of(const std::string& name) const {
         if (const auto found = find_loop(model(), name)) return *found;
-        throw py::key_error("there is no closed loop `" + name + "`");
+        throw py::key_error("unknown closed loop `" + name + "`");
     }
     Id<Chart> chart_of(const std::string& name) const {
         if (const auto found = find_chart(model(), name)) return *found;
-        throw py::key_error("there is no chart `" + name + "`");
+        throw py::key_error("unknown chart `" + name + "`");
     }
 
     template <class Machine>
@@ -372,7 +372,7 @@ void forbid_new(py::handle type) {
 }  // namespace
 
 PYBIND11_MODULE(_core, module) {
-    module.doc() = "The library grafverif; use the package `grafverif`, which makes objects of what this gives.";
+    module.doc() = "Extension module of grafverif; use the package `grafverif`, which wraps its results in objects.";
     module.attr("__version__") = GRAFVERIF_VERSION;
     forbid_new(py::class_<How>(module, "_How"));
     module.def(

@@ -33,7 +33,7 @@ class Drawings {
         this.marks = (answer.marks ?? []).filter(Boolean);
         this.place.replaceChildren(...state.charts.map((chart, place) => make("figure", {},
             make("figcaption", {}, make("h3", {}, chart.name)),
-            answer.drawings[place] === null ? make("p", {class: "remark"}, "It is too large to be drawn here.")
+            answer.drawings[place] === null ? make("p", {class: "remark"}, "The chart is too large to be drawn here.")
                                             : this.element(chart.name, answer.drawings[place]))));
         this.light(this.lit, this.fired);
     }
@@ -65,7 +65,7 @@ class Drawings {
     }
 }
 
-const outcomes = {holds: "holds", violated: "is violated", unknown: "is not known"};
+const outcomes = {holds: "holds", violated: "is violated", unknown: "is unknown"};
 
 const kindOf = (property) => property.verdict === "unknown" ? "unknown" : property.as_expected ? "good" : "bad";
 
@@ -75,9 +75,9 @@ const rank = (property) => ({bad: 0, unknown: 1, good: property.verdict === "vio
 function propertyElement(property) {
     const kind = kindOf(property);
     const mark = {good: "\u2713", bad: "\u2717", unknown: "?"}[kind];
-    const expected = property.expected === "violated" ? ", as is expected of it" : "";
+    const expected = property.expected === "violated" ? ", as expected" : "";
     const words = outcomes[property.verdict] + (property.vacuous ? " vacuously" : "") +
-                  {good: expected, bad: ", against expectation", unknown: ""}[kind];
+                  {good: expected, bad: ", unexpectedly", unknown: ""}[kind];
     return make("div", {class: `property ${kind}`},
         make("span", {class: "outcome"}, `${mark} ${property.name} ${words}`),
         property.text ? make("p", {}, property.text) : "",
@@ -86,7 +86,7 @@ function propertyElement(property) {
         ...property.notes.map((note) => make("p", {class: "remark"}, ...prose(note))));
 }
 
-const progress = {waiting: "Its turn comes.", refused: "It cannot be checked."};
+const progress = {waiting: "Waiting.", refused: "It cannot be checked."};
 
 const reportAddress = (model) => `/report?token=${token}&${model.kind}=${encodeURIComponent(model.name)}`;
 
@@ -95,7 +95,7 @@ function modelElement(model) {
     return make("div", {class: `model ${model.state}`},
         make("h3", {}, model.kind === "loop" ? `Closed loop ${model.name}` : `Chart ${model.name}: steps that can be reached`),
         running ? make("p", {class: "remark"}, running) : "",
-        model.state === "done" ? make("p", {}, make("a", {href: reportAddress(model), target: "_blank", rel: "noopener"}, "The whole report, with a player of its runs")) : "",
+        model.state === "done" ? make("p", {}, make("a", {href: reportAddress(model), target: "_blank", rel: "noopener"}, "Complete report with trace player")) : "",
         ...model.errors.map((error) => make("p", {class: "problem"}, `\u2717 ${error.message} [${error.code}]`)),
         ...[...model.properties].sort((a, b) => rank(a) - rank(b)).map(propertyElement));
 }
@@ -109,10 +109,10 @@ function verdictWords(state) {
     const faults = [], of = `of ${properties.length} ${properties.length === 1 ? "verdict" : "verdicts"}`;
     if (state.models.some((model) => model.state === "running" || model.state === "waiting")) return ["", "being checked"];
     if (state.errors > 0 || state.models.some((model) => model.state === "refused")) faults.push("a part of the file cannot be checked");
-    if (state.models.some((model) => model.errors.length > 0)) faults.push("the model breaks off");
+    if (state.models.some((model) => model.errors.length > 0)) faults.push("model error");
     if (bad > 0) faults.push(`${bad} ${of} ${are(bad)} not as expected`);
     const kind = faults.length > 0 ? "bad" : open > 0 ? "unknown" : "good";
-    if (open > 0) faults.push(`${open} ${of} ${are(open)} not decided`);
+    if (open > 0) faults.push(`${open} ${of} ${are(open)} undecided`);
     if (faults.length > 0) return [kind, faults.join("; ")];
     if (properties.length === 0) return ["", "nothing to check"];
     return ["good", properties.length === 1 ? "the verdict is as expected" : `all ${properties.length} verdicts are as expected`];
@@ -154,7 +154,7 @@ class Page {
     lose(error) {
         this.age(true);
         by("status").className = "bad";
-        by("status").textContent = `\u2717 ${error instanceof TypeError ? "grafverif does not answer any more; start it again and open the address that it prints" : error.message}`;
+        by("status").textContent = `\u2717 ${error instanceof TypeError ? "grafverif does not respond; restart it and open the address that it prints" : error.message}`;
     }
 
     // A hidden page does not poll, because browsers limit the number of connections to one server.

@@ -11,7 +11,7 @@ export class Page {
         this.place = place;
         this.players = new Map();
         this.Decision = Decision;  // interface for other scripts: values of terms
-        this.select = make("select", {"aria-label": "Run to play", onchange: () => this.open(this.select.value)},
+        this.select = make("select", {"aria-label": "Trace to play", onchange: () => this.open(this.select.value)},
             ...data.runs.map((run) => make("option", {value: run.name}, run.title)));
         this.stage = make("div", {});
         this.place.replaceChildren(make("p", {class: "pick-run"}, make("label", {}, "Run: ", this.select)), this.stage);
@@ -74,7 +74,7 @@ const element = document.getElementById("data"), place = document.getElementById
 if (element && place) window.page = new Page(JSON.parse(element.textContent), place);
 for (const button of document.querySelectorAll("[data-run]")) {
     button.disabled = !window.page?.data.runs.some((run) => run.name === button.dataset.run);
-    if (button.disabled) button.textContent = "Its run is not on this page, whose runs are too long together";
+    if (button.disabled) button.textContent = "Trace omitted: page size limit";
     button.addEventListener("click", () => {
         window.page.open(button.dataset.run);
         place.closest("section").scrollIntoView();

@@ -49,10 +49,10 @@ export class Player {
         this.claim = make("div", {class: "why"});
         this.signals = make("div", {class: "signals"});
         this.instance = new InstanceView(this.page.plant, this.run);
-        this.filter = make("input", {type: "search", placeholder: "filter", "aria-label": "Show signals whose name has",
+        this.filter = make("input", {type: "search", placeholder: "filter", "aria-label": "Show signals whose name contains",
                                      oninput: () => this.showSignals()});
         this.changedOnly = make("input", {type: "checkbox", onchange: () => this.showSignals()});
-        this.rows = new RowList("What happened, row by row", this.run.shown.length, (k) => this.row(k),
+        this.rows = new RowList("Rows of the trace", this.run.shown.length, (k) => this.row(k),
                                 (k) => this.go(this.run.rowMoments[this.run.shown[k]]));
         this.timingPlace = make("div", {});
         this.element = make("div", {class: "player", tabindex: -1, onkeydown: (event) => this.key(event)},
@@ -60,13 +60,13 @@ export class Player {
             make("div", {class: "stage"},
                 make("div", {class: "charts"}, ...this.views.map((view) => view.element)),
                 make("div", {class: "side"},
-                    panel("What happens", this.rows.element),
+                    panel("Event", this.rows.element),
                     this.property?.operands.length > 0 ? panel(`Why: ${this.property.name}`, this.claim) : "",
                     panel("Inputs, outputs, variables, plant",
                         make("div", {class: "filters"}, this.filter, make("label", {}, this.changedOnly, " changed here only")),
                         this.signals),
                     panel("Why: a transition", make("label", {class: "pick"}, "transition ", this.picker()), this.why),
-                    this.instance.element ? panel("Of the plant: an automaton", this.instance.element) : ""),
+                    this.instance.element ? panel("Plant automaton", this.instance.element) : ""),
                 make("section", {class: "panel timing-panel"}, make("h4", {}, "Timing diagram"), this.timingPlace)));
     }
 
@@ -74,7 +74,7 @@ export class Player {
         const button = (label, text, action, key) => make("button", {type: "button", "aria-label": label,
             title: key ? `${label} (${key})` : label, onclick: action}, text);
         this.playButton = button("Play", "play", () => this.play(), "space");
-        this.slider = make("input", {type: "range", min: 0, step: 1, "aria-label": "Moment of the run",
+        this.slider = make("input", {type: "range", min: 0, step: 1, "aria-label": "Position in the trace",
                                      oninput: () => this.go(this.stops[Number(this.slider.value)])});
         this.place = make("output", {class: "place"});
         const moves = make("input", {type: "checkbox", onchange: () => { this.everyMove = moves.checked; this.restep(); }});
@@ -83,16 +83,16 @@ export class Player {
         }});
         const loop = this.run.loopMoment();
         return make("div", {class: "controls", role: "toolbar", "aria-label": "Player"},
-            button("To the beginning", "|◀", () => this.go(0), "Home"),
+            button("To the start", "|◀", () => this.go(0), "Home"),
             button("Back", "◀", () => this.step(-1), "left"),
             this.playButton,
             button("Forward", "▶", () => this.step(1), "right"),
             button("To the end", "▶|", () => this.go(this.run.last), "End"),
-            loop === null ? "" : button("To where it repeats for ever", "↻ loop", () => this.go(loop)),
+            loop === null ? "" : button("To the start of the loop", "↻ loop", () => this.go(loop)),
             this.decisive === null ? "" : button("Jump to the violation", "! jump to violation", () => this.go(this.decisive)),
             this.slider, this.place,
-            make("label", {title: "The drawing as large as its place, not scrolled"}, whole, " whole chart"),
-            make("label", {title: "Each phase of a PLC cycle and each evolution, one by one"}, moves, " every move"));
+            make("label", {title: "Fit the drawing to its panel"}, whole, " whole chart"),
+            make("label", {title: "Show each phase of a PLC cycle and each evolution"}, moves, " every move"));
     }
 
     picker() {
@@ -210,7 +210,7 @@ export class Player {
         const row = this.run.rows[this.run.rowOf(this.moment)];
         const inside = row && row.moment !== this.moment;  // then most events of the row are still to come
         const told = inside ? this.moveWords() : row ? [row.words, this.inputWords(), row.cleared && `cleared: ${row.cleared}`].filter(Boolean).join(" — ") : "";
-        const loop = this.run.loopMoment(), ever = loop !== null && this.moment >= loop ? " From here on for ever." : "";
+        const loop = this.run.loopMoment(), ever = loop !== null && this.moment >= loop ? " Repeated forever from here." : "";
         const end = this.moment === this.run.last && this.run.data.end ? ` ${this.run.data.end}.` : "";
         const move = this.everyMove && !inside ? ` [${this.moveWords()}]` : "";
         return `${this.run.timeText(this.moment)}: ${told || "power on"}.${move}${ever}${end}`;
@@ -236,7 +236,7 @@ export class Player {
             return `${several ? `${controllers[act.controller].name}: ` : ""}${does.join(", ")}`;
         });
         if (acts.length > 0) return acts.join("; ");
-        if (moment.kind === "controller") return "the cycle goes on";
+        if (moment.kind === "controller") return "the cycle continues";
         return moment.kind === "delay" ? "time passes" : [moment.kind, instances[moment.instance]?.name].filter(Boolean).join(" ");
     }
 

@@ -22,18 +22,18 @@ export class Simulator {
         const button = (words, press, title) => make("button", {type: "button", onclick: press, title}, words);
         this.select = make("select", {onchange: () => this.begin(this.select.value)});
         this.buttons = {
-            restart: button("Restart", () => this.begin(this.of), "From power-on again"),
+            restart: button("Restart", () => this.begin(this.of), "Restart from power-on"),
             back: button("Back", () => this.back(), "Undo the last move"),
-            again: button("Again", () => this.again(), "Make the move again that was undone"),
-            next: button("Next", () => this.move("wait"), "Let time pass until something happens by itself, or can"),
+            again: button("Again", () => this.again(), "Redo the move"),
+            next: button("Next", () => this.move("wait"), "Let time pass until the next automatic or possible event"),
             wait: button("Wait", () => this.move(`wait ${this.time.value.trim()}`), "Let time pass"),
-            random: button("Random", () => this.random(), "Moves drawn at random"),
-            save: button("Save script", () => this.save(), "A file for `grafverif simulate --script`"),
+            random: button("Random", () => this.random(), "Random moves"),
+            save: button("Save script", () => this.save(), "Script for `grafverif simulate --script`"),
         };
-        this.time = make("input", {value: "1s", "aria-label": "How long to wait", onkeydown: (event) => {
+        this.time = make("input", {value: "1s", "aria-label": "Duration to wait", onkeydown: (event) => {
             if (event.key === "Enter") this.buttons.wait.click();
         }});
-        this.count = make("input", {type: "number", min: 1, max: 1000, value: 20, "aria-label": "How many random moves"});
+        this.count = make("input", {type: "number", min: 1, max: 1000, value: 20, "aria-label": "Number of random moves"});
         this.every = make("input", {type: "checkbox", onchange: () => this.setEvery(this.every.checked)});
         this.step = make("select", {"aria-label": "Step to force", onchange: () => this.offerForce()});
         this.forceButton = make("button", {type: "button", onclick: () =>
@@ -46,18 +46,18 @@ export class Simulator {
         this.controls = make("div", {},
             make("div", {class: "row"}, make("label", {}, "Simulate ", this.select), restart, back, again, save),
             make("div", {class: "row"}, next, wait, this.time, random, this.count),
-            make("details", {class: "force"}, make("summary", {}, "Force a step, for trial"),
-                make("div", {class: "remark"}, "What follows is what would follow; it is not a run of the model any more. Stored actions are not run by it."),
+            make("details", {class: "force"}, make("summary", {}, "Force a step (what-if run)"),
+                make("div", {class: "remark"}, "The simulation continues as a what-if run, which is not a run of the model. Forcing does not execute stored actions."),
                 make("div", {class: "row"}, make("label", {}, "Step ", this.step), this.forceButton)),
-            make("label", {class: "check", title: "Of a closed loop every edge is a choice then, the phases of the PLC included"}, this.every, " every evolution"));
+            make("label", {class: "check", title: "In a closed loop, every edge is a choice, including the phases of the PLC"}, this.every, " every evolution"));
         this.panel = make("div", {});
         this.rows = make("tbody", {});
-        this.table = make("div", {class: "trace", tabindex: 0, role: "region", "aria-label": "What has happened; arrow keys go through it",
+        this.table = make("div", {class: "trace", tabindex: 0, role: "region", "aria-label": "History; select a row with the arrow keys",
                                   onkeydown: (event) => this.key(event)},
             make("table", {},
-                make("thead", {}, make("tr", {}, ...["time", "what happened", "cleared", "situation", "outputs"].map((title) => make("th", {scope: "col"}, title)))),
+                make("thead", {}, make("tr", {}, ...["time", "event", "cleared", "situation", "outputs"].map((title) => make("th", {scope: "col"}, title)))),
                 this.rows));
-        this.place.replaceChildren(this.controls, this.clock, this.problem, this.trial, this.warning, this.panel, make("h3", {}, "What has happened"), this.table);
+        this.place.replaceChildren(this.controls, this.clock, this.problem, this.trial, this.warning, this.panel, make("h3", {}, "History"), this.table);
     }
 
     // Repeats the moves on a new state of the file.
@@ -155,8 +155,8 @@ export class Simulator {
         ++this.answers;
         this.moves = answer.moves;
         this.problem.textContent = answer.problem;
-        this.warning.textContent = answer.broken_constraints.map((text) => `These inputs break the constraint ${text}.`).join(" ");
-        this.trial.textContent = answer.trial ? "A trial: a step was forced by hand. The rows marked so are not a run of the model, and show nothing of it." : "";
+        this.warning.textContent = answer.broken_constraints.map((text) => `These inputs violate the constraint ${text}.`).join(" ");
+        this.trial.textContent = answer.trial ? "What-if run: a step was forced. The marked rows are not a run of the model and prove nothing about it." : "";
         this.cursor = answer.rows.length - 1;
         this.clock.textContent = `${seconds(answer.time)} since power-on, ${this.moves.length} ${this.moves.length === 1 ? "move" : "moves"}`;
         this.showSteps(answer.steps);
@@ -256,12 +256,12 @@ export class Simulator {
             this.every.checked = kind === "every";
             this.undone = [];
         } catch {
-            this.problem.textContent = "The address is broken.";
+            this.problem.textContent = "The address is invalid.";
         }
     }
 
     script() {
-        const trial = this.answer.trial ? "// A trial by hand: not a run of the model from the first `force` on.\n" : "";
+        const trial = this.answer.trial ? "// What-if run: not a run of the model after the first `force`.\n" : "";
         return `// ${this.of}\n${trial}${this.moves.map((move) => `${move}\n`).join("")}`;
     }
     save() {

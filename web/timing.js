@@ -25,13 +25,13 @@ export class Timing {
         this.space.style.height = `${this.height}px`;
         this.space.append(this.svg);
         this.view = make("div", {class: "timing-view", tabindex: 0, role: "img",
-                                 "aria-label": "Timing diagram; the table of signals says the same in words",
+                                 "aria-label": "Timing diagram; the table of signals has the same data",
                                  onscroll: () => this.draw(),
                                  onclick: (event) => this.click(event, choose)}, this.space);
         this.element = make("div", {class: "timing"},
                             make("div", {class: "timing-frame"}, this.names, this.view),
-                            make("p", {class: "remark"}, "Columns are events; a time stands where it goes on.",
-                                 idle.length === 0 ? "" : ` The same throughout: ${idle.join(", ")}.`));
+                            make("p", {class: "remark"}, "Columns are events; the time is given where it advances.",
+                                 idle.length === 0 ? "" : ` Constant: ${idle.join(", ")}.`));
         new ResizeObserver(() => this.draw()).observe(this.view);
     }
 
@@ -65,7 +65,7 @@ export class Timing {
         if (this.loop !== null && this.loop < this.end)
             parts.push(draw("rect", {class: "lasso", x: this.x(Math.max(this.loop, this.first)), y: 0,
                                      width: this.x(this.moments.length) - this.x(Math.max(this.loop, this.first)), height: bottom}),
-                       draw("text", {class: "axis", x: this.x(Math.max(this.loop, this.first)) + 4, y: 11}, "for ever"));
+                       draw("text", {class: "axis", x: this.x(Math.max(this.loop, this.first)) + 4, y: 11}, "repeated forever"));
         if (this.current >= this.first && this.current < this.end)
             parts.push(draw("rect", {class: "cursor", x: this.x(this.current), y: 12, width: column, height: bottom - 12}));
         return parts;

@@ -37,7 +37,7 @@ export function whyTransition(run, chart, controller, place, moment, cleared) {
     const before = cleared !== undefined;
     if (before && run.evolutionsIn(controller, cleared.last) > 1)
         return make("div", {}, make("p", {class: "answer"},
-            `${name} is cleared in one of several evolutions of this instant, which the run does not tell apart.`));
+            `${name} is cleared in one of several evolutions of this instant, which the trace does not distinguish.`));
     const reader = new Decision(run, chart, controller, before ? cleared.last : moment, before);
     const steps = run.controllers[controller].steps;
     const missing = transition.from.filter((step) => !run.isActive(steps[step], reader.state));
@@ -60,7 +60,7 @@ function verdict(name, cleared, value, missing, {run, number, moment, read}) {
         return `${name} is cleared ${cleared.times} times here; this is the last: before that, this is how its condition stood.`;
     if (cleared) return `${name} is cleared here: before that, this is how its condition stood.`;
     if (missing.length > 0) return `${name} cannot be cleared: ${missing.join(", ")} ${missing.length > 1 ? "are" : "is"} not active.`;
-    if (value === undefined) return `${name} is enabled; whether its condition is true the run does not tell.`;
+    if (value === undefined) return `${name} is enabled; the trace does not determine its condition.`;
     if (!value) return `${name} is enabled, but its condition is false.`;
     if (run.isToEvolve(number, moment))
         return `${name} is enabled and its condition is true: the next evolution clears it, unless it is forced to stay.`;
@@ -72,19 +72,19 @@ const mayBeFalse = ({pattern, headings}, operand) =>
     headings || ["never", "exactly-one"].includes(pattern) || (pattern === "leads-to" && operand === 0);
 
 const wordsOf = {
-    always: ["must be true always"],
+    always: ["must always be true"],
     never: ["must never be true"],
     reachable: ["is to become true"],
-    inevitable: ["must become true at some time"],
+    inevitable: ["must eventually become true"],
     "leads-to": ["after this is true", "this must become true"],
     "exactly-one": ["exactly one of these must be true"],
-    "always-possible": ["must stay possible"],
+    "always-possible": ["must remain possible"],
 };
 
 // Explains a property at `moment`: its value, since when, and the causes. `decisive`: the event that decides it.
 export function whyProperty(claims, moment, decisive, go) {
     const {run, property} = claims;
-    const words = property.headings ?? wordsOf[property.pattern] ?? [], when = property.at_stable ? " in settled states" : "";
+    const words = property.headings ?? wordsOf[property.pattern] ?? [], when = property.at_stable ? " in quiescent states" : "";
     const reader = new ClaimReader(claims, moment);
     const link = (to, text) => make("button", {type: "button", class: "link", onclick: () => go(to)}, ...[text].flat());
     const parts = property.operands.map((term, k) => {
@@ -94,7 +94,7 @@ export function whyProperty(claims, moment, decisive, go) {
         if (value !== undefined) heading.append(since === 0 ? make("span", {class: "remark"}, so) : link(since, so));
         const makers = value === undefined ? [] : claims.causes(term, moment);
         if (makers.length > 0 && makers[0] !== term)
-            heading.append(", made so by ", ...makers.flatMap((each, n) => [n > 0 ? ", " : "",
+            heading.append(", caused by ", ...makers.flatMap((each, n) => [n > 0 ? ", " : "",
                 make("code", {}, property.terms[each].text), ` (then ${valueWords(property.terms[each], claims.value(each, since))})`]));
         return [heading, make("ul", {class: "terms"}, termTree(property.terms, term, reader, {faulty: !mayBeFalse(property, k)}))];
     });
@@ -127,8 +127,8 @@ function causes(run, moment, link) {
     moments.sort((a, b) => a.at - b.at);
     const inputs = !run.trace.timed && left_out_values.length > 0;
     if (moments.length > 0)
-        parts.push(make("p", {class: "answer"}, "It holds along the run",
-                        inputs ? ", and on from its end as long as nothing changes, " : " ", "without ",
+        parts.push(make("p", {class: "answer"}, "The property holds along the trace",
+                        inputs ? ", and after its end as long as nothing changes, " : " ", "without ",
                         ...moments.flatMap(({at, words}, k) => [k > 0 ? ", " : "",
                             ...(words ? [make("code", {}, words), " at "] : ["what happens at "]), link(at, when(at))]), "."));
     return parts;
@@ -140,11 +140,11 @@ function standing({pattern, at_stable, headings}, moment, decisive, link, run) {
     const said = (before, here, behind) => make("p", {class: "standing"},
         ...(moment < decisive ? [`${before} `, link(decisive, there), "."] : moment === decisive ? [here] : [`${behind} `, link(decisive, there), "."]));
     if (pattern === "leads-to")
-        return said("What is never answered comes at", "Here begins what is never answered.", "Not answered since");
+        return said("The unanswered premise occurs at", "The unanswered premise occurs here.", "Not answered since");
     if (headings)
         return said("Not violated yet; it will be at", "Here it is violated.", "Violated since");
     if (at_stable || pattern === "exactly-one")
-        return said("It is violated where the run ends, at", "Here it is violated.", "Violated since");
+        return said("It is violated at the end of the trace, at", "Here it is violated.", "Violated since");
     return said("Not violated yet; it will be at", "Here it is violated first.", "First violated at");
 }
 

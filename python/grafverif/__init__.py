@@ -83,7 +83,7 @@ def _dataframe(rows: list[dict[str, Any]]) -> Any:
     try:
         pandas: Any = importlib.import_module("pandas")
     except ImportError as error:
-        raise ImportError("tables are made by pandas, which is not installed (Debian: python3-pandas)") from error
+        raise ImportError("tables require pandas, which is not installed; install it (Debian: python3-pandas)") from error
     return pandas.DataFrame(rows)
 
 
@@ -210,7 +210,7 @@ class Verdict:
         return Trace(self.document["trace"], self._report.trace_text(self._index), self._report.trace_svg(self._index))
 
     def __bool__(self) -> bool:
-        raise TypeError("a verdict is neither true nor false; ask for .holds, .violated, .unknown or .as_expected")
+        raise TypeError("a verdict has no truth value; use .holds, .violated, .unknown or .as_expected")
 
     def __repr__(self) -> str:
         return f"<Verdict {self.name}: {self.verdict}>"
@@ -243,7 +243,7 @@ class Report(_Tabular):
             if each.name == name:
                 return each
         raise NotFoundError(
-            f"there is no property `{name}`; there are {', '.join(each.name for each in self.verdicts)}")
+            f"unknown property `{name}`; choose one of {', '.join(each.name for each in self.verdicts)}")
 
     def __str__(self) -> str:
         return self._core.text()
@@ -609,9 +609,11 @@ class File:
             return things[name]
         if name is None and len(things) == 1:
             return next(iter(things.values()))
-        there = ", ".join(things) or "none"
-        raise NotFoundError(f"there is no {what} `{name}`; there is {there}" if name is not None
-                            else f"name the {what}; there is {there}")
+        if not things:
+            raise NotFoundError(f"the file has no {what}")
+        there = ", ".join(things)
+        raise NotFoundError(f"unknown {what} `{name}`; choose one of {there}" if name is not None
+                            else f"the file has several {what}s; name one of {there}")
 
     def __repr__(self) -> str:
         return f"<File: charts {', '.join(self.charts) or 'none'}; loops {', '.join(self.loops) or 'none'}>"

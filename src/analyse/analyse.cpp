@@ -34,7 +34,7 @@ void add_structural(const Chart& chart, const Equations& equations, Analysis& re
         const Chart::Variable& variable = chart.variables[id];
         if (variable.kind != Chart::VariableKind::Input || read[id.index]) continue;
         result.findings.push_back({"input-never-read", Finding::Level::Note, variable.name,
-                                   "nothing depends on the input `" + variable.name + "`", variable.origin});
+                                   "the chart does not depend on the input `" + variable.name + "`", variable.origin});
     }
     for (const std::vector<Id<Chart::ForcingOrder>>& cycle : analysis::forcing_cycles(chart)) {
         const auto partial = [&](Id<Chart::ForcingOrder> order) {
@@ -42,8 +42,8 @@ void add_structural(const Chart& chart, const Equations& equations, Analysis& re
         };
         std::string path = "`" + partial(cycle.back()) + "`";
         for (const Id<Chart::ForcingOrder> order : cycle) path += " forces `" + partial(order) + "`";
-        Finding made{"forcing-cycle", Finding::Level::Error, partial(cycle.front()), path + ": orders form no circle",
-                     chart.forcing[cycle.front()].origin};
+        Finding made{"forcing-cycle", Finding::Level::Error, partial(cycle.front()),
+                     path + ": forcing orders must not form a cycle", chart.forcing[cycle.front()].origin};
         for (std::size_t k = 1; k < cycle.size(); ++k)
             made.related.push_back({chart.forcing[cycle[k]].origin, "the next order is here"});
         result.findings.push_back(std::move(made));
@@ -56,8 +56,8 @@ bool is_break(std::string_view code) {
 }
 
 std::string obstacle_text(const BddExhausted& exhausted, const AnalyseOptions& options) {
-    if (exhausted.cause() == BddExhausted::Cause::Stopped) return "stopped before the end";
-    return "the memory allowed, " + std::to_string(options.max_memory >> 20U) + " MiB, is used up";
+    if (exhausted.cause() == BddExhausted::Cause::Stopped) return "stopped before completion";
+    return "memory limit of " + std::to_string(options.max_memory >> 20U) + " MiB reached";
 }
 
 /// Limit of the work on a part, in first slices, once only queries about absorbing regions are open.
@@ -82,7 +82,7 @@ public:
     void run() {
         for (auto slice = options_.first_slice; questions_.any_open() && turns(slice); slice *= 4)
             if (slice >= most_for_ways * options_.first_slice && questions_.only_traps_open()) {
-                obstacle_ = "looking for ways back takes more work than is spent on it";
+                obstacle_ = "the search for paths back exceeds its budget";
                 break;
             }
         result_.questions = questions_.all().size();
@@ -92,7 +92,7 @@ public:
                     {std::string(question.code), question.subject, question.instants, question.evolutions});
         if (result_.open.empty()) obstacle_.clear();
         else if (obstacle_.empty())
-            obstacle_ = "counters are followed up to their thresholds, not to the ends of their ranges";
+            obstacle_ = "counters are explored up to their thresholds, not over their complete ranges";
         result_.obstacle = obstacle_;
     }
 
@@ -217,7 +217,8 @@ private:
     bool is_contradictory(const Machine& machine) {
         if (!machine.possible().is_false()) return false;
         result_.findings.push_back({"contradictory-constraints", Finding::Level::Error, "",
-                                    "no combination of inputs meets all constraints and exclusions", chart_.origin});
+                                    "no combination of inputs satisfies all constraints and exclusions",
+                                    chart_.origin});
         contradictory_ = true;
         questions_.drop();
         return true;
@@ -282,25 +283,25 @@ void accept(const Chart& chart, Analysis& result) {
             any = true;
         }
         if (!any && result.obstacle.empty())
-            result.notes.push_back("there is nothing that `accept " + acceptance.code +
-                                   (acceptance.subject.empty() ? "" : " " + acceptance.subject) + "` accepts");
+            result.notes.push_back("no finding matches `accept " + acceptance.code +
+                                   (acceptance.subject.empty() ? "" : " " + acceptance.subject) + "`");
     }
 }
 
 void add_notes(const Equations& equations, const AnalyseOptions& options, Analysis& result) {
     result.notes.emplace_back(options.mode == ExecutionMode::StabilitySearch
-                                  ? "inputs change between stable situations only (IEC 60848); cycle time is zero"
+                                  ? "inputs change only between stable situations (IEC 60848); cycle time is zero"
                                   : "one evolution per cycle, inputs sampled in each");
     if (!equations.timers.empty() && !options.instability_only)
         result.notes.emplace_back(
-            "a way back may rest on an order in which timers end; a trap that durations alone make is not seen");
+            "a path back may depend on the order of timer expiries; absorbing regions caused only by durations are "
+            "not detected");
     if (std::ranges::any_of(result.findings, is_break, &Finding::code))
         result.notes.emplace_back(
-            "nothing is looked at beyond a race, orders that exclude each other or a value that does not fit; what is "
-            "said never to "
-            "happen does not happen without them");
+            "the exploration stops at races, contradictory orders and out-of-range values; elements reported as dead "
+            "are dead in all runs without these errors");
     if (!equations.assumptions.empty() || !options.exclusions.empty())
-        result.notes.push_back("inputs are limited by " + std::to_string(equations.assumptions.size()) +
+        result.notes.push_back("inputs are restricted by " + std::to_string(equations.assumptions.size()) +
                                " constraints and " + std::to_string(options.exclusions.size()) + " exclusions");
 }
 

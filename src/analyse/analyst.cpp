@@ -144,8 +144,8 @@ bool Analyst::show(Finding& finding, const std::optional<Path>& path, const Dema
     finding.timing = last_.timing;
     if (!last_.failure.empty()) {
         if (certain)
-            result_.failures.push_back("the evidence of `" + finding.code + "` on `" + finding.subject +
-                                       "` does not replay: " + last_.failure);
+            result_.failures.push_back("the trace of `" + finding.code + "` on `" + finding.subject +
+                                       "` fails the replay: " + last_.failure);
         return certain;
     }
     finding.evidence_shows = std::move(shows);

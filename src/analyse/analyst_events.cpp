@@ -24,13 +24,13 @@ void Analyst::instability() {
     if (counting) endless = search_.endless(going_on);
     if (endless.is_false()) return;
     Finding made = finding("total-instability", "", "", chart_.origin);
-    if (!show(made, search_.path_to(endless), {.endless = true}, "with the last inputs the situation changes for ever",
+    if (!show(made, search_.path_to(endless), {.endless = true}, "with the last inputs, the situation changes forever",
               certain() && !counting))
         return uncertain_.push_back(question);
     const auto loop = last_.endless.size();
-    made.message = "with some inputs the situation never becomes stable";
-    if (loop > 0) made.message += "; " + std::to_string(loop) + " situations follow each other for ever";
-    made.message += "; let a transition of the loop wait for an input to change";
+    made.message = "with some inputs, the situation never becomes stable";
+    if (loop > 0) made.message += "; " + std::to_string(loop) + " situations follow each other forever";
+    made.message += "; make a transition of the cycle wait for an input change";
     for (const Id<Chart::Transition> id : chart_.transitions.ids())
         if (!(endless & machine_.fires(id.index)).is_false())
             made.related.push_back({chart_.transitions[id].origin, "`" + name(id) + "` is cleared again and again"});
@@ -77,17 +77,17 @@ bool Analyst::tell_break(std::string_view code, const Machine::Break& each, cons
     const bool known = each.variable.valid();
     const std::string subject = known ? equations_.variables[each.variable].name : "";
     Demand demand{.fault = true};
-    std::string message = "a condition or a stored value can divide by zero; guard it by a comparison";
-    std::string shows = "the value of the last evolution does not exist";
+    std::string message = "a condition or a stored value can divide by zero; guard it with a comparison";
+    std::string shows = "the value is undefined in the last evolution";
     if (code == "action-race") {
         demand = {.race = {each.variable.index}};
-        message =
-            "two actions can store different values in `" + subject + "` in one evolution; let them exclude each other";
+        message = "two actions can store different values in `" + subject +
+                  "` in one evolution; make their conditions exclusive";
         shows = "both actions run in the last evolution";
     } else if (code == "out-of-range") {
         message = "an action can store a value in `" + subject +
-                  "` that is outside its range; widen the range or guard the step";
-        shows = "the value of the last evolution does not fit";
+                  "` that is outside its range; extend the range or guard the action";
+        shows = "the value is out of range in the last evolution";
     }
     Finding made = finding(code, subject, message, known ? equations_.variables[each.variable].origin : chart_.origin);
     const std::optional<Path> path = early.is_false() ? search_.path_to(points) : Path{{{machine_.pick(early)}}, true};
@@ -138,10 +138,10 @@ void Analyst::lost_value(const Equations::Stored& stored, bool value) {
     const Equations::Variable& variable = equations_.variables[stored.variable];
     Finding made = finding("action-conflict", variable.name,
                            "`" + variable.name + "` can be " + (value ? "set and reset" : "reset and set") +
-                               " in one instant, so that the first of the two never gets out",
+                               " in one instant, so the first value is never written",
                            variable.origin);
     for (const Equations::Write& write : stored.writes) made.related.push_back({write.origin, "an action on it"});
-    if (!show(made, path_along(points), {}, "both happen in the last instant", certain()))
+    if (!show(made, path_along(points), {}, "both occur in the last instant", certain()))
         return uncertain_.push_back(question);
     question->decided = keep(std::move(made));
 }
@@ -158,7 +158,7 @@ void Analyst::expect_branches() {
             Finding made =
                 finding("branches-together", name(first),
                         "`" + name(first) + "` and `" + name(second) +
-                            "` leave one step and can be cleared at once; make their conditions exclude each other",
+                            "` leave one step and can be cleared simultaneously; make their conditions exclusive",
                         chart_.transitions[second].origin);
             made.related.push_back({chart_.transitions[first].origin, "`" + name(first) + "` is here"});
             return show(made, rather_unbroken(seen), {.fired = {first, second}},
@@ -181,11 +181,10 @@ void Analyst::expect_reactivated_steps() {
 }
 
 bool Analyst::tell_reactivated(Step step, const Bdd& seen) {
-    Finding made = finding("step-reactivated", step_name(step),
-                           "`" + step_name(step) +
-                               "` can be activated while it is active, so that one of the two "
-                               "activations is lost",
-                           chart_.steps[step].origin);
+    Finding made =
+        finding("step-reactivated", step_name(step),
+                "`" + step_name(step) + "` can be activated while it is active, so one activation has no effect",
+                chart_.steps[step].origin);
     Demand demand;
     for (const Transition id : chart_.transitions.ids()) {
         if (std::ranges::find(chart_.transitions[id].to, step) == chart_.transitions[id].to.end()) continue;
@@ -195,8 +194,7 @@ bool Analyst::tell_reactivated(Step step, const Bdd& seen) {
     }
     const Bdd goal = seen & machine_.fires(demand.fired.front().index);
     return show(made, rather_unbroken(goal), demand,
-                "`" + name(demand.fired.front()) + "` activates `" + step_name(step) +
-                    "` once more in the last instant") &&
+                "`" + name(demand.fired.front()) + "` activates `" + step_name(step) + "` again in the last instant") &&
            keep(std::move(made));
 }
 

@@ -114,7 +114,7 @@ void Analyst::dead_steps() {
     for (const Step step : chart_.steps.ids()) {
         if (!unseen("step-never-active", step.index)) continue;
         keep(finding("step-never-active", step_name(step),
-                     "`" + step_name(step) + "` is never active; no sequence of inputs leads to it",
+                     "`" + step_name(step) + "` is never active: no input sequence activates it",
                      chart_.steps[step].origin));
         questions_.decide("step-never-active", step.index);
     }
@@ -131,7 +131,7 @@ void Analyst::dead_transition(Transition id) {
     for (const Step step : transition.from)
         if (!ever_active(step)) dead.push_back(step);
     const bool ready = seen(enabled(id));
-    std::string why = "; its condition is never true then";
+    std::string why = "; its condition is never true while it is enabled";
     if (!dead.empty()) why = "; " + steps_text(dead) + (dead.size() == 1 ? " is never active" : " are never active");
     else if (!ready) why = "; " + steps_text(transition.from) + " are never active together";
     Finding made =
@@ -150,9 +150,9 @@ void Analyst::immediate_transitions() {
         if (!unseen("transition-always-fired", id.index)) continue;
         const Bdd& fires = machine_.fires(id.index);
         if (seen(fires)) {
-            Finding made = finding("transition-always-fired", name(id),
-                                   "`" + name(id) + "` is cleared as soon as it is enabled, whatever the inputs are",
-                                   chart_.transitions[id].origin);
+            Finding made =
+                finding("transition-always-fired", name(id),
+                        "`" + name(id) + "` is always cleared as soon as it is enabled", chart_.transitions[id].origin);
             if (!show(made, rather_unbroken(fires), {.fired = {id}},
                       "`" + name(id) + "` is cleared in the last instant"))
                 continue;
@@ -170,11 +170,11 @@ void Analyst::transient_steps() {
             const bool acts = std::ranges::any_of(
                 chart_.continuous, [&](const Chart::ContinuousAction& action) { return action.step == step; });
             Finding made = finding("step-never-stable", step_name(step),
-                                   "`" + step_name(step) + "` is left in the very instant it becomes active" +
-                                       (acts ? "; its continuous actions never give an output" : ""),
+                                   "`" + step_name(step) + "` is always deactivated in the instant of its activation" +
+                                       (acts ? "; its continuous actions never set an output" : ""),
                                    chart_.steps[step].origin);
             if (acts) made.level = Finding::Level::Warning;
-            if (!show(made, active, {.ends = false}, "`" + step_name(step) + "` is active, and about to be left"))
+            if (!show(made, active, {.ends = false}, "`" + step_name(step) + "` is active and will be deactivated"))
                 continue;
             keep(std::move(made));
         }
@@ -186,10 +186,9 @@ void Analyst::silent_outputs() {
     for (const Id<Equations::Variable> id : equations_.variables.ids()) {
         const Equations::Variable& variable = equations_.variables[id];
         if (!unseen("output-never-set", id.index)) continue;
-        keep(finding(
-            "output-never-set", variable.name,
-            "`" + variable.name + "` always has its initial value; no action that is ever active gives it another",
-            variable.origin));
+        keep(finding("output-never-set", variable.name,
+                     "`" + variable.name + "` always has its initial value: no reachable action changes it",
+                     variable.origin));
         questions_.decide("output-never-set", id.index);
     }
 }

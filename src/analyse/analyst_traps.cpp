@@ -168,7 +168,8 @@ void Analyst::tell_group(const std::vector<const Passing*>& group, const Ways& w
             lost += (lost.empty() ? "" : ", ") + listed(which) + (which.size() == 1 ? " is" : " are") + " never " +
                     never + " again";
     Finding made = finding(group.front()->question->code, group.front()->question->subject,
-                           "the chart can come to where " + lost + stays_active(group, goal), group.front()->origin);
+                           "the chart can reach a situation from which " + lost + stays_active(group, goal),
+                           group.front()->origin);
     keep_trap(std::move(made), group, ways, goal);
 }
 
@@ -199,13 +200,12 @@ void Analyst::tell_once(const std::vector<const Passing*>& once, const Ways& way
     for (const Passing* each : once)
         (each->kind == Passing::Kind::Value ? values : names).push_back(each->question->subject);
     std::string words;
-    if (!names.empty())
-        words = listed(names) + (names.size() == 1 ? " comes" : " come") + " about once at most in a run";
+    if (!names.empty()) words = listed(names) + (names.size() == 1 ? " occurs" : " occur") + " at most once in a run";
     if (!values.empty())
         words += (words.empty() ? "" : " and ") + listed(values) + (values.size() == 1 ? " changes" : " change") +
-                 " once at most behind the first evolution";
-    Finding made = finding("comes-once", once.front()->question->subject,
-                           words + ", and then never again; a start-up or an end", once.front()->origin);
+                 " at most once after the first evolution";
+    Finding made = finding("comes-once", once.front()->question->subject, words + ": only in a start-up or final phase",
+                           once.front()->origin);
     keep_trap(std::move(made), once, ways, once.front()->gone & ways.ends());
 }
 
@@ -213,7 +213,7 @@ void Analyst::keep_trap(Finding made, const std::vector<const Passing*>& of, con
     for (const Passing* each : of) made.lost.push_back(each->question->subject);
     const bool several = made.code == "comes-once" && of.size() > 1;
     const std::string shows =
-        several ? "from here on `" + made.lost.front() + "` never comes again" : "from here on there is no way back";
+        several ? "after this, `" + made.lost.front() + "` never occurs again" : "no path leads back from here";
     const std::optional<Path> path = search_.path_to(goal & ways.ends());
     const bool shown = path && show(made, path, {.settles = true}, shows, certain());
     for (const Passing* each : of) {
@@ -237,12 +237,12 @@ void Analyst::tell_regions(const std::vector<Passing>& lost, const Ways& ways, c
             if (machine_.covers_firing(id.index)) cleared |= machine_.fires(id.index);
         if (ways.recurring(known & ~quiet.front(), cleared).is_false()) return not_lost(question);
     }
-    Finding made = finding("region-never-left", "",
-                           "the chart can come to situations that it never leaves for the others", chart_.origin);
+    Finding made =
+        finding("region-never-left", "", "the chart can reach a set of situations that it never leaves", chart_.origin);
     Bdd all;
     for (const Bdd& region : quiet) all |= region;
     const std::optional<Path> path = search_.path_to(all & ways.ends());
-    if (path && show(made, path, {.settles = true}, "from here on there is no way back", certain()))
+    if (path && show(made, path, {.settles = true}, "no path leads back from here", certain()))
         question.decided = keep(std::move(made));
     else uncertain_.push_back(&question);
 }

@@ -19,9 +19,9 @@ constexpr std::size_t told_of_loop = 60;
 
 std::string fault_words(RunFault::Kind kind) {
     switch (kind) {
-    case RunFault::Kind::NoValue: return "no such value";
-    case RunFault::Kind::OutOfRange: return "the value does not fit";
-    case RunFault::Kind::ForcedApart: return "orders that exclude each other";
+    case RunFault::Kind::NoValue: return "undefined value";
+    case RunFault::Kind::OutOfRange: return "value out of range";
+    case RunFault::Kind::ForcedApart: return "contradictory forcing orders";
     }
     return {};
 }
@@ -63,7 +63,7 @@ private:
 
     std::string problem(const Cycle& cycle) const {
         if (cycle.race) return "two actions race";
-        if (cycle.fault) return "a value does not exist or does not fit";
+        if (cycle.fault) return "a value is undefined or out of range";
         return cycle.endless.empty() && !cycle.gave_up ? "" : "the instant does not end";
     }
 
@@ -83,19 +83,19 @@ private:
         Fired fired;
         for (std::size_t k = 0; k < before; ++k) {
             Evolution made = evolve();
-            if (made.race || made.fault) return fail(instant, "an evolution breaks off before the end");
+            if (made.race || made.fault) return fail(instant, "an earlier evolution has a model error");
             fired.push_back(std::move(made.fired));
             state_ = std::move(made.state);
         }
-        if (!path_.at_first && !is_at(points.back())) return fail(instant, "the situation is another one");
+        if (!path_.at_first && !is_at(points.back())) return fail(instant, "the situation differs");
         if (!demand.ends && !demand.endless) {
             add_row("in this instant", fired);
             return;
         }
         const Evolution shown = evolve();
-        if (!shows(shown, demand)) return fail(instant, "the last evolution does not show it");
+        if (!shows(shown, demand)) return fail(instant, "the last evolution does not confirm the finding");
         if (demand.endless) return tell_loop(instant, fired);
-        if (demand.settles && (shown.race || shown.fault)) return fail(instant, "the last evolution breaks off");
+        if (demand.settles && (shown.race || shown.fault)) return fail(instant, "the last evolution has a model error");
         if (shown.race && shown.race->variable == demand.race) result_.racing = {shown.race->first, shown.race->second};
         if (shown.fault) result_.fault = shown.fault->where;
         if (shown.race || shown.fault) {
@@ -106,7 +106,7 @@ private:
         }
         fired.push_back(shown.fired);
         tell_rest(at_start, shown, fired);
-        if (demand.settles && !settles_) fail(instant, "the instant does not end, or breaks off");
+        if (demand.settles && !settles_) fail(instant, "the instant does not end or has a model error");
     }
 
     /// The complete instant or, if it never ends or aborts later, its evolutions up to the end of the path.
@@ -128,7 +128,7 @@ private:
         for (std::size_t k = 0; k < std::min(result_.endless.size(), told_of_loop); ++k) {
             Evolution made = evolve();
             state_ = std::move(made.state);
-            add_row("at once", {made.fired});
+            add_row("immediately", {made.fired});
         }
     }
 

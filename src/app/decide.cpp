@@ -113,9 +113,9 @@ std::optional<Decided> decide(const Model& model, Job& job, Bounds& bounds, bool
         if (!chart) return {};
         if (!job.options.quiet)
             streams.err << "note: `" << model.charts[*chart].name
-                        << "` is no closed loop: its steps are checked with free inputs, untimed"
-                        << (job.options.stats ? ", and --stats is of timed checks" : "")
-                        << (job.options.why ? ", and --why is of closed loops" : "") << '\n';
+                        << "` is not part of a closed loop: its steps are checked untimed, with free inputs"
+                        << (job.options.stats ? "; --stats applies only to timed checks" : "")
+                        << (job.options.why ? "; --why applies only to closed loops" : "") << '\n';
         decided.chart = *chart;
         found = chart_report(model, *chart, job, options);
     } else if (const auto loop = chosen_loop(model, job)) {

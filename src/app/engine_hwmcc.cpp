@@ -47,7 +47,7 @@ public:
     /// The run that a witness describes, not yet validated.
     pdr::Answer reached(const std::string& witness) const {
         auto inputs = hwmcc::read_witness(circuit_, numbering_, witness);
-        if (!inputs) disbelieve("the program shows no run for its verdict");
+        if (!inputs) disbelieve("the program gives no trace for its verdict");
         return {.reached = true, .inputs = std::move(*inputs)};
     }
     const Circuit& circuit() const { return circuit_; }
@@ -80,7 +80,7 @@ pdr::Answer ask_abc(const std::string& program, const Question& question) {
     const std::string text = question.left(invariant_file);
     if (text.empty()) no_answer(said);
     auto invariant = hwmcc::read_invariant(question.circuit(), text);
-    if (!invariant) disbelieve("the program shows no invariant for its verdict");
+    if (!invariant) disbelieve("the program gives no invariant for its verdict");
     return {.invariant = std::move(*invariant)};
 }
 
@@ -91,7 +91,7 @@ pdr::Answer ask_command(const std::string& command, const Question& question) {
     if (!reached) no_answer(said);
     if (*reached) return question.reached(said.out);
     throw Undecided{Obstacle::Unchecked,
-                    "unchecked: the program says that no run gets there, and shows nothing that could be checked"};
+                    "unchecked: the program reports the state as unreachable, but gives no certificate to check"};
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ std::optional<Id<Source>> read_source(const std::string& path, Job& job) {
 std::optional<Model> read_model(const std::string& path, Job& job) {
     for (const std::string& folder : job.options.include_folders) {
         if (std::filesystem::is_directory(folder)) continue;
-        job.diagnostics.add(messages::cannot_read(folder, "there is no such folder"));
+        job.diagnostics.add(messages::cannot_read(folder, "the directory does not exist"));
         return {};
     }
     const auto file = read_source(path, job);

@@ -46,7 +46,7 @@ int main(int count, char** values) {
         std::cerr << "error: the system gives no more memory [out-of-memory]\n";
         return static_cast<int>(ExitCode::Unknown);
     } catch (const std::exception& failure) {
-        std::cerr << "grafverif: internal failure: " << grafverif::printable(failure.what()) << '\n';
+        std::cerr << "grafverif: internal error: " << grafverif::printable(failure.what()) << '\n';
         return static_cast<int>(ExitCode::Failure);
     }
 }

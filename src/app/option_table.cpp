@@ -76,7 +76,7 @@ Option choice(Accepts accepts, const char* name, std::vector<Choice<T>> choices,
     return {accepts, name, words, help, [=](const std::vector<std::string>& given, Options& options) {
                 const auto found = std::ranges::find(choices, given.front(), &Choice<T>::word);
                 if (found == choices.end())
-                    return fmt::format("`--{}` takes one of {}; not `{}`", name, known, given.front());
+                    return fmt::format("invalid value `{2}` of `--{0}`; use one of {1}", name, known, given.front());
                 std::invoke(place, options) = found->value;
                 return std::string();
             }};
@@ -103,10 +103,10 @@ Option number(Accepts accepts, const char* name, const char* value, std::vector<
                 if (!fits && suffix.empty() && failure == std::errc{})
                     return fmt::format("`--{} {}` has no unit; write `{}{}`", name, word, word, suffixes.front().word);
                 if (!fits && suffixes.size() == 1)
-                    return fmt::format("`--{}` takes a whole number; not `{}`", name, word);
+                    return fmt::format("invalid value `{1}` of `--{0}`; use a whole number", name, word);
                 if (!fits)
-                    return fmt::format("`--{}` takes a whole number with a unit, one of {}; not `{}`", name, known,
-                                       word);
+                    return fmt::format("invalid value `{2}` of `--{0}`; use a whole number with one of the units {1}",
+                                       name, known, word);
                 std::invoke(place, options) = read * found->value;
                 return std::string();
             }};

@@ -50,25 +50,28 @@ std::string take_all(const std::vector<Option>& known, const po::variables_map& 
 /// `modelled`: true if an option of untimed models was given.
 std::string settle_engine(bool modelled, const po::variables_map& values, Options& options) {
     if (!options.engine_command.empty()) {
-        if (options.engine != Engine::Embedded) return "`--engine` and `--engine-command` exclude each other";
+        if (options.engine != Engine::Embedded)
+            return "`--engine` and `--engine-command` are mutually exclusive; remove one";
         options.engine = Engine::Hwmcc;
     }
     options.check_untimed = options.check_untimed || modelled || options.untimed.fairness;
     const bool timed = options.engine == Engine::Timed || options.engine == Engine::Verifyta;
     if (timed && options.check_untimed)
-        return fmt::format("`--engine {}` checks timed models; leave out `--untimed` and what it takes",
+        return fmt::format("`--engine {}` checks only timed models; remove `--untimed` and its options",
                            values["engine"].as<std::string>());
     if (timed && options.chart)
-        return fmt::format("`--engine {}` checks closed loops; a chart alone (`--chart`) is checked untimed",
-                           values["engine"].as<std::string>());
+        return fmt::format(
+            "`--engine {}` checks only closed loops; remove `--engine` to check the chart (`--chart`) untimed",
+            values["engine"].as<std::string>());
     const bool open = options.engine == Engine::Embedded || options.engine == Engine::Auto;  // either kind of model
     if (options.stats && (options.check_untimed || !(open || options.engine == Engine::Timed)))
-        return "`--stats` asks the embedded timed engine where its states come from; other engines cannot say";
+        return "`--stats` is supported only by the embedded timed engine; remove `--stats` or the engine";
     if (options.why && (options.check_untimed || !(open || options.engine == Engine::Timed)))
-        return "`--why` asks the embedded timed engine what the properties of a closed loop rest on; other engines "
-               "cannot say";
+        return "`--why` is supported only by the embedded timed engine for closed loops; remove `--why` or the other "
+               "option";
     if (options.why && (options.format == Format::JsonLines || !options.cures_left_out.empty()))
-        return "`--why` is told as text and with `--format json`, of models that are what the charts say";
+        return "`--why` is supported only in text and `--format json`, without `--without`; remove one of these "
+               "options";
     options.check_untimed = options.check_untimed || (!timed && !open);
     return {};
 }
@@ -79,8 +82,8 @@ std::string adjacent_command(const std::vector<po::option>& given, const std::ve
         for (const Option& option : known)
             if (option.is_command && one.string_key == option.long_name() && one.original_tokens.size() == 1)
                 return fmt::format(
-                    "`--{0}={1}` is not accepted, because a file may have this name; write `--{0} {1}`, "
-                    "and put `--` before names of files",
+                    "`--{0}={1}` is ambiguous, because a file may have this name; write `--{0} {1}`, and put `--` "
+                    "before file names",
                     option.long_name(), option.value);
     return {};
 }
@@ -90,8 +93,7 @@ std::string unknown_option(const std::string& given, const std::vector<Option>& 
     for (const Option& option : known)
         if (!option.help.empty()) names.push_back("--" + option.long_name());
     const std::string meant = nearest_of(given, names);
-    return fmt::format("there is no option `{}`{}", given,
-                       meant.empty() ? "" : fmt::format("; did you mean `{}`?", meant));
+    return fmt::format("unknown option `{}`{}", given, meant.empty() ? "" : fmt::format("; did you mean `{}`?", meant));
 }
 
 }  // namespace
@@ -157,10 +159,12 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     if (complaint = settle_outputs(verb, options); !complaint.empty()) return {{}, complaint};
     if (options.operands.size() < verb.least_operands) return {{}, fmt::format("`{}` is missing", verb.operand)};
     if (options.operands.size() > verb.most_operands)
-        return {{}, fmt::format("one argument too many: `{}`", options.operands[verb.most_operands])};
+        return {{}, fmt::format("unexpected argument `{}`; remove it", options.operands[verb.most_operands])};
     const std::string words = "|" + verb.operand + "|";  // `bash|zsh|fish`: one of these
     if (verb.operand.find('|') != std::string::npos && words.find("|" + options.operands[0] + "|") == std::string::npos)
-        return {{}, fmt::format("`{}` takes one of `{}`; not `{}`", verb.name, verb.operand, options.operands[0])};
+        return {{},
+                fmt::format("invalid argument `{2}` of `{0}`; use one of `{1}`", verb.name, verb.operand,
+                            options.operands[0])};
     return {options, {}};
 }
 

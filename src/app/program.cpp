@@ -67,14 +67,19 @@ constexpr std::array entries = {
 };
 
 void print_overview(std::ostream& out) {
-    out << "grafverif: GRAFCET charts (IEC 60848) and their plants as models that model checkers prove\n\n"
-           "Usage: grafverif VERB [FILE] [options]\n\nVerbs:\n";
+    out << "grafverif: verifies GRAFCET charts (IEC 60848) in closed loop with models of their plants\n"
+           "\n"
+           "Usage: grafverif COMMAND [FILE] [options]\n"
+           "\n"
+           "Commands:\n";
     for (const Entry& entry : entries) out << fmt::format("  {:<12}{}\n", entry.usage().name, entry.usage().summary);
-    out << "\n`grafverif help VERB` tells the options of a verb, with examples; `grafverif --version` the version.\n"
-           "FILE may be `-`, standard input; an output may be `-`, standard output. Outputs are written whole or not "
-           "at all.\n"
-           "Exit codes: 0 done; 1 a verdict against expectation; 2 input or usage wrong; 3 a verdict unknown, or "
-           "stopped; 4 our failure.\n";
+    out << "\n"
+           "`grafverif help COMMAND` describes the options of a command, with examples; `grafverif --version` prints "
+           "the version.\n"
+           "FILE can be `-` for standard input, an output `-` for standard output. Outputs are written completely or "
+           "not at all.\n"
+           "Exit codes: 0 as expected; 1 unexpected verdict; 2 invalid input or usage; 3 unknown verdict, or stopped; "
+           "4 internal error.\n";
 }
 
 ExitCode usage_error(const Streams& streams, const std::string& complaint, const std::string& help) {
@@ -272,7 +277,7 @@ std::vector<Verb> all_verbs() {
 std::string no_such_verb(const std::string& name) {
     Nearest nearest(name);
     for (const Entry& entry : entries) nearest.offer(entry.usage().name);
-    return fmt::format("there is no verb `{}`{}", name,
+    return fmt::format("unknown command `{}`{}", name,
                        nearest.best().empty() ? "" : fmt::format("; did you mean `{}`?", nearest.best()));
 }
 
@@ -283,7 +288,7 @@ ExitCode worse(ExitCode one, ExitCode other) {
 }
 
 ExitCode run(std::span<const std::string> arguments, const Streams& streams) {
-    if (arguments.empty()) return usage_error(streams, "no verb given", "");
+    if (arguments.empty()) return usage_error(streams, "missing command", "");
     const std::string& name = arguments.front();
     const bool asks = name == "--help" || name == "-h" || name == "help";
     if (asks && arguments.size() == 1) {
@@ -300,7 +305,8 @@ ExitCode run(std::span<const std::string> arguments, const Streams& streams) {
         if (entry.usage().name == verb) return run_verb(entry, arguments.subspan(1), streams);
     }
     if (verb.starts_with('-'))
-        return usage_error(streams, fmt::format("a verb comes first, options behind it; not `{}`", verb), "");
+        return usage_error(streams,
+                           fmt::format("expected a command before `{}`; write options after the command", verb), "");
     return usage_error(streams, no_such_verb(verb), "");
 }
 

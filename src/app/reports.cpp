@@ -81,7 +81,7 @@ void begin_reports(bool output, Job& job) {
     for (const std::optional<std::string>& path : others)
         if (path && fs::exists(*path) && is_replaceable(*path, job)) fs::remove(fs::canonical(*path));
 
-    constexpr std::string_view unfinished = "the run did not come to its end";
+    constexpr std::string_view unfinished = "the command did not complete";
     std::vector<OutputFile> files;
     if (options.junit && is_replaceable(*options.junit, job))
         files.push_back({*options.junit, junit_document(junit_suite(file_of(job), "unfinished", unfinished))});

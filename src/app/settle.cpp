@@ -22,28 +22,29 @@ std::string settle_input(const Verb& verb, const Options& options) {
     std::vector<std::string> readers;
     if (accepts(verb, Accepts::Clock) && !accepts(verb, Accepts::Bench)) readers.push_back("the scans");
     if (accepts(verb, Accepts::Walk) && !options.script && !options.random_seed)
-        readers.push_back("the commands, for want of `--script`,");
+        readers.push_back("the commands (without `--script`)");
     if (accepts(verb, Accepts::File))
         for (const std::string& file : options.operands)
             if (names_input(file)) readers.push_back("`FILE`");
     for (const auto& [name, path, use] : named_paths(options))
         if (use == PathUse::Read && names_input(path)) readers.push_back(fmt::format("`--{}`", name));
     if (readers.size() < 2) return {};
-    return fmt::format("standard input is read once, and both {} and {} are to come from it; name a file", readers[0],
-                       readers[1]);
+    return fmt::format("{} and {} cannot both be read from standard input; pass a file name for one of them",
+                       readers[0], readers[1]);
 }
 
 std::string settle_streams(const Verb& verb, const Options& options) {
     const bool is_file = accepts(verb, Accepts::File) && !options.operands.empty();
     if (options.in_place && is_file && std::ranges::any_of(options.operands, names_input))
-        return "`--in-place` rewrites files, and standard input is none; leave it out";
+        return "`--in-place` cannot rewrite standard input; remove it or pass a file name";
     std::vector<std::string> documents;
     for (const auto& [name, path, use] : named_paths(options)) {
         const bool is_stream = names_input(path) || own_descriptor(path);
         if (use == PathUse::Updated && is_stream)
-            return fmt::format("`--{}` is a file that is read and rewritten, which a standard stream is not", name);
+            return fmt::format("`--{}` cannot be a standard stream, because it is read and rewritten; pass a file name",
+                               name);
         if (use == PathUse::WrittenFolder && is_stream)
-            return fmt::format("`--{}` writes a folder, which `{}` is not", name, path);
+            return fmt::format("`--{}` writes a directory, which `{}` is not; pass a directory name", name, path);
         if (use == PathUse::Written && names_output(path)) documents.push_back(fmt::format("`--{}`", name));
     }
     const bool is_json = options.format == Format::Json || options.format == Format::JsonLines;
@@ -52,7 +53,7 @@ std::string settle_streams(const Verb& verb, const Options& options) {
         documents.push_back("what `" + verb.name + "` writes");
     else if (!options.output && is_json) documents.push_back("JSON");
     if (documents.size() > 1)
-        return fmt::format("standard output takes one document, and both {} and {} would go there; name a file for one",
+        return fmt::format("{} and {} cannot both be written to standard output; pass a file name for one of them",
                            documents[0], documents[1]);
     return settle_input(verb, options);
 }
@@ -61,17 +62,20 @@ std::string settle_streams(const Verb& verb, const Options& options) {
 
 std::string settle_outputs(const Verb& verb, const Options& options) {
     if (accepts(verb, Accepts::OutputDirectory) && options.output == "-")
-        return fmt::format("`{}` writes a folder, which `-` is not; other verbs write one document to standard output",
-                           verb.name);
+        return fmt::format(
+            "`{}` writes a directory, which `-` is not; pass a directory name, or use a command that writes one "
+            "document",
+            verb.name);
     const bool several = (options.operands.size() > 1 && verb.most_operands == any_number) || options.all;
     if (options.name && several)
-        return "`--name` names the files of one loop; of several FILEs, and with `--all`, each loop names its own";
+        return "`--name` applies to a single loop; remove `--name`, or pass one FILE without `--all`";
     if (options.name && (options.name->empty() || options.name->find('/') != std::string::npos))
-        return fmt::format("`--name` takes the name of a file without its folder; not `{}`", *options.name);
-    if (options.all && (options.loop || options.chart)) return "`--all` and `--loop` or `--chart` exclude each other";
-    if (options.each_mode && options.mode) return "`--each-mode` and `--mode` exclude each other";
-    if (options.depfile_target && !options.depfile) return "`--depfile-target` needs `--depfile`";
-    if (options.depfile_reader && !options.depfile) return "`--depfile-form` needs `--depfile`";
+        return fmt::format("invalid value `{}` of `--name`; use a file name without a directory", *options.name);
+    if (options.all && (options.loop || options.chart))
+        return "`--all` and `--loop` or `--chart` are mutually exclusive; remove one";
+    if (options.each_mode && options.mode) return "`--each-mode` and `--mode` are mutually exclusive; remove one";
+    if (options.depfile_target && !options.depfile) return "`--depfile-target` requires `--depfile`; add it";
+    if (options.depfile_reader && !options.depfile) return "`--depfile-form` requires `--depfile`; add it";
     const bool one_form = options.format == Format::Json || options.trace_vcd || options.trace_svg ||
                           (options.output && !accepts(verb, Accepts::OutputDirectory));
     if (several && one_form && !options.list && !accepts(verb, Accepts::OutputDirectory))
@@ -81,13 +85,13 @@ std::string settle_outputs(const Verb& verb, const Options& options) {
     if (several && accepts(verb, Accepts::InPlace) && !options.in_place && !options.check)
         return "of several FILEs take `--check` or `--in-place`";
     if (options.list && (options.junit || options.sarif || options.trace_vcd || options.trace_svg))
-        return "`--list` decides nothing, and has nothing to report";
+        return "`--list` runs no check and has no results; remove the report options";
     bool to_file = accepts(verb, Accepts::OutputDirectory);
     for (const auto& [name, path, use] : named_paths(options))
         to_file = to_file || (use == PathUse::Written && name != "depfile" && path != "-");
     if (options.depfile && !options.depfile_target && !to_file)
-        return "`--depfile` says what a file was made from: name one (`-o FILE`), or what the build system calls the "
-               "result of this run (`--depfile-target NAME`)";
+        return "`--depfile` requires the name of an output; pass `-o FILE`, or the target name of the build system "
+               "with `--depfile-target NAME`";
     return settle_streams(verb, options);
 }
 
@@ -97,30 +101,32 @@ std::string settle_company(const Verb& verb, const Options& options,
                                   std::pair("seed", "limit"), std::pair("steps", "random")};
     for (const auto& [one, other] : needs)
         if (given(one) && !given(other)) return fmt::format("`--{}` needs `--{}`", one, other);
-    if (accepts(verb, Accepts::Walk) && given("junit") && !given("script")) return "`--junit` needs `--script`";
+    if (accepts(verb, Accepts::Walk) && given("junit") && !given("script"))
+        return "`--junit` requires `--script`; add it";
     constexpr std::array excludes = {std::pair("chart", "loop"), std::pair("chart", "grain"),
                                      std::pair("script", "random"), std::pair("sequence", "cover"),
                                      std::pair("sequence", "hold")};
     const bool of_loops = accepts(verb, Accepts::Loop) || accepts(verb, Accepts::Bench);
     for (const auto& [one, other] : excludes)
         if (given(one) && given(other) && (of_loops || one != std::string_view("chart")))
-            return fmt::format("`--{}` and `--{}` exclude each other", one, other);
+            return fmt::format("`--{}` and `--{}` are mutually exclusive; remove one", one, other);
     if (of_loops && given("chart") && given("set"))
-        return "`--set` gives a constant of a closed loop its value, and `--chart` asks of a chart alone, which reads "
-               "none; "
-               "leave one of them out";
+        return "`--set` sets a constant of a closed loop, but `--chart` selects a chart alone, which has none; remove "
+               "one of them";
     const bool bounded = options.engine == Engine::Bmc || options.engine == Engine::Auto;
     if (options.max_steps && !bounded)
-        return "`--max-steps` bounds the search of `--engine bmc` and of `--engine auto`";
-    if (options.events.from > options.events.to) return "`--from` is behind `--to`";
-    if (options.go_on && options.stop_on_failure) return "`--stop-on-failure` and `--go-on` exclude each other";
-    if (options.limit == 0) return "`--limit` takes a number from 1 on";
+        return "`--max-steps` applies only to `--engine bmc` and `--engine auto`; remove it or select one of these "
+               "engines";
+    if (options.events.from > options.events.to) return "`--from` is greater than `--to`; exchange them";
+    if (options.go_on && options.stop_on_failure)
+        return "`--stop-on-failure` and `--go-on` are mutually exclusive; remove one";
+    if (options.limit == 0) return "invalid value of `--limit`; use a number from 1";
     return {};
 }
 
 std::string settle_limits(Options& options) {
     if (options.max_evolutions == 0 || options.max_evolutions > std::numeric_limits<std::uint32_t>::max())
-        return "`--max-evolutions` takes a number from 1 to 4294967295";
+        return "invalid value of `--max-evolutions`; use a number from 1 to 4294967295";
     return {};
 }
 
@@ -134,9 +140,9 @@ std::string settle_untimed(Options& options) {
                                            : nullptr;
     untimed.plant = options.plant.value_or(asked != nullptr ? PlantApproach::Automata : PlantApproach::None);
     if (asked != nullptr && untimed.plant != PlantApproach::Automata)
-        return fmt::format("`--{}` needs `--plant automata`", asked);
+        return fmt::format("`--{}` requires `--plant automata`; add it", asked);
     if (discrete && untimed.schedule.value_or(Schedule::Interleaved) != Schedule::Interleaved)
-        return "`--time discrete` needs `--schedule interleaved`";
+        return "`--time discrete` requires `--schedule interleaved`; remove the other schedule";
     if (discrete) untimed.schedule = Schedule::Interleaved;
     return {};
 }
@@ -147,7 +153,9 @@ std::string leave_out_cures(const std::vector<std::string>& cures, Options& opti
         else if (cure == "flags") options.without.cycle_always = true;
         else if (cure == "stable") options.without.cycle_unless_stable = true;
         else if (cure == "restart") options.without.timers_as_published = true;
-        else return fmt::format("`--without` takes one of `urgency`, `flags`, `stable`, `restart`; not `{}`", cure);
+        else
+            return fmt::format("invalid value `{}` of `--without`; use one of `urgency`, `flags`, `stable`, `restart`",
+                               cure);
         options.cures_left_out.push_back(cure);
     }
     return {};
@@ -157,9 +165,9 @@ std::string take_constants(const std::vector<std::string>& given, Options& optio
     for (const std::string& one : given) {
         const std::size_t sign = one.find('=');
         if (sign == 0 || sign == std::string::npos || sign + 1 == one.size())
-            return fmt::format("`--set` takes a constant and its value, as in `--set N=4`; not `{}`", one);
+            return fmt::format("invalid value `{}` of `--set`; pass a constant and its value, as in `--set N=4`", one);
         if (!options.constants.emplace(one.substr(0, sign), one.substr(sign + 1)).second)
-            return fmt::format("`--set` gives `{}` two values", one.substr(0, sign));
+            return fmt::format("`--set` sets `{}` twice; remove one", one.substr(0, sign));
     }
     return {};
 }
@@ -168,7 +176,7 @@ std::string take_jobs(const std::vector<std::string>& given, Options& options) {
     const char* const stop = given.front().data() + given.front().size();
     const auto [end, failure] = std::from_chars(given.front().data(), stop, options.jobs);
     if (failure == std::errc{} && end == stop && options.jobs - 1 < 1000) return {};
-    return fmt::format("`--jobs` takes a whole number from 1 to 1000; not `{}`", given.front());
+    return fmt::format("invalid value `{}` of `--jobs`; use a whole number from 1 to 1000", given.front());
 }
 
 }  // namespace grafverif::app

@@ -24,7 +24,7 @@ inline std::string with_who_stopped(std::string reason, bool by_user, const Opti
 /// `reason` with the option that allows more of what was used up.
 inline std::string with_remedy(std::string reason, const Options& options) {
     if (options.timeout_ms && reason.find(" at the time limit") != std::string::npos) reason += "; raise `--timeout`";
-    else if (reason.find("the memory allowed") != std::string::npos) reason += "; raise `--max-memory`";
+    else if (reason.find("memory limit") != std::string::npos) reason += "; raise `--max-memory`";
     return reason;
 }
 

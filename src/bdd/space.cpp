@@ -8,7 +8,7 @@
 namespace grafverif {
 
 const char* BddExhausted::what() const noexcept {
-    return cause_ == Cause::Memory ? "the memory allowed for decision diagrams is used up" : "stopped";
+    return cause_ == Cause::Memory ? "memory limit of decision diagrams reached" : "stopped";
 }
 
 BddSpace::BddSpace(const BddLimits& limits) : kernel_(std::make_unique<bdd::Kernel>(limits)) {}

@@ -51,11 +51,12 @@ private:
         else if (!all_hold(flat_.invariants)) why = "violates an invariant of the model";
         else if (const std::string first = state == 0 ? differs(values, &FlatSystem::Variable::initial, 0) : "";
                  !first.empty())
-            why = "is no initial state: `" + first + "`";
-        else if (next && !all_hold(flat_.transitions)) why = "is left by a step that the model does not have";
+            why = "is not an initial state: `" + first + "`";
+        else if (next && !all_hold(flat_.transitions))
+            why = "is followed by a step that violates the transition relation";
         else if (const std::string then = next ? differs(values, &FlatSystem::Variable::next, *next) : "";
                  !then.empty())
-            why = "is followed by one that no step leads to: `" + then + "`";
+            why = "is followed by a state that is not a successor: `" + then + "`";
         if (!why.empty()) broken_ = "state " + std::to_string(state + 1) + " of its trace " + why;
     }
 
@@ -144,7 +145,9 @@ std::string doubt(const TransitionSystem& system, FlatSystem& flat, const Proper
     terms.push_back(settled);
     const Evidence evidence(flat, told, std::move(terms));
     if (!evidence.broken().empty()) return evidence.broken();
-    return shows(evidence, property, operands, settled, told.loop.value_or(0)) ? "" : "its trace does not show it";
+    return shows(evidence, property, operands, settled, told.loop.value_or(0))
+               ? ""
+               : "its trace does not establish the verdict";
 }
 
 }  // namespace grafverif

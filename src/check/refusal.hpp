@@ -13,12 +13,12 @@ namespace grafverif {
 inline std::string untimed_refusal(Pattern pattern) {
     switch (pattern) {
     case Pattern::NoDeadlock:
-    case Pattern::NoTimelock: return "an untimed model has no deadlock and no time to lock";
+    case Pattern::NoTimelock: return "not applicable to an untimed model";
     case Pattern::Watched: return "its observer is not part of this model";
-    case Pattern::RawUppaal: return "UPPAAL's formulas are decided by UPPAAL only";
-    case Pattern::RawCtl: return "CTL formulas of NuSMV are decided by NuSMV and nuXmv only";
-    case Pattern::RawLtl: return "LTL formulas of NuSMV are decided by NuSMV and nuXmv only";
-    case Pattern::ReachableAllSteps: return "it is asked step by step";
+    case Pattern::RawUppaal: return "UPPAAL formulas require UPPAAL";
+    case Pattern::RawCtl: return "CTL formulas of NuSMV require NuSMV or nuXmv";
+    case Pattern::RawLtl: return "LTL formulas of NuSMV require NuSMV or nuXmv";
+    case Pattern::ReachableAllSteps: return "it is checked for each step";
     case Pattern::Always:
     case Pattern::Never:
     case Pattern::Reachable:

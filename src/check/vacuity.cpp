@@ -22,7 +22,7 @@ void apply_probes(const Table<Property>& properties, const std::vector<Verdict>&
         }
         if (probe.outcome == Outcome::Unknown) undecided = probe.reason;
     }
-    if (!undecided.empty()) verdict.notes.push_back("whether it holds vacuously is not decided: " + undecided);
+    if (!undecided.empty()) verdict.notes.push_back("vacuity is unknown: " + undecided);
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ void add_external_probes(Exprs& exprs, Table<Property>& properties, bool settled
     for (const Property& property : properties) {
         if (is_declared_response(property)) add(property, "premise", property.operands[0], "the premise is never true");
         if (settled && property.at_stable && is_about_all_states(property.pattern))
-            add(property, "settled", exprs.constant(true), "no state is ever settled");
+            add(property, "settled", exprs.constant(true), "no state is quiescent");
     }
     for (Property& probe : probes) properties.add(std::move(probe));
 }

@@ -12,13 +12,14 @@ using Faults = std::vector<std::string>;
 void check_sources(const Circuit& circuit, Faults& faults) {
     std::vector<int> named(circuit.gates.size());
     const auto name = [&](std::uint32_t node, const std::string& what) {
-        if (node == 0 || node >= named.size() || circuit.gates.is_gate(node)) faults.push_back(what + " is no source");
+        if (node == 0 || node >= named.size() || circuit.gates.is_gate(node))
+            faults.push_back(what + " is not a source");
         else if (++named[node] > 1) faults.push_back(what + " is a source of two");
     };
     for (const Circuit::Input& input : circuit.inputs) name(input.node, "input `" + input.name + "`");
     for (const Circuit::Latch& latch : circuit.latches) name(latch.node, "latch `" + latch.name + "`");
     for (std::uint32_t node = 1; node < named.size(); ++node)
-        if (!circuit.gates.is_gate(node) && named[node] == 0) faults.push_back("a source is nobody's");
+        if (!circuit.gates.is_gate(node) && named[node] == 0) faults.push_back("a source has no owner");
 }
 
 }  // namespace

@@ -229,14 +229,15 @@ private:
         case Pattern::LeadsTo:
             target.justice = never_again(operands[1].bits[0] & settled, operands[0].bits[0] & settled);
             break;
-        case Pattern::AlwaysPossible: return omit(id, "`always possible` is CTL (AG EF), which this form cannot say");
-        case Pattern::RawCtl: return omit(id, "CTL formulas cannot be said in this form");
+        case Pattern::AlwaysPossible:
+            return omit(id, "`always possible` is CTL (AG EF), which this format does not support");
+        case Pattern::RawCtl: return omit(id, "CTL formulas are not supported by this format");
         case Pattern::RawLtl: return omit(id, "LTL formulas of NuSMV are not translated");
         case Pattern::Watched: return omit(id, "its observer is not part of this model");
-        case Pattern::RawUppaal: return omit(id, "UPPAAL's formulas are decided by UPPAAL only");
+        case Pattern::RawUppaal: return omit(id, "UPPAAL formulas require UPPAAL");
         case Pattern::NoDeadlock:
-        case Pattern::NoTimelock: return omit(id, "an untimed model has no deadlock and no time to lock");
-        case Pattern::ReachableAllSteps: return omit(id, "it is asked step by step");
+        case Pattern::NoTimelock: return omit(id, "not applicable to an untimed model");
+        case Pattern::ReachableAllSteps: return omit(id, "it is checked for each step");
         }
         circuit().targets.push_back(std::move(target));
     }

@@ -99,7 +99,7 @@ void add_properties(Composition& composition, const ClosedLoop& loop) {
     for (Property& constraint : constraints_to_prove(loop)) add(std::move(constraint));
     if (!composition.race.valid()) return;
     network.properties.add({.name = taken.fresh("no_race"),
-                            .text = "no two stored actions give one variable different values",
+                            .text = "no two stored actions assign different values to one variable",
                             .pattern = Pattern::Never,
                             .operands = {leaf(network, composition.race)}});
 }

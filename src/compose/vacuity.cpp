@@ -110,7 +110,7 @@ std::vector<Property> vacuity_probes(Network& network, const Property& property,
     };
     ScopeTerms in(network, property, terms);
     const Premise premise = premise_of(exprs, property.watch, terms.operands);
-    if (property.at_stable) add("settled", in.looked_at(exprs.constant(true)), "no state is ever settled");
+    if (property.at_stable) add("settled", in.looked_at(exprs.constant(true)), "no state is quiescent");
     switch (property.watch.scope) {
     case Scope::Globally: add("premise", in.looked_at(premise.term), premise.never); break;
     case Scope::After:

@@ -66,11 +66,11 @@ bool is_violated_at_power_on(const Network& network, const Property& property, c
 }
 
 std::string power_on_words(const Verdict& at_stable) {
-    const std::string trap = "it is false at power-on, before the first outputs are written and the loop has settled";
+    const std::string trap = "violated at power-on, before the first outputs are written";
     if (at_stable.outcome == Outcome::Holds && !at_stable.vacuous)
-        return trap + "; in every settled state it holds: say `at stable` behind it";
-    if (at_stable.outcome == Outcome::Violated) return trap + "; `at stable` it is violated as well";
-    return trap + "; `at stable` judges settled states alone";
+        return trap + "; holds in every quiescent state: append `at stable` to check only those";
+    if (at_stable.outcome == Outcome::Violated) return trap + "; also violated with `at stable`";
+    return trap + "; append `at stable` to check only quiescent states";
 }
 
 std::string unsettled_words(const ChartRun& run) {
@@ -83,11 +83,11 @@ std::string unsettled_words(const ChartRun& run) {
         const std::string cycle = cycle_of(run, controller);
         if (cycle.empty()) continue;
         const bool changes = cycle.find("->") != std::string::npos;
-        text += fmt::format("{}with these inputs `{}` never becomes stable: {} {}, for ever within one instant",
+        text += fmt::format("{}with these inputs, `{}` never becomes stable: {} {}, forever within one instant",
                             text.empty() ? "" : "; ", run.controllers[controller].name,
-                            changes ? "its situation goes" : "it evolves in situation", cycle);
+                            changes ? "its situation cycles" : "it evolves in situation", cycle);
     }
-    return text.empty() ? text : text + "; let a transition of the loop wait for an input to change";
+    return text.empty() ? text : text + "; make a transition of the cycle wait for an input change";
 }
 
 }  // namespace grafverif

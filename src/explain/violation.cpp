@@ -107,7 +107,7 @@ private:
         case Kind::Precedence: add(bad_, terms_[1] + when(bad_)); return add(p + " not true before");
         case Kind::HoldsFor: {
             const std::size_t on = last("on");
-            add(on, fmt::format("{} from {} on", p, text_of(time(on))));
+            add(on, fmt::format("{} from {}", p, text_of(time(on))));
             add("required until " + deadline(on));
             return add(bad_, "false" + when(bad_));
         }
@@ -115,7 +115,7 @@ private:
         case Kind::Recurrence: {
             const bool holds = sentence_.kind == Kind::HoldsAtMost;
             const std::size_t from = last(holds && sentence_.scope == Scope::Globally ? "on" : "due");
-            add(from, fmt::format("{}{} from {} on", holds ? "" : "no ", p, text_of(time(from))));
+            add(from, fmt::format("{}{} from {}", holds ? "" : "no ", p, text_of(time(from))));
             add("deadline " + deadline(from));
             return add(bad_, p + (holds ? " still true after it" : " not true by then"));
         }
@@ -149,7 +149,7 @@ private:
             if (entries_[k].location.starts_with("on_")) times.push_back(k);
         if (times.size() > most) {
             add(times.front(),
-                fmt::format("{} {} times from {} on", terms_[0], times.size(), text_of(time(times.front()))));
+                fmt::format("{} {} times from {}", terms_[0], times.size(), text_of(time(times.front()))));
             times.clear();
         }
         times.push_back(bad_);

@@ -106,7 +106,7 @@ void check_partial_charts(const Chart& chart, Faults& faults) {
     for (const auto id : chart.partial_charts.ids()) {
         const auto& partial = chart.partial_charts[id];
         const bool owned = partial.owner.valid();
-        faults.check(!owned || chart.steps.contains(partial.owner), "the owner of " + partial.name + " is no step");
+        faults.check(!owned || chart.steps.contains(partial.owner), "the owner of " + partial.name + " is not a step");
         const bool is_expansion = partial.kind == Chart::PartialKind::Expansion;
         faults.check(owned == (partial.kind != Chart::PartialKind::Plain),
                      "the owner of " + partial.name + " does not fit its kind");
@@ -157,7 +157,7 @@ void check_transitions(const Chart& chart, Faults& faults) {
         faults.condition(constraint.condition, "a constraint");
         if (chart.exprs.contains(constraint.condition))
             for (const Id<Expr> leaf : leaves(chart.exprs, constraint.condition))
-                faults.check(is_input(chart, chart.exprs[leaf]), "a constraint reads something that is no input");
+                faults.check(is_input(chart, chart.exprs[leaf]), "a constraint reads something other than an input");
     }
 }
 

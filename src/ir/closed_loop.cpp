@@ -54,7 +54,7 @@ void check_term(Checker& checker, const ClosedLoop::Instance& instance, Id<Expr>
         const auto* of =
             loop.symbols.contains(symbol) ? std::get_if<ClosedLoop::SharedSymbol>(&loop.symbols[symbol]) : nullptr;
         const bool known = of != nullptr && loop.shared.contains(of->shared);
-        checker.check(known, "an argument of " + instance.name + " reads what is no shared variable");
+        checker.check(known, "an argument of " + instance.name + " reads something other than a shared variable");
         if (known) read[of->shared.index] = true;
     }
 }
@@ -69,7 +69,8 @@ void check_argument(Checker& checker, const ClosedLoop::Instance& instance, cons
                   "an argument of " + instance.name + " does not fit parameter " + parameter.name);
     if (term != nullptr) return check_term(checker, instance, *term, read);
     if (shared == nullptr) return;
-    checker.check(checker.loop.shared.contains(*shared), "an argument of " + instance.name + " is no shared variable");
+    checker.check(checker.loop.shared.contains(*shared),
+                  "an argument of " + instance.name + " is not a shared variable");
     if (!checker.loop.shared.contains(*shared)) return;
     const bool boolean = parameter.value == Component::ValueKind::Boolean;
     checker.check(checker.loop.shared[*shared].type.boolean == boolean,
@@ -144,7 +145,7 @@ void check_properties(Checker& checker) {
         const Expr& node = loop.exprs[Id<Expr>{index}];
         if (is_leaf(node.op))
             checker.check(node.op == Op::Variable && loop.symbols.contains({static_cast<std::uint32_t>(node.value)}),
-                          "a leaf of a property is no symbol");
+                          "a leaf of a property is not a symbol");
     }
     std::unordered_set<std::string_view> names;
     for (const auto& property : loop.properties) {

@@ -56,7 +56,7 @@ void check_declared(Checker& checker, const Declared& declared, bool ranged) {
 void check_names(Checker& checker) {
     std::unordered_set<std::string_view> names, locations;
     const auto add = [&](std::string_view name) {
-        checker.check(names.insert(name).second, "two things are named " + std::string(name));
+        checker.check(names.insert(name).second, "two elements are named " + std::string(name));
     };
     for (const auto& parameter : checker.component.parameters) add(parameter.name);
     for (const auto& variable : checker.component.variables) add(variable.name);

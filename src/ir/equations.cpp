@@ -119,7 +119,7 @@ struct Check {
             if (!equations.exprs.contains(assumption.condition)) continue;
             for (const Id<Expr> leaf : leaves(equations.exprs, assumption.condition))
                 if (equations.variables[{static_cast<std::uint32_t>(equations.exprs[leaf].value)}].role != Role::Input)
-                    fault("an assumption reads something that is no input");
+                    fault("an assumption reads something other than an input");
         }
     }
 

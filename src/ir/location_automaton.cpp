@@ -42,12 +42,12 @@ struct Check {
     }
 
     void term(Id<Expr> term, std::string_view what) {
-        if (!automaton.exprs.contains(term)) return fault(std::string(what) + " is no term of the automaton");
+        if (!automaton.exprs.contains(term)) return fault(std::string(what) + " is not a term of the automaton");
         for (const Id<Expr> leaf : leaves(automaton.exprs, term)) {
             const Expr& node = automaton.exprs[leaf];
             const auto index = static_cast<std::size_t>(node.value);
             if (node.op != Op::Variable || index >= automaton.inputs.size())
-                fault(std::string(what) + " reads something that is no input");
+                fault(std::string(what) + " reads something other than an input");
         }
     }
 
@@ -95,10 +95,10 @@ struct Check {
             condition(evolution.condition, "the condition of an evolution");
             for (const Id<LocationAutomaton::Input> timer : evolution.restarted)
                 if (!automaton.inputs.contains(timer) || !is_timer(automaton.inputs[timer]))
-                    fault("an evolution restarts something that is no timer");
+                    fault("an evolution restarts something other than a timer");
             for (const Id<LocationAutomaton::Input> timer : evolution.falling)
                 if (!automaton.inputs.contains(timer) || automaton.inputs[timer].fall_ms <= 0)
-                    fault("an evolution starts a fall time that is none");
+                    fault("an evolution starts a fall time that does not exist");
         }
     }
 

@@ -19,12 +19,12 @@ struct Check {
     void fault(std::string text) { faults.push_back(std::move(text)); }
 
     void condition(Id<Expr> condition) {
-        if (!machine.exprs.contains(condition)) return fault("a condition is no term of the machine");
+        if (!machine.exprs.contains(condition)) return fault("a condition is not a term of the machine");
         if (is_false(machine.exprs, condition)) fault("a condition is never true");
         for (const Id<Expr> leaf : leaves(machine.exprs, condition)) {
             const Expr& node = machine.exprs[leaf];
             if (node.op != Op::Variable || static_cast<std::size_t>(node.value) >= machine.inputs.size())
-                fault("a condition reads something that is no input");
+                fault("a condition reads something other than an input");
         }
     }
 

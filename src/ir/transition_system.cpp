@@ -43,7 +43,7 @@ void check_symbols(const System& system, Id<System::Module> id, Sorts& sorts, Fa
     for (const System::Symbol& symbol : module.symbols) {
         const std::string where = module.name + ": `" + symbol.name + "`";
         if (symbol.name.empty() || !names.insert(symbol.name).second)
-            faults.push_back(where + " has no name of its own");
+            faults.push_back(where + " does not have a unique name");
         const auto width = static_cast<std::size_t>(symbol.type.high - symbol.type.low + 1);
         if (!symbol.values.empty() && (symbol.type.boolean || symbol.values.size() != width))
             faults.push_back(where + " has not one name for each value");
@@ -123,7 +123,7 @@ void check_instances(const System& system, Faults& faults) {
         for (std::size_t i = 0; i < parameters.size(); ++i)
             if (!main.symbols.contains(instance.arguments[i]) ||
                 main.symbols[instance.arguments[i]].type != parameters[i])
-                faults.push_back(where + ": an argument is no symbol of main of its parameter's type");
+                faults.push_back(where + ": an argument is not a symbol of main with the type of its parameter");
     }
 }
 
@@ -157,7 +157,7 @@ void check_properties(const System& system, Sorts& sorts, Faults& faults) {
         const bool foreign = property.pattern == Pattern::NoDeadlock || property.pattern == Pattern::NoTimelock ||
                              property.pattern == Pattern::RawUppaal || property.pattern == Pattern::ReachableAllSteps ||
                              property.pattern == Pattern::Watched;
-        if (foreign) faults.push_back(where + " is none of a transition system");
+        if (foreign) faults.push_back(where + " is not an operator of transition systems");
         for (const Id<Expr> operand : property.operands)
             sorts.check(operand, Sort::Boolean, where + ": operand", faults);
     }
@@ -235,13 +235,13 @@ void check_choices(const System& system, Faults& faults) {
 void check_names(const System& system, Sorts& sorts, Faults& faults) {
     const Table<System::Symbol>& symbols = system.modules[system.main].symbols;
     const auto known = [&](Id<System::Symbol> symbol, const std::string& where) {
-        if (!symbols.contains(symbol)) faults.push_back(where + " is no symbol of main");
+        if (!symbols.contains(symbol)) faults.push_back(where + " is not a symbol of main");
     };
     const auto each = [&](const std::vector<System::Named>& list, const std::string& where) {
         for (const System::Named& named : list) known(named.variable, where + ": `" + named.name + "`");
     };
     for (const Id<System::Instance> observer : system.observers)
-        if (!system.instances.contains(observer)) faults.push_back("an observer is no instance");
+        if (!system.instances.contains(observer)) faults.push_back("an observer is not an instance");
     const auto condition = [&](Id<Expr> term, const std::string& where) {
         if (term.valid()) sorts.check(term, Sort::Boolean, where, faults);
     };

@@ -71,7 +71,7 @@ std::shared_ptr<const Parsed> Session::parsed(const Json& params) {
     const std::string path = document(params);
     const ReserveUse use(false);
     auto file = workspace_.parsed(path);
-    if (file == nullptr) throw Refusal{request_failed, "the document is not there"};
+    if (file == nullptr) throw Refusal{request_failed, "the document does not exist"};
     return file;
 }
 
@@ -163,8 +163,7 @@ Json Session::rename(const Json& params) {
     const Names* all = at.names;
     if (thing != nullptr && !thing->file->path.starts_with('<'))
         all = &names(*workspace_.parsed(thing->file->path));  // all including files
-    if (workspace_.cut_short())
-        throw Refusal{request_failed, "the workspace is too large to know every file that names it"};
+    if (workspace_.cut_short()) throw Refusal{request_failed, "the workspace is too large to find all references"};
     Renaming renaming = renamed(*all, key, name);
     if (!renaming.obstacle.empty()) throw Refusal{request_failed, renaming.obstacle};
     return json_of(renaming.edits, uris());

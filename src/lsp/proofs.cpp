@@ -123,9 +123,9 @@ Json Session::execute(const Json& params) {
     const auto command = params.at("command").get<std::string>();
     const Json arguments = params.value("arguments", Json::array());
     if (!arguments.is_array() || arguments.empty())
-        throw Refusal{invalid_params, command + " takes the address of a document first"};
+        throw Refusal{invalid_params, command + " requires the address of a document as first argument"};
     const OpenText* const open = workspace_.find(arguments.at(0).get<std::string>());
-    if (open == nullptr) throw Refusal{request_failed, "this document is not open"};
+    if (open == nullptr) throw Refusal{request_failed, "the document is not open"};
     const std::string path = open->path;
     const auto argument = [&](std::size_t place) {
         return arguments.size() > place ? arguments[place].get<std::string>() : std::string();
@@ -135,7 +135,7 @@ Json Session::execute(const Json& params) {
     if (command == "grafverif.showVerdict") return show_verdict(path, argument(1), argument(2));
     if (command == "grafverif.draw") return draw(path, argument(1));
     if (command == "grafverif.simulate") return simulate(path);
-    throw Refusal{invalid_params, "there is no command " + command};
+    throw Refusal{invalid_params, "unknown command " + command};
 }
 
 Json Session::show(const std::string& uri, bool elsewhere, const std::string& words) {
@@ -153,8 +153,7 @@ Json Session::show_verdict(const std::string& path, const std::string& loop, con
         const auto all = verdicts_.find(path);
         if (all != verdicts_.end() && !all->second.by_key.empty()) known = &all->second.by_key.begin()->second;
     }
-    if (known == nullptr)
-        throw Refusal{request_failed, "nothing is known of it yet: save the file, or let it be checked"};
+    if (known == nullptr) throw Refusal{request_failed, "not yet checked; save the file or run the check"};
     const bool kept = can_.shows_documents && surroundings_.keep;
     const std::string uri = kept ? uri_of_path(surroundings_.keep(property + ".txt", known->text)) : "";
     if (kept) show(uri, false, known->text);
@@ -168,12 +167,12 @@ Json Session::show_verdict(const std::string& path, const std::string& loop, con
 Json Session::draw(const std::string& path, const std::string& chart) {
     const auto root = board_.root(path);
     if (root == nullptr || !root->reading.model)
-        throw Refusal{request_failed, "the file has errors; a drawing of it has to wait"};
+        throw Refusal{request_failed, "the file has errors and cannot be drawn; correct them"};
     const Model& model = *root->reading.model;
     for (const Id<Chart> id : model.charts.ids()) {
         if (!chart.empty() && model.charts[id].name != chart) continue;
         if (model.charts[id].steps.size() > 5000)
-            throw Refusal{request_failed, "the chart has more than 5,000 steps; `grafverif draw` draws it"};
+            throw Refusal{request_failed, "the chart has more than 5,000 steps; use `grafverif draw`"};
         const std::string svg = svg_of(drawing_of(model, id));
         if (!surroundings_.keep) return {{"svg", svg}};
         const std::string drawn = surroundings_.keep(model.charts[id].name + ".svg", svg);
@@ -181,11 +180,11 @@ Json Session::draw(const std::string& path, const std::string& chart) {
         shown["svg"] = svg;
         return shown;
     }
-    throw Refusal{request_failed, "there is no such chart"};
+    throw Refusal{request_failed, "unknown chart"};
 }
 
 Json Session::simulate(const std::string& path) {
-    if (!surroundings_.simulator) throw Refusal{request_failed, "there are no pages here"};
+    if (!surroundings_.simulator) throw Refusal{request_failed, "this server has no report pages"};
     const std::string address = surroundings_.simulator(path);
     return show(address, true, path + " is at " + address);
 }

@@ -29,7 +29,7 @@ std::string outcome_words(const Verdict& verdict) {
     std::string words(word(verdict.outcome));
     if (verdict.vacuous) words += ", vacuously";
     if (verdict.outcome != Outcome::Unknown && verdict.expected_violated)
-        words += as_expected(verdict) ? ", as expected" : ", which is not expected";
+        words += as_expected(verdict) ? ", as expected" : ", unexpectedly";
     return words;
 }
 
@@ -190,7 +190,7 @@ void Prover::prove_loop(const Root& root, Id<ClosedLoop> loop, Found& outcome) {
                   {},
                   {}};
         told.message = fmt::format("`{}` {}{}", verdict.property,
-                                   open ? "is not decided: " + printable(verdict.reason)
+                                   open                                   ? "is undecided: " + printable(verdict.reason)
                                    : verdict.outcome == Outcome::Violated ? "is violated"
                                                                           : "holds, but is expected to be violated",
                                    answer.text.empty() ? "" : ": " + printable(answer.text));

@@ -18,11 +18,12 @@ bool is_of_library(const Parsed& file) { return file.path.starts_with("<library>
 
 /// The reason why an element cannot be renamed to any name; empty if it can.
 std::string obstacle_of(const Names& names, const Thing& thing) {
-    if (is_of_library(*thing.file)) return fmt::format("`{}` is of the component library", thing.name);
+    if (is_of_library(*thing.file))
+        return fmt::format("`{}` belongs to the component library and cannot be renamed", thing.name);
     for (const auto& file : names.files()) {
         if (file->broken)
-            return fmt::format(
-                "`{}` has syntax errors: names in what cannot be read would be left out; mend them first", file->path);
+            return fmt::format("`{}` has syntax errors, so some names may not be found; correct them first",
+                               file->path);
         for (const tree::Declaration& declaration : file->tree.declarations) {
             const auto* loop = std::get_if<tree::ClosedLoop>(&declaration);
             for (const tree::LoopItem& item : loop != nullptr ? loop->items : std::vector<tree::LoopItem>()) {
@@ -33,7 +34,7 @@ std::string obstacle_of(const Names& names, const Thing& thing) {
                             .substr(word.begin, word.end - word.begin)
                             .ends_with(thing.name) &&
                         word.kind != Word::Kind::Sign)
-                        return fmt::format("the formula of property `{}` may name `{}`; change both by hand",
+                        return fmt::format("the formula of property `{}` may contain `{}`; change both manually",
                                            file->tree.text(property->name), thing.name);
             }
         }
@@ -73,12 +74,12 @@ Renaming renamed(const Names& names, const std::string& key, const std::string& 
     const Thing* const thing = names.thing(key);
     if (thing == nullptr) return {{}, "there is no name here"};
     const bool numbers = thing->kind == Kind::Step || thing->kind == Kind::Location || thing->kind == Kind::Transition;
-    if (!is_name(name, numbers)) return {{}, fmt::format("`{}` is no name here", name)};
+    if (!is_name(name, numbers)) return {{}, fmt::format("`{}` is not a valid name here", name)};
     if (std::string obstacle = obstacle_of(names, *thing); !obstacle.empty()) return {{}, std::move(obstacle)};
     Renaming result;
     std::map<const Parsed*, std::vector<std::pair<Span, std::string>>> edits;
     for (const FileUse& each : names.everywhere(key)) {
-        if (is_of_library(*each.file)) return {{}, fmt::format("`{}` is named in the component library", thing->name)};
+        if (is_of_library(*each.file)) return {{}, fmt::format("`{}` is used in the component library", thing->name)};
         const Span where = {each.use.where.source, each.use.where.begin + each.use.skipped, each.use.where.end};
         edits[each.file].emplace_back(where, name);
         result.edits.push_back({{each.file->path, each.file->text->range(where.begin, where.end)}, name});
@@ -90,7 +91,8 @@ Renaming renamed(const Names& names, const std::string& key, const std::string& 
         files.push_back(changed == edits.end() ? file : with_edits(*file, changed->second));
     }
     if (shape_of(Names(std::move(files))) != shape_of(names))
-        return {{}, fmt::format("`{}` has a meaning where `{}` stands; choose another name", name, thing->name)};
+        return {{},
+                fmt::format("`{}` is already declared in the scope of `{}`; choose another name", name, thing->name)};
     return result;
 }
 

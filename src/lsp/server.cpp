@@ -62,9 +62,9 @@ std::string method_of(const Json& message) {
 
 Item item_of(Framed framed) {
     if (!framed.complaint.empty()) return {.complaint = std::move(framed.complaint)};
-    if (nests_too_deep(framed.body)) return {.complaint = "the message nests too deep"};
+    if (nests_too_deep(framed.body)) return {.complaint = "the message nests too deeply"};
     Json message = Json::parse(framed.body, nullptr, false);
-    if (message.is_discarded()) return {.complaint = "the message is no JSON"};
+    if (message.is_discarded()) return {.complaint = "the message is not valid JSON"};
     return {.message = std::make_shared<const Json>(std::move(message))};
 }
 

@@ -44,7 +44,8 @@ void Session::take(const Json& message, bool cancelled) {
         const bool answers = is_id(id) && (message.contains("result") || message.contains("error"));
         if (answers && id == "grafverif/progress/" + std::to_string(token_) && message.contains("result"))
             progress_is_wanted();
-        if (!answers) fail(is_id(id) ? id : Json(), invalid_request, "this is neither a request nor a notification");
+        if (!answers)
+            fail(is_id(id) ? id : Json(), invalid_request, "the message is neither a request nor a notification");
         return;
     }
     const std::string name = method.get<std::string>();
@@ -62,9 +63,9 @@ void Session::take(const Json& message, bool cancelled) {
     } catch (const Refusal& refusal) {
         if (request) fail(id, refusal.code, refusal.message);
     } catch (const Json::exception&) {
-        if (request) fail(id, invalid_params, "the parameters of " + name + " are not as the protocol has them");
+        if (request) fail(id, invalid_params, "the parameters of " + name + " do not conform to the protocol");
     } catch (const std::bad_alloc&) {
-        failed("there is not enough memory");
+        failed("out of memory");
     } catch (const std::system_error& failure) {
         failed(failure.what());
     }
@@ -135,9 +136,10 @@ void Session::notified(const std::string& method, const Json& params) {
 
 Json Session::answer(const std::string& method, const Json& params) {
     if (method == "initialize" && state_ == State::Fresh) return initialize(params);
-    if (state_ == State::Fresh) throw Refusal{not_initialized, "`initialize` comes first"};
+    if (state_ == State::Fresh)
+        throw Refusal{not_initialized, "the server is not initialized; send `initialize` first"};
     if (state_ != State::Running || method == "initialize")
-        throw Refusal{invalid_request, method + " has no place here any more"};
+        throw Refusal{invalid_request, method + " is not allowed after `shutdown`"};
     if (method == "shutdown") {
         state_ = State::ShutDown;
         return nullptr;
@@ -160,7 +162,7 @@ Json Session::answer(const std::string& method, const Json& params) {
         {"textDocument/formatting", &Session::formatting},
     };
     if (const auto handler = handlers.find(method); handler != handlers.end()) return (this->*handler->second)(params);
-    throw Refusal{no_such_method, "there is no " + method + " here"};
+    throw Refusal{no_such_method, "unsupported method " + method};
 }
 
 // -- diagnostics

@@ -26,7 +26,7 @@ std::uint32_t small_number(const Json& json) {
 std::string title_of(const Edit& edit) {
     const std::size_t from = edit.replacement.find_first_not_of(" \n");
     const std::size_t to = edit.replacement.find_last_not_of(" \n");
-    return from == std::string::npos ? "take it out" : "write `" + edit.replacement.substr(from, to + 1 - from) + "`";
+    return from == std::string::npos ? "remove it" : "write `" + edit.replacement.substr(from, to + 1 - from) + "`";
 }
 
 }  // namespace

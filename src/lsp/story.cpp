@@ -67,7 +67,7 @@ std::vector<Related> Story::of(const ChartRun& run) const {
         const Span where = origin_of(run, row);
         if (!where.source.valid()) continue;
         std::string text = happening(run, row);
-        if (run.loop_from == rows[k]) text += " (from here on, for ever)";
+        if (run.loop_from == rows[k]) text += " (repeated forever from here)";
         places.push_back({places_.of(where), std::move(text)});
     }
     return places;

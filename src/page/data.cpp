@@ -161,7 +161,7 @@ std::vector<Playable> playable_runs(const PageContent& content) {
     };
     for (std::size_t k = 0; k < content.report.breakdowns.size(); ++k) {
         const Breakdown& each = content.report.breakdowns[k];
-        add({"breakdown-" + std::to_string(k + 1), "breakdown", "the model breaks off: " + each.code, each.message, "",
+        add({"breakdown-" + std::to_string(k + 1), "breakdown", "model error: " + each.code, each.message, "",
              &each.trace, all});
     }
     for (const bool violated : {true, false})
@@ -180,13 +180,7 @@ std::vector<Playable> playable_runs(const PageContent& content) {
             }
     for (std::size_t k = 0; k < content.tests.size(); ++k) {
         const std::string number = std::to_string(k + 1);
-        add({"test-" + number,
-             "test",
-             "test sequence " + number,
-             "here the sequence ends",
-             "",
-             &content.tests[k],
-             {0}});
+        add({"test-" + number, "test", "test sequence " + number, "end of the sequence", "", &content.tests[k], {0}});
     }
     return runs;
 }

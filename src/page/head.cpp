@@ -39,10 +39,10 @@ std::size_t errors_found(const PageContent& content) {
 /// The errors of the charts themselves; empty: none.
 std::string errors_words(const PageContent& content) {
     if (const std::size_t errors = errors_found(content); errors != 0)
-        return "by itself the chart has " + counted(errors, "error", "errors");
+        return "the chart analysis found " + counted(errors, "error", "errors");
     const bool complete =
         std::ranges::all_of(content.charts, [](const ChartContent& each) { return each.analysis.open.empty(); });
-    return complete ? "" : "whether the chart by itself has errors is not decided";
+    return complete ? "" : "the chart analysis is incomplete";
 }
 
 /// The summary is positive only if every property was decided as expected and the charts have no errors.
@@ -52,16 +52,16 @@ Glance glance_of(const PageContent& content) {
     const bool analysis_failed =
         std::ranges::any_of(content.charts, [](const ChartContent& each) { return !each.analysis.failures.empty(); });
     if (!report.failures.empty() || analysis_failed)
-        return {"bad", "The program is at fault: a run does not replay on the rules."};
-    if (!report.breakdowns.empty()) return {"bad", "The model breaks off."};
+        return {"bad", "Internal error: the trace fails the IEC 60848 replay check."};
+    if (!report.breakdowns.empty()) return {"bad", "Model error."};
     if (count.unexpected != 0)
-        return {"bad", fmt::format("{} against expectation.", counted(count.unexpected, "verdict is", "verdicts are"))};
+        return {"bad", fmt::format("{} unexpected.", counted(count.unexpected, "verdict is", "verdicts are"))};
     if (const std::size_t open = undecided(content); open != 0)
-        return {"unknown", fmt::format("{} not decided.", counted(open, "property is", "properties are"))};
-    if (count.holds + count.violated == 0) return {"unknown", "There is nothing to prove."};
+        return {"unknown", fmt::format("{} unknown.", counted(open, "verdict is", "verdicts are"))};
+    if (count.holds + count.violated == 0) return {"unknown", "There are no properties."};
     std::string words =
         fmt::format("Every {}{} {}", count.violated == 0 ? "property" : "verdict",
-                    content.asked.empty() ? "" : " asked for", count.violated == 0 ? "holds" : "is as expected");
+                    content.asked.empty() ? "" : " selected", count.violated == 0 ? "holds" : "is as expected");
     const auto vacuous = static_cast<std::size_t>(
         std::ranges::count_if(report.answers, [](const Answer& answer) { return answer.verdict.vacuous; }));
     if (vacuous != 0) words += fmt::format(", {} vacuously", vacuous);
@@ -83,44 +83,43 @@ std::string tally_words(const PageContent& content) {
 std::vector<std::string> assumptions(const PageContent& content) {
     const Basis& basis = content.report.basis;
     std::vector<std::string> said;
-    if (!content.asked.empty()) said.push_back("Only these properties were asked for: " + listed(content.asked) + ".");
+    if (!content.asked.empty()) said.push_back("Only these properties were selected: " + listed(content.asked) + ".");
     if (basis.untimed.empty())
         said.push_back(
-            fmt::format("Time: what is decided, the {} engine decided on the timed closed loop, in units of {}; "
-                        "a PLC cycle takes no time.",
+            fmt::format("Time: the {} engine checked the timed closed loop in units of {}; a PLC cycle takes no time.",
                         basis.engine, seconds_text(basis.time_unit_ms)));
     else
-        said.push_back(fmt::format(
-            "No time: what is decided, the {} engine decided on the untimed model ({}){}.", basis.engine, basis.untimed,
-            content.loop.valid() ? "; what that says of the timed loop stands with each verdict" : ""));
+        said.push_back(
+            fmt::format("No time: the {} engine checked the untimed model ({}){}.", basis.engine, basis.untimed,
+                        content.loop.valid() ? "; each verdict states what it implies for the timed loop" : ""));
     if (!basis.constants.empty()) said.push_back("Constants of the loop: " + constants_text(basis.constants) + ".");
     if (basis.mode == word(ExecutionMode::StabilitySearch))
         said.push_back(
-            "The PLC searches for stability: it reads its inputs, evolves until nothing changes any more, "
-            "and writes its outputs then.");
+            "Stability search: the PLC reads its inputs, evolves until the situation is stable, and then writes its "
+            "outputs.");
     else if (basis.mode == word(ExecutionMode::EveryCycle))
-        said.push_back("The PLC makes one evolution in a cycle and writes its outputs in each.");
+        said.push_back("Every cycle: the PLC makes one evolution per cycle and writes its outputs in each cycle.");
     else said.push_back(fmt::format("Modes of the controllers: {}.", basis.mode));
     if (basis.grain == "phased")
-        said.push_back("Grain phased: the plant and the timers may move between the phases of one PLC cycle.");
+        said.push_back("Grain phased: the plant and the timers can move between the phases of a PLC cycle.");
     else if (basis.grain == "atomic")
         said.push_back(
-            "Grain atomic: the plant does not move while a cycle runs; verdicts are about that model alone, "
-            "unless they say more.");
+            "Grain atomic: the plant does not move during a PLC cycle; verdicts apply only to this model unless stated "
+            "otherwise.");
     if (!content.loop.valid()) {
-        said.push_back("There is no plant: every input may change at any time.");
+        said.push_back("There is no plant: every input can change at any time.");
         for (const ChartContent& each : content.charts)
             for (const Chart::Constraint& constraint : content.model.charts[each.chart].constraints)
-                said.push_back("What the chart says of its inputs is assumed by the findings, not by the verdicts: " +
+                said.push_back("Input constraint, assumed by the findings, but not by the verdicts: " +
                                term_text(content.model.charts[each.chart], constraint.condition));
         return said;
     }
     const ClosedLoop& loop = content.model.loops[content.loop];
     if (basis.untimed.starts_with("no plant")) {
-        said.push_back("There is no plant in this model: every input may change at any time.");
+        said.push_back("This model has no plant: every input can change at any time.");
         if (basis.untimed.find("constrained inputs") == std::string::npos) return said;
         for (const ClosedLoop::Constraint& constraint : loop.constraints)
-            said.push_back(fmt::format("But the inputs always keep {}: {}", constraint.name,
+            said.push_back(fmt::format("The inputs always satisfy {}: {}", constraint.name,
                                        term_text(content.model, loop, constraint.condition)));
         return said;
     }
@@ -130,7 +129,7 @@ std::vector<std::string> assumptions(const PageContent& content) {
             environment.push_back(
                 fmt::format("{} ({})", instance.name, content.model.components[instance.component].name));
     if (!environment.empty())
-        said.push_back("Environment, free to act as its components let it: " + listed(environment) + ".");
+        said.push_back("Environment, with any behaviour of its components: " + listed(environment) + ".");
     return said;
 }
 
@@ -145,9 +144,9 @@ void add_head(const PageContent& content, Html& html) {
     html.open("p", {{"class", std::string("glance ") + glance.kind}}).put("strong", glance.words);
     html.put("span", tally_words(content)).close("p");
     for (const Breakdown& each : content.report.breakdowns)
-        html.put("p", "The model breaks off: " + each.message + " [" + each.code + "]", {{"class", "bad"}});
+        html.put("p", "Model error: " + each.message + " [" + each.code + "]", {{"class", "bad"}});
     for (const std::string& failure : content.report.failures) html.put("p", failure, {{"class", "bad"}});
-    html.open("details", {{"class", "assumed"}, {"open", ""}}).put("summary", "What was assumed").open("ul");
+    html.open("details", {{"class", "assumed"}, {"open", ""}}).put("summary", "Assumptions").open("ul");
     for (const std::string& sentence : assumptions(content)) html.put("li", sentence);
     html.close("ul").close("details");
     if (!content.warnings.empty())

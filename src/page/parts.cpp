@@ -28,10 +28,9 @@ void begin_section(Html& html, const char* id, std::string_view title) {
 
 void add_play(Html& html, const ChartRun& trace, const std::string& run, std::string_view what) {
     if (!can_be_played(trace)) {
-        html.put("p",
-                 fmt::format("The {} has {} moments, too many to be played here; `--format json` of `check` and of "
-                             "`analyse` tells it.",
-                             what, trace.moments.size()));
+        html.put("p", fmt::format("The {} has {} steps, which is too many for the player; `check` and `analyse` with "
+                                  "`--format json` print it.",
+                                  what, trace.moments.size()));
         return;
     }
     html.put("button", fmt::format("▶ Play the {}", what), {{"type", "button"}, {"class", "play"}, {"data-run", run}});
@@ -70,11 +69,11 @@ void add_answer(const PageContent& content, const Answer& answer, Html& html) {
         !formula.empty())
         html.open("pre", {{"class", "formula"}}).put("code", formula).close("pre");
     if (!verdict.declared && verdict.outcome != Outcome::Unknown)
-        html.put("p", "The model does not ask for it; it is decided all the same.");
+        html.put("p", "The model does not declare this property; it is always checked.");
     if (!verdict.reason.empty()) html.open("p").text("Why: ").prose(verdict.reason).close("p");
     for (const std::string& note : verdict.notes) html.open("p").text("Note: ").prose(note).close("p");
     html.open("p", {{"class", "remark"}})
-        .text("It rests on: ")
+        .text("Assumptions: ")
         .prose(basis_words(content.report, answer) + ".")
         .close("p");
     const bool witness = verdict.outcome == Outcome::Holds;
@@ -85,7 +84,8 @@ void add_answer(const PageContent& content, const Answer& answer, Html& html) {
 void add_run_as_text(const Playable& playable, Html& html) {
     html.put("h3", playable.title);
     if (playable.run->rows.size() > longest_table) {
-        html.put("p", fmt::format("It has {} rows; `grafverif check` prints them.", playable.run->rows.size()));
+        html.put("p",
+                 fmt::format("Its {} rows are omitted; `grafverif check` prints them.", playable.run->rows.size()));
         return;
     }
     std::ostringstream table;
@@ -107,15 +107,17 @@ void add_finding(const PageContent& content, const Analysis& analysis, const Fin
             .close("p");
     if (finding.accepted) html.put("p", "Accepted: " + *finding.accepted);
     if (finding.timing == Finding::Timing::Unconfirmed)
-        html.put("p", "No times were found at which its evidence can happen: it may be none.");
+        html.put("p", "Unconfirmed: no times were found at which this trace is possible.");
     if (finding.evidence) add_play(html, *finding.evidence, evidence_name(content, analysis, finding), "evidence");
     html.close("li");
 }
 
 void add_open_questions(const Analysis& analysis, Html& html) {
     if (analysis.open.empty()) return;
-    html.put("p", "Not everything is decided: " + analysis.obstacle + ".");
-    html.open("details").put("summary", counted(analysis.open.size(), "open question", "open questions")).open("ul");
+    html.put("p", "The analysis is incomplete: " + analysis.obstacle + ".");
+    html.open("details")
+        .put("summary", counted(analysis.open.size(), "undecided check", "undecided checks"))
+        .open("ul");
     for (const OpenQuestion& open : analysis.open)
         html.put("li", fmt::format("{} {} ({})", open.code, open.subject, open_text(open)));
     html.close("ul").close("details");
@@ -169,13 +171,13 @@ void add_coverage_of(const PageContent& content, std::size_t place, Html& html) 
 void add_verdicts(const PageContent& content, Html& html) {
     begin_section(html, "verdicts", "Properties");
     const std::vector<const Property*> without = left_out(content);
-    if (content.report.answers.empty() && without.empty()) html.put("p", "There are none.");
+    if (content.report.answers.empty() && without.empty()) html.put("p", "There are no properties.");
     for (const Property* property : without) {
         html.open("details", {{"class", "property unknown"}, {"id", "property-" + property->name}, {"open", ""}});
         html.open("summary").put("span", "?", {{"class", "mark"}, {"aria-hidden", "true"}});
         html.open("strong").text(property->name).close("strong");
         html.put("span", "unknown", {{"class", "outcome"}}).close("summary");
-        html.put("p", "It is not decided: this model cannot be asked it; the warnings say why.").close("details");
+        html.put("p", "This model does not support the property; see the warnings.").close("details");
     }
     for (const Answer& answer : content.report.answers)
         if (look_of(answer.verdict).first != std::string_view("ok")) add_answer(content, answer, html);
@@ -189,7 +191,7 @@ void add_runs(const PageContent& content, Html& html) {
     if (runs.empty()) return;
     begin_section(html, "runs", "Runs");
     html.open("div", {{"id", "player"}}).open("noscript");
-    html.put("p", "With a script engine the runs can be played on the drawn charts.");
+    html.put("p", "The player requires JavaScript.");
     html.close("noscript");
     for (const Playable& playable : runs) add_run_as_text(playable, html);
     html.close("div").close("section");
@@ -197,8 +199,7 @@ void add_runs(const PageContent& content, Html& html) {
 
 void add_findings(const PageContent& content, Html& html) {
     begin_section(html, "findings", "Findings");
-    html.put("p",
-             "What can go wrong in a chart, and what never happens in it, whatever its inputs do: no plant is assumed.",
+    html.put("p", "Defects and dead elements of each chart for all input sequences; no plant is assumed.",
              {{"class", "remark"}});
     for (const ChartContent& each : content.charts) {
         const Analysis& analysis = each.analysis;
@@ -229,7 +230,7 @@ void add_charts(const PageContent& content, Html& html) {
 
 void add_equations(const PageContent& content, Html& html) {
     begin_section(html, "equations", "Equations");
-    html.put("p", "The meaning of each chart: what is proved is these.", {{"class", "remark"}});
+    html.put("p", "The semantics of each chart, on which the proofs are based.", {{"class", "remark"}});
     for (const ChartContent& each : content.charts) {
         std::ostringstream text;
         print_equations(text, each.equations);
@@ -242,8 +243,8 @@ void add_coverage(const PageContent& content, Html& html) {
     const std::size_t runs = playable_runs(content).size();
     begin_section(html, "coverage", "Coverage");
     html.put("p",
-             fmt::format("Which steps were active and which transitions were cleared in at least one of the {} of this "
-                         "page. It is no measure of the proofs, which do not rest on these runs.",
+             fmt::format("Steps that were active and transitions that were cleared in at least one of the {} of this "
+                         "page. This is trace coverage, not proof coverage.",
                          counted(runs, "run", "runs")),
              {{"class", "remark"}});
     for (std::size_t k = 0; k < content.charts.size() && runs != 0; ++k) add_coverage_of(content, k, html);

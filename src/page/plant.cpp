@@ -56,7 +56,7 @@ void begin_table(Html& html, const std::vector<std::string>& titles) {
 void end_table(Html& html) { html.close("tbody").close("table").close("div"); }
 
 void add_tables(const Component& component, Html& html) {
-    begin_table(html, {"location", "time may pass while", ""});
+    begin_table(html, {"location", "invariant", ""});
     for (const Id<Component::Location> id : component.locations.ids())
         add_row(html, {component.locations[id].name, clocks_text(component, component.locations[id].invariant),
                        id == component.initial ? "initial" : ""});
@@ -64,7 +64,7 @@ void add_tables(const Component& component, Html& html) {
     begin_table(html, {"from", "to", "", "when", "does"});
     for (const Component::Edge& edge : component.edges)
         add_row(html, {component.locations[edge.from].name, component.locations[edge.to].name,
-                       edge.urgent ? "at once" : "timed", guard_text(component, edge), effect_text(component, edge)});
+                       edge.urgent ? "urgent" : "timed", guard_text(component, edge), effect_text(component, edge)});
     end_table(html);
 }
 
@@ -73,7 +73,7 @@ void add_component(const Component& component, const ComponentContent& content, 
     html.open("figcaption").put("strong", component.name);
     html.text(component.summary.empty() ? "" : ": " + component.summary).close("figcaption");
     if (content.drawing.empty())
-        html.put("p", fmt::format("Its {} locations are more than a drawing shows; these tables tell them.",
+        html.put("p", fmt::format("An automaton with {} locations is too large to draw; see the tables.",
                                   component.locations.size()));
     else
         html.open("div", {{"class", "drawing automaton"},

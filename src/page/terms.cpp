@@ -253,7 +253,7 @@ std::vector<std::string> headings_of(const Sentence& sentence) {
         case Sentence::Kind::Response:
             return {"after this is true", "this must become true" + (bound.empty() ? "" : " within " + bound)};
         case Sentence::Kind::Precedence: return {"this must be true before", "this becomes true"};
-        case Sentence::Kind::HoldsFor: return {"once true, must stay so for " + bound};
+        case Sentence::Kind::HoldsFor: return {"once true, must stay true for " + bound};
         case Sentence::Kind::HoldsAtMost: return {"must not stay true for longer than " + bound};
         case Sentence::Kind::Since: return {"may be true only until " + bound + " after", "this was true"};
         case Sentence::Kind::Recurrence: return {"must be true at least every " + bound};
@@ -263,11 +263,11 @@ std::vector<std::string> headings_of(const Sentence& sentence) {
         unreachable();
     };
     std::vector<std::string> headings = own();
-    if (sentence.scope == Sentence::Scope::After) headings.emplace_back("from where this is true on");
+    if (sentence.scope == Sentence::Scope::After) headings.emplace_back("once this is true");
     if (sentence.scope == Sentence::Scope::Between || sentence.scope == Sentence::Scope::AfterUntil)
-        headings.emplace_back("from where this is true");
+        headings.emplace_back("once this is true");
     if (sentence.scope != Sentence::Scope::Globally && sentence.scope != Sentence::Scope::After)
-        headings.emplace_back("up to where this is true");
+        headings.emplace_back("until this is true");
     return headings;
 }
 

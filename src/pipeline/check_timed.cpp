@@ -40,7 +40,7 @@ std::string grouped(std::uint64_t number) {
 
 std::string progress_text(const TimedProgress& now) {
     const double rate = now.seconds > 0 ? static_cast<double>(now.states) / now.seconds / 1e6 : 0;
-    return fmt::format("{} states, {:.2f} million/s, {} to go on from, {} MiB, {:.0f} s", grouped(now.states), rate,
+    return fmt::format("{} states, {:.2f} million/s, {} open, {} MiB, {:.0f} s", grouped(now.states), rate,
                        grouped(now.queue), now.bytes >> 20U, now.seconds);
 }
 
@@ -159,7 +159,7 @@ public:
     Report report(TimedResult result) {
         Report report{network_.name, basis_of(network_, "timed")};
         for (ModelError& error : result.errors) {
-            if (!replays(error.run, fmt::format("the way to `{}`", word(error.kind)))) error.run = {};
+            if (!replays(error.run, fmt::format("the trace to `{}`", word(error.kind)))) error.run = {};
             report.breakdowns.push_back(breakdown_of(network_, error, detail_));
             if (error.kind == ModelError::Kind::ActionRace) name_race(report.breakdowns.back(), error.run);
         }
@@ -202,9 +202,10 @@ private:
     void name_race(Breakdown& breakdown, const Run& run) const {
         const std::optional<Clash> found = clash(project(network_, run), loop_.charts);
         if (!found) return;
-        const std::string what = found->variable.empty()
-                                     ? "forcing orders contradict each other"
-                                     : fmt::format("two stored actions give `{}` different values", found->variable);
+        const std::string what =
+            found->variable.empty()
+                ? "contradictory forcing orders"
+                : fmt::format("two stored actions assign different values to `{}`", found->variable);
         breakdown.message = fmt::format("{}, in an evolution of `{}`", what, found->controller);
     }
 

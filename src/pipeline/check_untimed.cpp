@@ -27,7 +27,7 @@ Detail detail(const CheckOptions& options) { return options.every_move ? Detail:
 }  // namespace
 
 std::string replay_failure(std::string_view what, const Disagreement& disagreement) {
-    return fmt::format("{} does not replay on the rules of IEC 60848: {}: {} (move {})", what, disagreement.where,
+    return fmt::format("{} fails the replay on the rules of IEC 60848: {}: {} (move {})", what, disagreement.where,
                        disagreement.what, disagreement.move);
 }
 
@@ -99,7 +99,7 @@ void SystemReporter::add(Verdict verdict, std::optional<SystemRun> run) {
     }
     if (!told || verdict.outcome == Outcome::Unknown) run.reset();
     if (const auto found = run ? untimely(project(check_.system, *run)) : std::nullopt)
-        verdict.notes.push_back(fmt::format("no plant gives this run: {}/{} is over in it, and {}/{} is not",
+        verdict.notes.push_back(fmt::format("no plant has this run: {}/{} has expired in it, but {}/{} has not",
                                             duration_text(found->longer_ms), found->step.variable(),
                                             duration_text(found->shorter_ms), found->step.variable()));
     std::string carries = carries_words(check_, check_.system.properties[verdict.about], verdict, unproven_);
@@ -110,7 +110,7 @@ void SystemReporter::add(Verdict verdict, std::optional<SystemRun> run) {
 }
 
 void SystemReporter::add(const SystemFault& fault) {
-    if (!fault.run.states.empty()) replays(fault.run, "the way to the fault");
+    if (!fault.run.states.empty()) replays(fault.run, "the trace to the model error");
     report_.breakdowns.push_back(breakdown_of(check_.system, fault, detail(options_)));
 }
 
@@ -176,7 +176,7 @@ void add_stabilises(const Chart& chart, const Equations& equations, const Limits
     set_limits(asked, limits);
     Analysis analysis = analyse(chart, equations, asked);
     report.failures.insert(report.failures.end(), analysis.failures.begin(), analysis.failures.end());
-    Answer answer{.text = "whatever the inputs, the situation becomes stable"};
+    Answer answer{.text = "the situation becomes stable for all inputs"};
     Verdict& verdict = answer.verdict;
     verdict = {.property = stabilises, .declared = false, .seconds = analysis.seconds, .origin = chart.origin};
     const auto unstable = std::ranges::find(analysis.findings, "total-instability", &Finding::code);
@@ -195,7 +195,7 @@ void add_stabilises(const Chart& chart, const Equations& equations, const Limits
         verdict.reason = analysis.obstacle;
     }
     if (const std::string& engine = report.basis.engine; engine != "symbolic")
-        verdict.notes.push_back(fmt::format("decided by the search of `analyse`, not by {}", engine));
+        verdict.notes.push_back(fmt::format("decided by the exploration of `analyse`, not by {}", engine));
     report.answers.push_back(std::move(answer));
 }
 

@@ -16,7 +16,7 @@ Analysis analysis_of(const Chart& chart, const Equations& equations, AnalyseOpti
     if (limits.progress)
         options.progress = [&limits](const AnalyseProgress& now) {
             limits.progress({[&now] {
-                return fmt::format("part {} of {}, {} instants; {} of {} questions decided, {} findings", now.part,
+                return fmt::format("part {} of {}, {} instants; {} of {} checks decided, {} findings", now.part,
                                    now.parts, now.instant, now.questions - now.open, now.questions, now.findings);
             }});
         };
@@ -44,8 +44,8 @@ std::optional<LocationAutomaton> automaton_of(const Model& model, Id<Chart> char
     if (how.limits.progress)
         options.progress = [&how](const ConformProgress& now) {
             how.limits.progress({[&now] {
-                return fmt::format("{} locations, {} to go on from, {} evolutions", now.locations,
-                                   now.locations - now.done, now.evolutions);
+                return fmt::format("{} locations, {} open, {} evolutions", now.locations, now.locations - now.done,
+                                   now.evolutions);
             }});
         };
     return location_automaton(*equations, options, diagnostics);

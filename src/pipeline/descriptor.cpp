@@ -19,7 +19,7 @@ void fail(int code, const std::string& what) { throw std::system_error(code, std
 
 Pipe make_pipe() {
     std::array<int, 2> ends = {};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno, "cannot make a pipe");
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno, "cannot create a pipe");
     return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 

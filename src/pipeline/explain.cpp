@@ -44,9 +44,8 @@ void explain_power_on(const Network& network, const std::vector<Violation>& viol
 }
 
 std::string gave_up(std::size_t count, std::string_view what, std::size_t tried) {
-    return fmt::format(
-        "which of the {} {} of its counterexample would have to be left out was not found: {} ways were tried", count,
-        what, tried);
+    return fmt::format("no minimal set among the {} {} of the counterexample was found after {} attempts", count, what,
+                       tried);
 }
 
 /// Returns true if a search is to stop; `limits` must outlive it.
@@ -80,8 +79,7 @@ void explain_inputs(const TransitionSystem& system, const Property& property, co
     const InputChange change = fewest_input_changes(system, property, run, most_steps, stopped_by(limits));
     if (change.left_out) mark(system, *change.left_out, *answer.trace);
     if (change.exhausted)
-        answer.verdict.notes.push_back(
-            gave_up(change.events.size(), "changes of inputs and ends of times", change.tried));
+        answer.verdict.notes.push_back(gave_up(change.events.size(), "input changes and timer expiries", change.tried));
 }
 
 /// For a run with interleaved plant automata.
@@ -128,7 +126,7 @@ void explain(const Chart& chart, ExecutionMode mode, const Limits& limits, Answe
     if (!answer.trace) return;
     InstantChange change = fewest_changes(chart, mode, *answer.trace, most_steps, stopped_by(limits));
     if (change.left_out) answer.trace->left_out_values = std::move(*change.left_out);
-    if (change.exhausted) answer.verdict.notes.push_back(gave_up(change.events, "changes of inputs", change.tried));
+    if (change.exhausted) answer.verdict.notes.push_back(gave_up(change.events, "input changes", change.tried));
 }
 
 }  // namespace grafverif

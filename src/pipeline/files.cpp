@@ -184,9 +184,8 @@ std::optional<std::string> Reach::read(const std::string& path, std::string& why
     const fs::path file = fs::canonical(path, failure);
     if (!failure && std::ranges::none_of(roots_, [&](const fs::path& root) { return is_below(file, root); })) {
         why =
-            "it lies neither below the folder of the main file nor below that of its project, which `.git` or "
-            "`grafverif.project` "
-            "marks; let it be read with `-I FOLDER`";
+            "it is outside the directory of the main file and of its project (marked by `.git` or "
+            "`grafverif.project`); allow it with `-I DIR`";
         return {};
     }
     return content_of_file(failure ? fs::path(path) : file, why);

@@ -71,14 +71,15 @@ std::string carried(const SystemToCheck& check, const Property& property, const 
     const bool holds = verdict.outcome == Outcome::Holds;
     const bool all_runs = is_about_all_states(property.pattern) || is_liveness(property.pattern);
     const bool about_states = is_about_single_states(property.pattern);
-    if (check.abstraction.fair && !about_states) return "it says nothing beyond this model";
+    if (check.abstraction.fair && !about_states) return "no conclusion beyond this model";
     const bool observed = reads_observer(check.system, property);
     switch (check.abstraction.carries) {
     case Abstraction::Carries::ToEveryPlant: {
         if (observed || !speaks_of_every_plant(check, property, verdict.outcome))
-            return all_runs && !holds ? "it may yet hold with the real plant" : "it says nothing of any plant";
+            return all_runs && !holds ? "may hold with the real plant" : "no conclusion about any plant";
         const bool constrained = check.abstraction.constrained;
-        std::string words = constrained ? "so with every plant that keeps the constraints" : "so with every plant";
+        std::string words =
+            constrained ? "valid for every plant that satisfies the constraints" : "valid for every plant";
         if (is_liveness(property.pattern)) {
             words += constrained ? " and lets " : " that lets ";
             words += check.system.controllers.size() > 1 ? "each controller run" : "the controller run";
@@ -86,14 +87,15 @@ std::string carried(const SystemToCheck& check, const Property& property, const 
         return words + ", in grain atomic";
     }
     case Abstraction::Carries::ToTimedLoop:
-        if ((holds && all_runs) || (!holds && property.pattern == Pattern::Reachable)) return "so in the timed loop";
-        return all_runs ? "it may yet hold in the timed loop" : "it says nothing of the timed loop";
+        if ((holds && all_runs) || (!holds && property.pattern == Pattern::Reachable))
+            return "valid for the timed loop";
+        return all_runs ? "may hold in the timed loop" : "no conclusion about the timed loop";
     case Abstraction::Carries::ExactInIntegerTime:
         if (!about_states || observed) return "integer time only";
         return holds == (property.pattern == Pattern::Reachable)
-                   ? "so in the timed loop"  // a run shows it, and a run of integer time is one of dense time
-                   : "the states of the timed engine: integer time only, if a clock constraint is strict";
-    case Abstraction::Carries::Nowhere: return "it says nothing beyond this model";
+                   ? "valid for the timed loop"  // a run shows it, and a run of integer time is one of dense time
+                   : "applies to integer time, and to dense time only without strict clock constraints";
+    case Abstraction::Carries::Nowhere: return "no conclusion beyond this model";
     }
     return {};
 }
@@ -115,11 +117,11 @@ std::vector<std::string> unproven_faults(const TransitionSystem& system, const s
 std::string carries_words(const SystemToCheck& check, const Property& property, const Verdict& verdict,
                           const std::vector<std::string>& unproven) {
     std::string words = carried(check, property, verdict);
-    if (!words.starts_with("so ")) return words;
+    if (!words.starts_with("valid ")) return words;
     bool first = true;
     for (const std::string& fault : unproven) {
         if (fault == property.name) continue;
-        words += (first ? ", as long as " : " and ") + fault;
+        words += (first ? ", provided that " : " and ") + fault;
         first = false;
     }
     return first ? words : words + (words.find(" and no_") == std::string::npos ? " holds" : " hold");

@@ -166,7 +166,7 @@ private:
     bool stopped() {
         const bool over = options_.limits.deadline && std::chrono::steady_clock::now() >= *options_.limits.deadline;
         const bool asked = options_.limits.stop != nullptr && *options_.limits.stop;
-        if (over || asked) why_.ended = over ? "the time allowed was over" : "it was stopped";
+        if (over || asked) why_.ended = over ? "time limit reached" : "stopped";
         return over || asked;
     }
 
@@ -177,7 +177,7 @@ private:
             const Property& property = element_of(network.properties, ground.property, &Property::name);
             const Id<Expr> asked = left_side(property, network.exprs);
             if (!asked.valid()) continue;
-            questions.push_back({.name = ground.property + " is asked",
+            questions.push_back({.name = ground.property + " premise",
                                  .pattern = Pattern::Reachable,
                                  .operands = {asked},
                                  .at_stable = property.at_stable});
@@ -186,7 +186,7 @@ private:
         for (Property& question : questions) network.properties.add(std::move(question));
         const std::vector<Verdict> found = names.empty() ? std::vector<Verdict>{} : search(network, names);
         for (Ground& ground : why_.grounds)
-            ground.never_asked = outcome_of(found, ground.property + " is asked") == Outcome::Violated;
+            ground.never_asked = outcome_of(found, ground.property + " premise") == Outcome::Violated;
     }
 
     // -- one element alone -------------------------------------------------------------------------------------------

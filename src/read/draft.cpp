@@ -117,7 +117,7 @@ void Draft::refuse(Span where, std::string_view what, std::string_view hint) {
         return;
     }
     diagnostics_->add(messages::left_out(where, what));
-    std::string line = "// left out: ";
+    std::string line = "// omitted: ";
     for (const char c : what) line += c == '\n' || c == '\r' ? ' ' : c;
     file_.comments.push_back({std::move(line), {where.source, 0, 0}, true});
 }

@@ -77,7 +77,7 @@ std::vector<tree::File> parse_with_includes(Id<Source> file, Sources& sources, c
             if (known->second == State::Open) diagnostics.add(messages::include_cycle(include->where, path));
             continue;
         }
-        std::string why = "there is no way to other files here";
+        std::string why = "includes are not available here";
         auto text = context.load ? context.load(path, why) : std::nullopt;
         if (!text) {
             missing = true;

@@ -61,17 +61,17 @@ constexpr std::size_t deepest_element = 1000;
 
 std::string_view described(pugi::xml_parse_status status) {
     switch (status) {
-    case pugi::status_unrecognized_tag: return "this is no tag";
+    case pugi::status_unrecognized_tag: return "invalid tag";
     case pugi::status_bad_pi: return "a processing instruction does not end";
     case pugi::status_bad_comment: return "a comment does not end";
     case pugi::status_bad_cdata: return "a CDATA section does not end";
     case pugi::status_bad_doctype: return "the document type does not end";
     case pugi::status_bad_pcdata: return "a text does not end";
     case pugi::status_bad_start_element: return "a start tag does not end";
-    case pugi::status_bad_attribute: return "an attribute wants `name=\"value\"`";
+    case pugi::status_bad_attribute: return "an attribute must have the form `name=\"value\"`";
     case pugi::status_bad_end_element: return "an end tag is malformed";
     case pugi::status_end_element_mismatch: return "an end tag closes another element, or an element is not closed";
-    case pugi::status_no_document_element: return "there is no element";
+    case pugi::status_no_document_element: return "the document has no element";
     default: return "it cannot be parsed";
     }
 }
@@ -96,7 +96,7 @@ std::optional<Xml> Xml::read(Id<Source> source, Sources& sources, Diagnostics& d
         return Span{source, begin, std::min(begin + 1, whole.end)};
     };
     if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
-        diagnostics.add(messages::broken_xml(place(nul), "there is a byte 0"));
+        diagnostics.add(messages::broken_xml(place(nul), "the document contains a byte 0"));
         return {};
     }
     Xml xml;
@@ -118,7 +118,7 @@ std::optional<Xml> Xml::read(Id<Source> source, Sources& sources, Diagnostics& d
         }
         if (node.type() != pugi::node_element) continue;
         if (xml.root_) {
-            diagnostics.add(messages::broken_xml(xml.where(node), "there is a second outermost element"));
+            diagnostics.add(messages::broken_xml(xml.where(node), "the document has a second root element"));
             return {};
         }
         xml.root_ = node;
@@ -126,7 +126,7 @@ std::optional<Xml> Xml::read(Id<Source> source, Sources& sources, Diagnostics& d
     std::size_t depth = 0;
     for (pugi::xml_node node = xml.root_;;) {
         if (node.type() == pugi::node_element && has_twins(node)) {
-            diagnostics.add(messages::broken_xml(xml.where(node), "an attribute stands there twice"));
+            diagnostics.add(messages::broken_xml(xml.where(node), "an attribute occurs twice"));
             return {};
         }
         if (node.first_child()) {

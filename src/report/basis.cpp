@@ -32,9 +32,9 @@ std::string scope_words(const Scope& scope) {
     const std::string what = scope.searched.empty() ? "no search"
                                                     : fmt::format("{}{} {}", scope.cells ? "cell" : "sub-loop",
                                                                   one ? "" : "s", some_of(scope.searched));
-    if (scope.left_out.empty()) return what + ", each by itself";
+    if (scope.left_out.empty()) return what + ", each separately";
     const std::string rest =
-        fmt::format("{}; left out: {}", scope.searched.empty() ? what : what + " alone", some_of(scope.left_out));
+        fmt::format("{}; omitted: {}", scope.searched.empty() ? what : what + " alone", some_of(scope.left_out));
     if (scope.because.empty()) return rest;
     return fmt::format("{}, {} {}", rest, scope.left_out.size() == 1 ? "which" : "each of which", scope.because);
 }
@@ -51,7 +51,7 @@ std::string abstraction_words(const Answer& answer) {
     std::string words;
     if (!chosen.empty()) words = "inputs chosen at each sampling: " + some_of(chosen);
     if (!untimed.empty()) append(words, "clocks ignored: " + some_of(untimed), "; ");
-    if (!paced.empty()) append(words, "at any time, but once in an instant: " + some_of(paced), "; ");
+    if (!paced.empty()) append(words, "at any time, but at most once per instant: " + some_of(paced), "; ");
     if (answer.trace) append(words, "a shorter trace may exist", "; ");
     return words;
 }

@@ -36,9 +36,9 @@ Diagnostic diagnostic(const Finding& finding) {
 
 void print_evidence(const Finding& finding, std::ostream& out) {
     if (finding.timing == Finding::Timing::Unconfirmed)
-        out << "    it rests on the order in which timers end; no moments were found at which that happens\n";
+        out << "    depends on the order in which timers expire; no times were found at which that happens\n";
     if (!finding.evidence) return;
-    out << "    a shortest way: " << printable(finding.evidence_shows) << '\n';
+    out << "    shortest trace: " << printable(finding.evidence_shows) << '\n';
     print_trace(*finding.evidence, out);
 }
 
@@ -61,7 +61,7 @@ std::string subjects_text(const std::vector<std::string>& subjects) {
 /// The open queries, one line for each code and each number of searched instants.
 void print_open(const Analysis& analysis, std::ostream& out) {
     if (analysis.open.empty()) return;
-    out << fmt::format("not decided: {} of {} questions; {}\n", analysis.open.size(), analysis.questions,
+    out << fmt::format("inconclusive: {} of {} checks; {}\n", analysis.open.size(), analysis.questions,
                        analysis.obstacle);
     std::map<std::pair<std::string, std::string>, std::vector<std::string>> lines;
     std::set<std::pair<const void*, std::string_view>> told;  // several queries may have one subject
@@ -108,14 +108,14 @@ void print_findings(const Analysis& analysis, const Sources& sources, Colour col
 }
 
 std::string open_text(const OpenQuestion& question) {
-    if (is_trap(question.code)) return "ways back are known when all situations are";
+    if (is_trap(question.code)) return "decided only if all situations are explored";
     const bool never =
         question.code.find("-never-") != std::string::npos || question.code.find("-always-") != std::string::npos;
     const std::string least = question.evolutions == 0 ? "" : fmt::format("none in {} evolutions", question.evolutions);
-    if (question.instants == 0) return least.empty() ? "nothing is known" : least;
+    if (question.instants == 0) return least.empty() ? "not explored" : least;
     const std::string first =
         question.instants == 1 ? "the first instant" : fmt::format("the first {} instants", question.instants);
-    return (never ? "so it is in " : "none in ") + first + (least.empty() ? "" : ", " + least);
+    return (never ? "true in " : "none in ") + first + (least.empty() ? "" : ", " + least);
 }
 
 std::string inputs_text(const ChartRun& run) {

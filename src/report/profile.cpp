@@ -37,13 +37,13 @@ public:
 
     void print() {
         const bool all = profile_.sampled == profile_.states;
-        out_ << fmt::format("what multiplies in {} ({}):\n",
+        out_ << fmt::format("state space factors of {} ({}):\n",
                             all ? fmt::format("these {} states", profile_.states)
                                 : fmt::format("the first {} of {} states", profile_.sampled, profile_.states),
-                            "x N: N times fewer were left if it alone did not count");
+                            "x N: N times fewer states would remain without this element");
         print_lines(profile_.parts, [&](const StateProfile::Part& part) {
             const bool more = part.combinations >= profile_.most_combinations;
-            return fmt::format("{} {}, {}{} combinations of its own", kind_word(part.kind), printable(part.name),
+            return fmt::format("{} {}, {}{} combinations of its variables", kind_word(part.kind), printable(part.name),
                                part.combinations, more ? " or more" : "");
         });
         print_lines(profile_.clocks, [](const StateProfile::Clock& clock) {
@@ -52,8 +52,8 @@ public:
         });
         if (const std::uint64_t inside = profile_.inside_cycles; inside != 0)
             out_ << fmt::format(
-                "    {} % of these states lie inside a cycle; `--grain atomic` makes each cycle one step, and keeps {} "
-                "of them at most\n",
+                "    {} % of these states are within a cycle; `--grain atomic` makes each cycle one step and keeps at "
+                "most {} of them\n",
                 (100 * inside + profile_.sampled / 2) / profile_.sampled, profile_.sampled - inside);
         if (profile_.finest) print(*profile_.finest);
     }
@@ -67,7 +67,7 @@ private:
         for (std::size_t i = 0; i < std::min(count, most_lines); ++i)
             out_ << fmt::format("    x {:<7.1f} {}{}\n", things[i].factor.value(), words(things[i]),
                                 things[i].place.empty() ? "" : " (" + printable(things[i].place) + ")");
-        if (count > most_lines) out_ << fmt::format("    and {} more that multiply less\n", count - most_lines);
+        if (count > most_lines) out_ << fmt::format("    and {} more with smaller factors\n", count - most_lines);
     }
 
     void print(const StateProfile::Finest& finest) {
@@ -75,10 +75,9 @@ private:
         const std::string gain =
             finest.factor.value() < least_factor
                 ? ""
-                : fmt::format(" (x {:.1f}: clocks that count in it tell so many times fewer of these states apart)",
-                              finest.factor.value());
+                : fmt::format(" (x {:.1f}: with it, this many times fewer states would remain)", finest.factor.value());
         if (finest.duration_ms == 0)
-            out_ << fmt::format("    the time unit is written as {}{}; the durations are multiples of {}{}\n",
+            out_ << fmt::format("    the declared time unit is {}{}; the durations are multiples of {}{}\n",
                                 seconds_text(finest.unit_ms), place, seconds_text(finest.coarser_ms), gain);
         else
             out_ << fmt::format("    the duration {}{} makes the time unit {}; without it, it is {}{}\n",

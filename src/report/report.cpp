@@ -41,10 +41,10 @@ namespace {
 
 std::string message_of(const SystemFault& fault) {
     switch (fault.kind) {
-    case SystemFault::Kind::NoInitialState: return "there is no state to begin with: constraints contradict each other";
-    case SystemFault::Kind::DeadEnd: return "the model gets stuck in a state that has no step";
+    case SystemFault::Kind::NoInitialState: return "there is no initial state: the constraints contradict each other";
+    case SystemFault::Kind::DeadEnd: return "the model reaches a state without a successor";
     case SystemFault::Kind::OutOfRange:
-        return fmt::format("`{}` would leave its range, or get no value", fault.variable);
+        return fmt::format("`{}` gets an undefined value or a value outside its range", fault.variable);
     }
     unreachable();
 }

@@ -96,7 +96,7 @@ std::string row_text(const ChartRun& run, std::size_t index) {
     if (!row[1].empty()) add(": ", row[1]);
     for (std::size_t column = 2; column < row.size(); ++column)
         if (!row[column].empty()) add("; ", std::string(column_titles[column]) + " " + row[column]);
-    if (run.loop_from == index) text = "from here on, for ever: " + text;
+    if (run.loop_from == index) text = "repeated forever from here: " + text;
     return text;
 }
 
@@ -132,10 +132,10 @@ Json result(std::string_view rule, std::size_t index, std::string_view kind, std
 }
 
 std::string_view meaning(std::string_view rule) {
-    if (rule == violated) return "a property does not hold";
-    if (rule == vacuous) return "a property holds vacuously: there is nothing that it checks";
-    if (rule == holds) return "a property holds that is expected to be violated";
-    return "a property is not decided";
+    if (rule == violated) return "a property is violated";
+    if (rule == vacuous) return "a property holds vacuously";
+    if (rule == holds) return "a property holds but is expected to be violated";
+    return "the verdict on a property is unknown";
 }
 
 void add_answer(const Report& report, const Answer& answer, const Written& written, SarifLog& log) {
@@ -162,7 +162,7 @@ void add_answer(const Report& report, const Answer& answer, const Written& writt
     if (!open) return;
     log.successful = log.successful && !verdict.declared;  // as for the exit code
     log.notifications.push_back(
-        {{"level", "warning"}, {"message", text_json("not decided: " + message)}, {"associatedRule", {{"id", rule}}}});
+        {{"level", "warning"}, {"message", text_json("unknown: " + message)}, {"associatedRule", {{"id", rule}}}});
 }
 
 std::string_view level(Severity severity) {
@@ -184,7 +184,7 @@ void add_findings(const Analysis& analysis, const Sources& sources, SarifLog& lo
     for (const OpenQuestion& question : analysis.open) {
         const std::string subject = question.subject.empty() ? "" : " of `" + question.subject + "`";
         const std::string text =
-            "not decided (" + analysis.obstacle + "): " + question.code + subject + ": " + open_text(question);
+            "inconclusive (" + analysis.obstacle + "): " + question.code + subject + ": " + open_text(question);
         log.notifications.push_back(
             {{"level", "warning"}, {"message", text_json(text)}, {"associatedRule", {{"id", question.code}}}});
     }
@@ -192,9 +192,9 @@ void add_findings(const Analysis& analysis, const Sources& sources, SarifLog& lo
 
 void add_report(const Report& report, const Written& written, SarifLog& log) {
     for (const Breakdown& breakdown : report.breakdowns) {
-        const std::size_t index = rule_index(log, breakdown.code, "the model breaks off", "error");
-        Json object = result(breakdown.code, index, "fail",
-                             report.model + ": the model breaks off: " + breakdown.message, origin(written), written);
+        const std::size_t index = rule_index(log, breakdown.code, "model error", "error");
+        Json object = result(breakdown.code, index, "fail", report.model + ": model error: " + breakdown.message,
+                             origin(written), written);
         if (!breakdown.trace.rows.empty()) object["codeFlows"] = {code_flow(breakdown.trace, "", written)};
         log.results.push_back(std::move(object));
     }

@@ -81,7 +81,7 @@ public:
                    group("outputs", columns_, run, ChartRun::Role::Output),
                    group("internals", columns_, run, ChartRun::Role::Internal),
                    group("plant", columns_, run, ChartRun::Role::Plant), steps(run, columns_)};
-        foot_.push_back("A column is an event, however long it lasts; time stands where it goes on.");
+        foot_.push_back("Each column is an event of any duration; the time is given where it advances.");
         if (columns_.size() < shown_rows(run).size() && !columns_.empty())
             foot_.push_back(fmt::format("Events {} to {} of {}.", events_.front(), events_.back(), last));
         drop_idle();
@@ -213,8 +213,9 @@ private:
         if (!loop_from_ || *loop_from_ >= end_) return;
         const std::size_t from = x(std::max(*loop_from_, first_));
         ground_ += fmt::format(
-            "<rect class=\"loop\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"><title>for ever</title></rect>\n", from,
-            top - row_height, x(end_) - from, bottom - top + row_height);
+            "<rect class=\"loop\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"><title>repeated "
+            "forever</title></rect>\n",
+            from, top - row_height, x(end_) - from, bottom - top + row_height);
     }
 
     void draw(const Row& each, const std::string& kind, std::size_t y) {

@@ -14,7 +14,7 @@ namespace grafverif {
 
 /// Time, what happened, inputs, cleared, situation, outputs.
 using Cells = std::array<std::string, 6>;
-inline const Cells column_titles = {"time", "what happened", "inputs", "cleared", "situation", "outputs"};
+inline const Cells column_titles = {"time", "event", "inputs", "cleared", "situation", "outputs"};
 
 /// Row `index`, compared with the row shown before it. `complete`: situation and outputs even if they have not changed.
 Cells cells(const ChartRun& run, std::size_t index, bool complete);

@@ -79,12 +79,12 @@ void Teller::finish() {
     if (!run_.loop_from) return;
     const auto loop = run_.rows.begin() + static_cast<std::ptrdiff_t>(*run_.loop_from);
     if (loop == run_.rows.end()) {
-        ChartRun::Row row{.kind = Kind::Environment, .what = "nothing changes, for ever"};
-        if (run_.searches) row = {Kind::Controller, "", "cycles go on for ever, no time passes, nothing changes"};
+        ChartRun::Row row{.kind = Kind::Environment, .what = "nothing changes, forever"};
+        if (run_.searches) row = {Kind::Controller, "", "cycles repeat forever, no time passes, nothing changes"};
         return add(std::move(row), next_ - 1);
     }
     const bool waits = std::all_of(loop, run_.rows.end(), [](const auto& row) { return row.kind == Kind::Delay; });
-    if (waits && run_.searches) loop->what = "time passes, for ever";
+    if (waits && run_.searches) loop->what = "time passes, forever";
 }
 
 void Teller::tell(std::size_t moment) {

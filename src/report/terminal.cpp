@@ -147,7 +147,7 @@ void print_trace(const ChartRun& run, std::ostream& out) {
     for (std::size_t begin = 0; begin < lines.size();) {
         const auto [period, copies] = run.timed ? repetition(lines, begin) : Repetition();
         for (std::size_t k = begin; k < begin + period; ++k) {
-            if (run.loop_from == lines[k].row) out << "+-- from here on, for ever:\n";
+            if (run.loop_from == lines[k].row) out << "+-- repeated forever from here:\n";
             print_cells(lines[k].cells, lines[k].bar(), widths, out);
         }
         if (copies > 1)

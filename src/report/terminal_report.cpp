@@ -27,9 +27,7 @@ bool fails(const Answer& answer) {
 }
 
 /// The remark on a property that neither the model nor the command requests.
-const char* undeclared(const Verdict& verdict) {
-    return verdict.about.valid() ? " (not asked for)" : " (not declared)";
-}
+const char* undeclared(const Verdict& verdict) { return verdict.about.valid() ? " (not selected)" : " (not declared)"; }
 
 using Answers = std::vector<const Answer*>;
 
@@ -187,9 +185,8 @@ private:
     }
 
     void print(const Breakdown& breakdown) {
-        out_ << painted("the model breaks off", red) << ": " << printable(breakdown.message) << " [" << breakdown.code
-             << "]\n";
-        if (!breakdown.trace.steps.empty()) print_told("the way there", breakdown.trace, "", out_);
+        out_ << painted("model error", red) << ": " << printable(breakdown.message) << " [" << breakdown.code << "]\n";
+        if (!breakdown.trace.steps.empty()) print_told("trace", breakdown.trace, "", out_);
         out_ << '\n';
     }
 
@@ -225,7 +222,7 @@ private:
     void print_table() {
         std::vector<Row> all = rows();
         if (all.empty()) return;
-        all.insert(all.begin(), {"property", "verdict", "stands at", "says"});
+        all.insert(all.begin(), {"property", "verdict", "location", "description"});
         constexpr std::array columns = {&Row::property, &Row::verdict, &Row::place, &Row::text};
         std::array<std::size_t, columns.size()> widths = {};  // 0: the column is empty
         for (std::size_t k = 0; k < columns.size(); ++k)
@@ -263,9 +260,9 @@ private:
         add(count.holds, "holds", "hold");
         add(count.violated, "violated", "violated");
         add(count.unknown + count.undeclared_unknown, "unknown", "unknown");
-        add(report_.breakdowns.size(), "place where the model breaks off", "places where the model breaks off");
+        add(report_.breakdowns.size(), "model error", "model errors");
         out_ << report_.model << ": " << (line.empty() ? "no properties" : line);
-        if (count.unexpected != 0) out_ << "; " << count.unexpected << " against expectation";
+        if (count.unexpected != 0) out_ << "; " << count.unexpected << " unexpected";
         if (options_.verbose && !report_.answers.empty())
             out_ << fmt::format(" ({:.3f} s)", report_.answers.back().verdict.seconds);
         out_ << '\n';
@@ -283,12 +280,12 @@ private:
 
 std::string_view end_of(const Verdict& verdict) {
     if (verdict.outcome == Outcome::Holds) return {};
-    if (verdict.pattern == Pattern::NoTimelock) return "from here on time cannot pass";
+    if (verdict.pattern == Pattern::NoTimelock) return "from here, time cannot pass";
     if (verdict.pattern == Pattern::NoDeadlock && !verdict.scope.left_out.empty())
-        return "from here on nothing of the sub-loop can happen, but time may pass";
-    if (verdict.pattern == Pattern::NoDeadlock) return "from here on nothing can happen, but time may pass";
+        return "from here, no edge of the sub-loop can be taken, but time may pass";
+    if (verdict.pattern == Pattern::NoDeadlock) return "from here, no edge can be taken, but time may pass";
     const bool liveness = verdict.pattern == Pattern::Inevitable || verdict.pattern == Pattern::LeadsTo;
-    return liveness ? "from here on nothing can happen" : "";
+    return liveness ? "from here, no edge can be taken" : "";
 }
 
 void print_report(const Report& report, const TextOptions& options, std::ostream& out) {

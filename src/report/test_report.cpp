@@ -96,18 +96,20 @@ TestTally tally(const TestReport& report) {
 
 std::vector<std::string> verify(const TestReport& report) {
     std::vector<std::string> faults = verify(report.test);
-    if (report.verdicts.size() != report.test.sequences.size()) return {"not one list of verdicts per sequence"};
+    if (report.verdicts.size() != report.test.sequences.size())
+        return {"the number of verdict lists differs from the number of sequences"};
     auto failure = report.failures.begin();
     for (std::size_t k = 0; k < report.verdicts.size(); ++k) {
-        if (report.verdicts[k].size() != rows_of(report.test.sequences[k]).size()) return {"not one verdict per row"};
+        if (report.verdicts[k].size() != rows_of(report.test.sequences[k]).size())
+            return {"the number of verdicts differs from the number of rows"};
         for (std::size_t row = 0; row < report.verdicts[k].size(); ++row) {
             const bool told = failure != report.failures.end() && failure->sequence == k && failure->row == row;
             if (told != (report.verdicts[k][row] == StepVerdict::Failed))
-                faults.push_back("a failure without its verdict");
+                faults.push_back("a failure without a failed verdict");
             if (told) ++failure;
         }
     }
-    if (failure != report.failures.end()) faults.push_back("a failure of no row");
+    if (failure != report.failures.end()) faults.push_back("a failure outside the rows");
     return faults;
 }
 

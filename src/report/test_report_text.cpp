@@ -81,7 +81,7 @@ std::string failure_words(const TestReport& report, const TestReport::Failure& f
                                    named(report.test.outputs, step.outputs),
                                    situation.empty() ? "" : "   situation " + printable(situation));
     if (!failure.answered.empty())
-        text += fmt::format("    answered  {}\n", named(report.test.outputs, failure.answered));
+        text += fmt::format("    observed  {}\n", named(report.test.outputs, failure.answered));
     return text +
            fmt::format("    scan {} of {}: {}\n", failure.scan, step.cycles, printable(cause_words(report, failure)));
 }
@@ -98,8 +98,8 @@ void print_text(const TestReport& report, bool failures_only, std::ostream& out)
     print_rows(report, failures_only, out);
     out << fmt::format("{}: {} passed, {} failed, {} not run\n",
                        count.failed != 0    ? "does not conform"
-                       : count.not_run != 0 ? "not decided"
-                                            : "passes the whole test",
+                       : count.not_run != 0 ? "incomplete"
+                                            : "passes the complete test",
                        count.passed, count.failed, count.not_run);
 }
 

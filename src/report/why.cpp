@@ -76,11 +76,11 @@ std::vector<Why::Thing> of_kind(const Why& why, Why::Kind kind) {
 std::string without(Why::Kind kind, const Names& names) {
     const std::string list = listed(names, " or ");
     switch (kind) {
-    case Why::Kind::Transition: return fmt::format("where {} is never cleared", list);
-    case Why::Kind::Step: return fmt::format("where step {} does nothing", list);
+    case Why::Kind::Transition: return fmt::format("if {} is never cleared", list);
+    case Why::Kind::Step: return fmt::format("if step {} has no effect", list);
     case Why::Kind::Term: return "without " + list;
-    case Why::Kind::Guard: return "without that of " + list;
-    case Why::Kind::Edge: return fmt::format("where {} is never taken", list);
+    case Why::Kind::Guard: return "without the guard of " + list;
+    case Why::Kind::Edge: return fmt::format("if {} is never taken", list);
     }
     return {};
 }
@@ -113,10 +113,11 @@ std::string parts_words(const Why::Ground& ground) {
     Names parts;
     for (const std::string& name : ground.parts) {
         const bool timed = std::ranges::find(ground.timings, name) != ground.timings.end();
-        parts.push_back(name + (timed ? " with its times" : ""));
+        parts.push_back(name + (timed ? " with its timing" : ""));
     }
-    if (parts.empty()) return "whatever the plant and the timers do, it holds";
-    return fmt::format("of the plant and the timers it rests on {}: whatever the others do, it holds", listed(parts));
+    if (parts.empty()) return "holds for all behaviour of the plant and the timers";
+    return fmt::format("depends on {} of the plant and the timers; holds for all behaviour of the others",
+                       listed(parts));
 }
 
 void print_folded(const std::string& text, std::ostream& out) {
@@ -146,7 +147,7 @@ std::string coverage_words(Why::Kind kind, const std::vector<Why::Thing>& things
     const auto covered = std::ranges::count_if(things, is_needed), free = std::ranges::count_if(things, is_free);
     const auto open = std::ssize(things) - covered - free;
     std::string text = fmt::format("{}: {} of {}", plural(kind), covered, things.size());
-    if (open > 0) text += fmt::format(", and {} not decided", open);
+    if (open > 0) text += fmt::format(", {} undecided", open);
     const bool some = free > 0 && free < std::ssize(things);
     if (of_plant(kind) && some) text += fmt::format(" ({})", listed(by_instance(things, is_needed, false)));
     Names names;
@@ -154,22 +155,21 @@ std::string coverage_words(Why::Kind kind, const std::vector<Why::Thing>& things
         if (!of_plant(kind) && is_free(thing)) names.push_back(name_of(thing));
     if (of_plant(kind) && verbose) names = by_instance(things, is_free, true);
     if (names.empty() || !some) return text;
-    const std::string_view who = kind == Why::Kind::Guard ? "no property about all states" : "no property";
+    const std::string_view who = kind == Why::Kind::Guard ? "no property of all states" : "no property";
     return fmt::format("{}; {} fails {}", text, who, without(kind, names));
 }
 
 std::string ground_words(const Why& why, const Why::Ground& ground) {
     OfCharts charts = of_charts(why, ground, most_open);
     Names said;
-    if (!charts.fails.empty()) said.push_back("it fails " + listed(charts.fails, ", or "));
-    else if (charts.open.empty())
-        said.emplace_back("no transition, step or term of the charts by itself is needed for it");
+    if (!charts.fails.empty()) said.push_back("fails " + listed(charts.fails, ", or "));
+    else if (charts.open.empty()) said.emplace_back("no single transition, step or term of the charts is needed");
     if (ground.about_states && ground.open.empty()) said.push_back(parts_words(ground));
     if (!ground.open.empty() && !ground.parts.empty())
-        said.push_back("of the plant and the timers it needs, among others, " + listed(ground.parts));
+        said.push_back("depends, among other elements of the plant and the timers, on " + listed(ground.parts));
     charts.open.insert(charts.open.end(), ground.open.begin(), ground.open.end());
-    if (!charts.open.empty()) said.push_back("not decided: " + listed(charts.open));
-    if (ground.never_asked) said.emplace_back("its left side never holds");
+    if (!charts.open.empty()) said.push_back("undecided: " + listed(charts.open));
+    if (ground.never_asked) said.emplace_back("vacuous: the premise is never true");
     return listed(said, "; ", "; ");
 }
 
@@ -189,18 +189,23 @@ void print_grounds(const Why& why, std::ostream& out) {
 
 void print_why(const Why& why, bool verbose, std::ostream& out) {
     if (why.grounds.empty()) {
-        out << "\nwhy it holds: no property that the model declares does\n";
+        out << "\n"
+               "proof dependencies: no declared property holds\n";
         return;
     }
-    out << fmt::format("\nwhy it holds, by {} more {}:\n", why.searches, why.searches == 1 ? "search" : "searches");
+    out << fmt::format(
+        "\n"
+        "proof dependencies ({} additional {}):\n",
+        why.searches, why.searches == 1 ? "search" : "searches");
     print_grounds(why, out);
     if (!why.unneeded_parts.empty())
-        print_folded("no property about all states rests on " + listed(why.unneeded_parts, " or "), out);
-    out << "\ncovered by these properties, all together:\n";
+        print_folded("no property of all states depends on " + listed(why.unneeded_parts, " or "), out);
+    out << "\n"
+           "proof coverage of these properties:\n";
     for (const Why::Kind kind : kinds)
         if (const auto things = of_kind(why, kind); !things.empty())
             print_folded(coverage_words(kind, things, verbose), out);
-    if (!why.ended.empty()) out << "not all was tried: " << why.ended << '\n';
+    if (!why.ended.empty()) out << "incomplete: " << why.ended << '\n';
 }
 
 nlohmann::ordered_json why_json(const Why& why) {

@@ -29,7 +29,7 @@ std::string named(const Chart& chart, Id<Chart::Step> step) { return "step `" + 
 ByHand by_hand(const Chart& chart, const std::vector<bool>& situation, Id<Chart::Step> step, bool active) {
     const auto refuse = [](std::string why) { return ByHand{.refusal = std::move(why)}; };
     const std::string subject = named(chart, step);
-    if (situation[step.index] == active) return refuse(subject + (active ? " is active already" : " is not active"));
+    if (situation[step.index] == active) return refuse(subject + (active ? " is already active" : " is not active"));
     const Levels levels(chart);
     const Chart::PartialChart& partial = chart.partial_charts[chart.steps[step].chart];
     if (const Id<Chart::Step> holder = levels.holder(chart.steps[step].chart, situation); holder.valid())
@@ -39,9 +39,9 @@ ByHand by_hand(const Chart& chart, const std::vector<bool>& situation, Id<Chart:
         return refuse(subject + " is enclosed by " + named(chart, partial.owner) + ", which is not active");
     std::vector<bool> made = levels.by_hand(situation, step, active);
     if (made[step.index] != active)
-        return refuse("what encloses or forces " + subject + " does not let it be " + (active ? "active" : "inactive"));
+        return refuse("the hierarchy of " + subject + " does not let it be " + (active ? "active" : "inactive"));
     if (const Id<Chart::ForcingOrder> order = levels.conflict(made); order.valid())
-        return refuse("two forcing orders that cannot be obeyed together would be active, one of them that of " +
+        return refuse("two contradictory forcing orders would be active, one of them that of " +
                       named(chart, chart.forcing[order].step));
     return {std::move(made), {}};
 }

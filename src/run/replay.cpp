@@ -95,7 +95,7 @@ private:
             const bool must = (lasts && !just_over) || (remains && timing.fallen < element.fall_ms);
             if (timed_[k] ? may : !must) continue;
             return "the timer of " + number(element.rise_ms > 0 ? element.rise_ms : element.fall_ms) + " ms of " +
-                   watched_name(element) + " is " + (timed_[k] ? "over" : "not over") +
+                   watched_name(element) + " is " + (timed_[k] ? "expired" : "not expired") +
                    ", but by the rules its age is " + number(timing.fallen < 0 ? timing.risen : timing.fallen) + " ms";
         }
         return {};
@@ -140,7 +140,7 @@ private:
         if (result.race) racing_ = chart_.variables[result.race->variable].name;
         if (over_ || (!broken && !act.race.value_or(false))) return {};
         if (result.race) return "no race, by the rules two actions race for " + racing_;
-        return broken ? "an evolution that by the rules has no result" : "two actions race, by the rules none do";
+        return broken ? "an evolution without a result by the rules" : "two actions race, by the rules none do";
     }
 
     std::string situation_fault(const ChartRun::State& now) const {
@@ -172,7 +172,7 @@ private:
 
     std::string outputs_fault(const ChartRun::Act& act, const ChartRun::State& now) const {
         const std::optional<Values> outputs = output_values(chart_, state_, inputs_, timed_);
-        if (!outputs) return act.race ? "outputs are written that by the rules have no value" : "";
+        if (!outputs) return act.race ? "outputs without a value by the rules are written" : "";
         std::string fault;
         each(Chart::VariableKind::Output, [&](Id<Chart::Variable> id, std::size_t place) {
             if (fault.empty()) fault = output_fault(place, now, (*outputs)[id.index]);
@@ -228,7 +228,7 @@ std::optional<Disagreement> replay(const ChartRun& run, std::span<const Chart* c
         }
         before = &moment.after;
     }
-    if (run.broken_at) return Disagreement{*run.broken_at, "the network", "the move cannot be made there"};
+    if (run.broken_at) return Disagreement{*run.broken_at, "the network", "the move is not possible there"};
     return {};
 }
 

@@ -68,7 +68,7 @@ private:
         for (const Id<Chart::Variable> id : chart_.variables.ids())
             if (chart_.variables[id].kind == Chart::VariableKind::Input) inputs_[id.index] = step.inputs[input++];
         Cycle run = cycle(chart_, state_, inputs_, test_.mode);
-        if (run.race || run.fault) return "a race or a value that does not fit";
+        if (run.race || run.fault) return "a race or a value out of range";
         if (!run.endless.empty() || run.gave_up) return "no stable situation";
         state_ = std::move(run.state);
         if (told_)

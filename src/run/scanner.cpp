@@ -23,26 +23,26 @@ std::string situation_text(const Chart& chart, const std::vector<bool>& situatio
 
 std::string instability_text(const Chart& chart, const std::vector<std::vector<bool>>& endless) {
     constexpr std::size_t shown = 8;
-    std::string text = "with these inputs the situation never becomes stable: ";
+    std::string text = "with these inputs, the situation never becomes stable: ";
     for (std::size_t k = 0; k < endless.size() && k < shown; ++k) text += situation_text(chart, endless[k]) + " -> ";
     return text + (endless.size() > shown ? "..." : situation_text(chart, endless.front())) +
-           ", for ever within one instant [total-instability]";
+           ", forever within one instant [total-instability]";
 }
 
 std::string race_text(std::string_view variable) {
-    if (variable.empty()) return "forcing orders contradict each other [action-race]";
-    return fmt::format("two stored actions give `{}` different values in one evolution [action-race]", variable);
+    if (variable.empty()) return "contradictory forcing orders [action-race]";
+    return fmt::format("two stored actions assign different values to `{}` in one evolution [action-race]", variable);
 }
 
 std::string problem_in(const Chart& chart, const Cycle& cycle) {
     if (cycle.race) return race_text(chart.variables[cycle.race->variable].name);
     if (cycle.fault && cycle.fault->kind == RunFault::Kind::OutOfRange) {
         const Chart::Variable& variable = chart.variables[cycle.fault->variable];
-        return fmt::format("`{}` would leave its range {}..{} with the value {} [out-of-range]", variable.name,
+        return fmt::format("the value {3} of `{0}` is outside its range {1}..{2} [out-of-range]", variable.name,
                            variable.type.low, variable.type.high, cycle.fault->value);
     }
     if (cycle.fault && cycle.fault->kind == RunFault::Kind::ForcedApart) return race_text("");
-    if (cycle.fault) return "a condition or a stored value cannot be computed [no-value]";
+    if (cycle.fault) return "a condition or a stored value is undefined [no-value]";
     if (cycle.gave_up)
         return fmt::format("no stable situation within {} evolutions [total-instability]", evolution_limit);
     return cycle.endless.empty() ? "" : instability_text(chart, cycle.endless);

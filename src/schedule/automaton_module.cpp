@@ -101,7 +101,7 @@ private:
         std::vector<std::string> edges{labels.fresh("stay")};
         for (const Network::Edge& edge : automaton().edges)
             edges.push_back(labels.fresh(locations[edge.from.index] + "_to_" + locations[edge.to.index]));
-        made.edge = draft.add("edge", std::move(edges), System::ChoiceSymbol{}, "the edge taken in a step");
+        made.edge = draft.add("edge", std::move(edges), System::ChoiceSymbol{}, "the edge that the automaton takes");
         if (locations.size() > 1) made.location = draft.add("location", std::move(locations), System::StateSymbol{});
     }
 
@@ -267,7 +267,7 @@ void set_owned(const Declared& declared, Taken& taken) {
 }
 
 std::vector<Effect> effects(const Declared& declared, Taken& taken) {
-    constexpr const char* heading = "what it does to variables of all";
+    constexpr const char* heading = "its assignments to shared variables";
     std::vector<Effect> effects;
     for (const Place variable : declared.written) {
         const Network::Variable& of = declared.of(variable);
@@ -312,7 +312,7 @@ void add_transitions(const Declared& declared, const std::vector<Id<Expr>>& guar
     if (declared.context.discipline == Discipline::Turns)
         list.push_back(exprs.apply(Op::NotEqual, stays, draft.leaf(made.turn)));
     if (!rounds) return;
-    made.done = draft.add("done", Type{}, System::StateSymbol{}, "whether it has had its turn in this round");
+    made.done = draft.add("done", Type{}, System::StateSymbol{}, "true if it has moved in this round");
     const Id<Expr> turn = draft.leaf(made.turn), done = draft.leaf(made.done);
     const Id<Expr> had = exprs.conjunction(draft.leaf(made.round), exprs.disjunction(done, turn));
     draft.set(made.done, System::StateSymbol{exprs.constant(false), had});
@@ -375,7 +375,7 @@ AutomatonModule automaton_module(const AutomatonContext& context, Id<Network::Pr
     set_location(declared);
     if (clocks) {
         if (const std::vector<Id<Expr>> waits = clocks->wait(); !waits.empty())
-            made.may_wait = draft.define("may_wait", exprs.conjunction(waits), "whether a unit of time can pass");
+            made.may_wait = draft.define("may_wait", exprs.conjunction(waits), "true if a unit of time can pass");
         for (const Id<Network::Clock> id : declared.automaton().clocks.ids())
             if (const Id<Symbol> clock = declared.clocks[id.index]; clock.valid())
                 draft.set(clock, System::StateSymbol{exprs.integer(0), clocks->next(id)});
@@ -387,8 +387,8 @@ AutomatonModule automaton_module(const AutomatonContext& context, Id<Network::Pr
     for (const Edge id : declared.automaton().edges.ids())
         if (declared.automaton().edges[id].urgent) urgent.push_back(taken.guards[id.index]);
     if (clocks)
-        made.can_move = draft.define("can_move", exprs.disjunction(taken.guards), "whether an edge can be taken");
-    made.must_move = draft.define("must_move", exprs.disjunction(urgent), "whether an urgent edge can be taken");
+        made.can_move = draft.define("can_move", exprs.disjunction(taken.guards), "true if an edge can be taken");
+    made.must_move = draft.define("must_move", exprs.disjunction(urgent), "true if an urgent edge can be taken");
     made.stays = draft.define("stays", draft.is(made.edge, 0));
     made.out_of_range = out_of_range(draft, std::move(taken.faults));
     add_transitions(declared, taken.guards, made);

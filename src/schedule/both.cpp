@@ -133,7 +133,7 @@ private:
                                       none, counted_down(exprs().conditional(fell, exprs().integer(fall), rest))});
             over = exprs().disjunction(std::vector{over, fell, exprs().apply(Op::Greater, rest, none)});
         }
-        return main_.draft.define(name, exprs().conjunction(inner(k, modules_[k].started), over), "ends of times");
+        return main_.draft.define(name, exprs().conjunction(inner(k, modules_[k].started), over), "outputs of timers");
     }
 
     Id<Expr> fault(std::size_t k) {

@@ -107,7 +107,8 @@ std::vector<Id<Expr>> add_own_variables(const ControllerInstances& controllers) 
         for (const Id<Equations::Variable> id : controllers.modules[index].parameters) {
             const auto& [name, role, type, initial, origin] = equations.variables[id];
             if (role == Role::TimerEnd)
-                controllers.arguments(index).push_back(add_free(main, prefix + name, type, "ends of timers", origin));
+                controllers.arguments(index).push_back(
+                    add_free(main, prefix + name, type, "outputs of timers", origin));
         }
     }
     std::vector<Id<Expr>> turns;

@@ -126,7 +126,7 @@ private:
         if (style_.turns) turn_ = draft_.add("turn", Type{}, TransitionSystem::ParameterSymbol{});
         if (!style_.with_plant || equations_.timers.empty()) return;
         elapse_ = draft_.add("elapse", Type{}, TransitionSystem::ParameterSymbol{});
-        show(declare(Role::TimerEnd, "ends of timers"));
+        show(declare(Role::TimerEnd, "outputs of timers"));
     }
 
     /// True if the state after the first evolution is distinguishable from power-on.
@@ -359,7 +359,7 @@ Id<Symbol> set_outputs(Cycle& cycle, Draft& draft, Id<Symbol> stable, const std:
         if (cycle.has_image(id))
             settled.push_back(written_when_stable(cycle, draft, id, settled.front(), draft.leaf(cycle.read(id))));
     return draft.define("settled", draft.exprs.conjunction(settled),
-                        "settled: one more cycle with the same inputs would change nothing");
+                        "quiescent: another cycle with the same inputs would change nothing");
 }
 
 /// A timer of a step may expire at any time that `elapse` allows while the step is active, and is reset when the step
@@ -390,7 +390,7 @@ Id<Symbol> add_flag(const Cycle& cycle, Draft& draft, const char* wish, const st
     Exprs& exprs = draft.exprs;
     const Id<Expr> fault = exprs.disjunction(faults);
     if (is_false(exprs, fault)) return {};
-    const Id<Symbol> flag = draft.add(wish, Type{}, TransitionSystem::ParameterSymbol{}, "faults, once and for ever");
+    const Id<Symbol> flag = draft.add(wish, Type{}, TransitionSystem::ParameterSymbol{}, "faults, permanently");
     cycle.set(flag, exprs.constant(false), exprs.disjunction(draft.leaf(flag), fault));
     return flag;
 }
@@ -433,7 +433,7 @@ ControllerModule controller_module(const Equations& equations, const ControllerS
     Id<Symbol> faulting;
     if (style.scans && (race.valid() || out_of_range.valid())) {
         const Id<Expr> any = exprs.disjunction(exprs.disjunction(racing), exprs.disjunction(faults.conditions));
-        faulting = draft.define("faulting", any, "what sets a fault");
+        faulting = draft.define("faulting", any, "causes of faults");
     }
     return {std::move(draft.module),
             cycle.parameters(),

@@ -60,7 +60,7 @@ Turn add_move(Main& main, const Network& network, bool discrete) {
     std::vector<std::string> values = movers(network);
     values.emplace_back("none");
     if (discrete) values.emplace_back("of_time");
-    return {main.draft.add("move", std::move(values), System::ChoiceSymbol{}, "who moves in a step"),
+    return {main.draft.add("move", std::move(values), System::ChoiceSymbol{}, "process that moves in a step"),
             network.processes.size()};
 }
 
@@ -131,7 +131,7 @@ void add_questions(LoopMeaning& meaning, const PlantInstances& plant) {
         else if (!reads_observer(loop, property)) add_property(meaning, property);
     for (const Property& constraint : constraints_to_prove(loop)) add_property(meaning, constraint);
     if (network.race.valid())
-        add_never(meaning.main.system, "no_race", "no two stored actions give one variable different values",
+        add_never(meaning.main.system, "no_race", "no two stored actions assign different values to one variable",
                   {meaning.main.draft.leaf(plant.variables[network.race.index])});
     for (const Property& property : loop.properties)
         if (property.pattern != Pattern::Watched && reads_observer(loop, property)) add_property(meaning, property);

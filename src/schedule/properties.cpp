@@ -59,13 +59,15 @@ Id<Expr> leaf_of(const LoopMeaning& meaning, const ClosedLoop::Symbol& symbol, s
 std::string refusal(const LoopMeaning& meaning, const Property& property) {
     switch (property.pattern) {
     case Pattern::Watched:
-        return property.watch.duration_ms > 0 ? "it counts time, which this model does not; the timed engine does, and "
-                                                "--plant automata --schedule interleaved --time discrete"
-                                              : "its observer watches the timed model, and of the untimed ones that of "
-                                                "--plant automata --schedule interleaved";
+        return property.watch.duration_ms > 0 ? "it requires time, which this model does not have; use the timed "
+                                                "engine, or --plant automata --schedule interleaved --time discrete"
+                                              : "its observer is supported only in the timed model and with --plant "
+                                                "automata --schedule interleaved";
     case Pattern::NoDeadlock:
-        return meaning.can_move.valid() ? "" : "this model is total, and cannot say whether the closed loop is";
-    case Pattern::NoTimelock: return meaning.can_wait.valid() ? "" : "there is no time in this model";
+        return meaning.can_move.valid()
+                   ? ""
+                   : "the transition relation of this model is total, whether or not that of the closed loop is";
+    case Pattern::NoTimelock: return meaning.can_wait.valid() ? "" : "this model has no time";
     case Pattern::RawUppaal: return "it is a formula for UPPAAL";
     case Pattern::Always:
     case Pattern::Never:

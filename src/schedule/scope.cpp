@@ -19,28 +19,29 @@ const std::string power_on =
     "State 0 is power-on; the first evolution is the first step, or none where it changes nothing. ";
 
 const char* fair_runs =
-    "Verdicts are under fairness: each movement of the plant and each timer comes to its end (buttons, faults and "
-    "other parts of the environment are left free), and what is urgent is not put off for ever. ";
+    "Verdicts are under fairness: each movement of the plant and each timer terminates (buttons, faults and other "
+    "parts of the environment remain free), and urgent edges are not postponed forever. ";
 
 }  // namespace
 
 std::string controllers_scope(std::span<const ControllerPart> controllers, bool constrained) {
     const bool several = controllers.size() > 1;
     const std::string one = several ? "the controllers" : "the controller";
-    std::string text = "This model is " + one + " alone: in every cycle the inputs" +
-                       (constrained ? ", within the constraints," : "") + " and the ends of timers take any value. " +
-                       (several ? "In one step each controller whose turn it is runs one PLC cycle; each has its turn "
-                                  "infinitely often. "
-                                : "One step is one PLC cycle. ") +
-                       power_on + outputs_written(controllers);
+    std::string text =
+        "This model is " + one + " alone: in every cycle the inputs" +
+        (constrained ? ", within the constraints," : "") + " and the outputs of timers take any value. " +
+        (several ? "In one step, each selected controller runs one PLC cycle; each is selected infinitely often. "
+                 : "One step is one PLC cycle. ") +
+        power_on + outputs_written(controllers);
     text +=
-        "An always, never, exactly one of or inevitable that holds here, and a leads to that holds and whose left "
-        "side reads no input, holds with every plant " +
-        std::string(constrained ? "that keeps the constraints " : "") + "in grain atomic, provided that " +
+        "An always, never, exactly one of or inevitable that holds here, and a leads to that holds and whose premise "
+        "reads no input, holds with every plant " +
+        std::string(constrained ? "that satisfies the constraints " : "") + "in grain atomic, provided that " +
         (several ? "each controller runs" : "the plant lets the controller run") +
-        "; so does a reachable that is violated here. What fails here may yet hold with the real plant. All "
-        "other verdicts are about this model only: reachable that holds, always possible, CTL and LTL formulas, "
-        "what an observer saw, and, at stable, all but always, never and exactly one of.";
+        "; a reachable that is violated here is also violated with every such plant. A property that is violated here "
+        "may hold with the real plant. All other verdicts apply only to this model: reachable that holds, always "
+        "possible, CTL and LTL formulas, properties of observers, and, at stable, all but always, never and exactly "
+        "one of.";
     if (constrained)
         text +=
             " The constraints are assumptions: whether the plant keeps them is a property to prove with plant "
@@ -50,25 +51,23 @@ std::string controllers_scope(std::span<const ControllerPart> controllers, bool 
 
 std::string together_scope(Schedule schedule, std::span<const ControllerPart> controllers, bool fairness) {
     std::string text =
-        "This model is the closed loop with its plant automata, without time: a timed edge may be taken "
-        "at any moment. ";
+        "This model is the closed loop with its plant automata, without time: a timed edge may be taken at any time. ";
     if (schedule == Schedule::Synchronous)
         text +=
             "Schedule synchronous: in one step every controller runs one PLC cycle and every automaton takes one "
             "edge, all from the same state; an automaton stays only where it has no urgent edge to take. ";
     else
         text +=
-            "Schedule sequenced: controllers and plant take turns. The controllers run cycles until they settle (one "
-            "cycle, where outputs are written in every cycle); then the plant runs rounds until one changes "
-            "nothing. In a round each automaton takes one edge, in any order, and stays only where it has nothing "
-            "urgent to do; timed edges are taken in the first round only. Every property is judged at the end of "
-            "each evolution of the plant (PTE) and of the controllers, and in no state between. ";
+            "Schedule sequenced: controllers and plant alternate. The controllers run cycles until they are stable "
+            "(one cycle if outputs are written in every cycle); then the plant runs rounds until one changes nothing. "
+            "In a round each automaton takes one edge, in any order, and stays only where it has nothing urgent to do; "
+            "timed edges can be taken only in the first round. Every property is checked at the end of each evolution "
+            "of the plant (PTE) and of the controllers, and in no state between. ";
     text += power_on + outputs_written(controllers);
     if (fairness) text += fair_runs;
     return text +
-           "This schedule restricts the order of events: every verdict is about this model, and none carries over to "
-           "the "
-           "timed closed loop. There, sensors may be seen one before the other, and outputs change in between.";
+           "This schedule restricts the order of events: every verdict applies only to this model, not to the timed "
+           "closed loop. There, sensor changes can be sampled separately, and outputs can change between them.";
 }
 
 std::string network_scope(const Network& network, const ScheduleOptions& options) {
@@ -77,24 +76,24 @@ std::string network_scope(const Network& network, const ScheduleOptions& options
                        ": in one step any one automaton that can, or the PLC, takes an edge";
     if (options.time == TimeModel::Discrete) {
         text +=
-            ", or time passes by one unit. Clocks count units of time: the states are those of the timed closed loop "
-            "in integer time. ";
+            ", or time passes by one unit. Clocks count time units: the states are those of the timed closed loop in "
+            "integer time. ";
         if (options.fairness) text += fair_runs;
         return text + "Verdicts on always, never, exactly one of" + (options.fairness ? "" : " and reachable") +
-               " hold of the timed loop in this grain where its clock constraints are closed; other verdicts are for "
-               "integer time only.";
+               " are valid for the timed loop in this grain if its clock constraints are closed; other verdicts are "
+               "valid for integer time only.";
     }
     text +=
-        "; where no urgent edge can be taken, perhaps none does. Time is left out: a timed edge may be taken at any "
-        "moment. ";
+        "; if no urgent edge can be taken, possibly none does. Time is not modelled: a timed edge may be taken "
+        "at any time. ";
     if (options.fairness)
         return text + fair_runs +
                "An always, never or exactly one of that holds here holds in the timed closed loop of this mode and "
-               "grain. All other verdicts are about this model, under fairness: EF asks for a fair run.";
+               "grain. All other verdicts apply only to this model, under fairness: EF requires a fair run.";
     return text +
-           "It has every run of the timed closed loop of this mode and grain, and more: an always, never, exactly "
-           "one of, inevitable or leads to that holds here holds there, and so does a reachable that is "
-           "violated. Nothing else carries over: what fails here may yet hold in the timed loop.";
+           "It has every run of the timed closed loop of this mode and grain, and more: an always, never, exactly one "
+           "of, inevitable or leads to that holds here holds there, and a reachable that is violated here is violated "
+           "there. No other verdict is preserved: a property that is violated here may hold in the timed loop.";
 }
 
 }  // namespace grafverif::schedule

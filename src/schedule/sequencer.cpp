@@ -18,7 +18,7 @@ std::vector<std::string> movers_or_none(const Network& plant) {
 Sequencer::Sequencer(Main& main, const Network& plant)
     : main_(main),
       move_(main.draft.add("move", movers_or_none(plant), TransitionSystem::ChoiceSymbol{},
-                           "whose turn it is in a round")),
+                           "process that moves next in a round")),
       state_(main.draft.add("sequencer", {"controllers", "controlled", "PIR", "PTR", "POU", "PTE"},
                             TransitionSystem::StateSymbol{}, of_sequencers)),
       first_(main.draft.add("first_round", Type{}, TransitionSystem::StateSymbol{}, of_sequencers)),
@@ -72,8 +72,8 @@ void Sequencer::add_properties() const {
         main_.system.properties.add(
             {.name = name, .text = text, .pattern = Pattern::LeadsTo, .operands = {is(from), is(to)}});
     };
-    settles("plant_settles", "every evolution of the plant comes to an end", Treatment, Test);
-    settles("controllers_settle", "every evolution of the controllers comes to an end", Controllers, Controlled);
+    settles("plant_settles", "every evolution of the plant terminates", Treatment, Test);
+    settles("controllers_settle", "every evolution of the controllers terminates", Controllers, Controlled);
 }
 
 }  // namespace grafverif::schedule

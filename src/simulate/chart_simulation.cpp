@@ -228,7 +228,7 @@ void ChartSimulation::pass(std::int64_t milliseconds) {
 }
 
 std::string ChartSimulation::make(const Made& command) {
-    if (broken_) return "nothing more can happen; `back` undoes the last command";
+    if (broken_) return "no further event is possible; undo the last command with `back`";
     commands_.push_back(command);
     std::string problem;
     std::visit(overloaded{
@@ -288,12 +288,13 @@ std::string ChartSimulation::set(const std::vector<Setting>& settings) {
         const auto found = std::ranges::find(chart_.variables, setting.name, &Chart::Variable::name);
         return inputs_[static_cast<std::size_t>(found - chart_.variables.begin())] == setting.value;
     };
-    if (std::ranges::all_of(settings, is_so)) return fmt::format("`{}` is so already", settings.front().name);
+    if (std::ranges::all_of(settings, is_so)) return fmt::format("`{}` already has this value", settings.front().name);
     return make(settings);
 }
 
 std::string ChartSimulation::act(std::string_view instance, std::string_view) {
-    return fmt::format("there is no plant here, so no `{}`; inputs are set by `NAME = VALUE`", instance);
+    return fmt::format("a chart alone has no plant, so `{}` is not available; set inputs with `NAME = VALUE`",
+                       instance);
 }
 
 std::string ChartSimulation::force(std::string_view step, bool active) {
@@ -302,7 +303,7 @@ std::string ChartSimulation::force(std::string_view step, bool active) {
     if (!trial) return problem;
     const ByHand made = by_hand(chart_, state_.situation, {static_cast<std::uint32_t>(trial->step)}, active);
     if (!made.refusal.empty()) return made.refusal;
-    if (!with_situation(chart_, state_, made.situation, inputs_)) return "a time condition would have no value then";
+    if (!with_situation(chart_, state_, made.situation, inputs_)) return "a time condition would have no value";
     return make(*trial);
 }
 

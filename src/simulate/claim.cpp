@@ -107,7 +107,7 @@ std::variant<Claim, std::string> claim_of(std::string_view text) {
         const bool negated = is(at, "not") || is(at, "!");
         if (negated) ++at;
         if (at >= list.size() || is_sign(list[at][0]))
-            return "write what is to hold, such as `X3`, `not LAMP` or `LEVEL >= 3`";
+            return "the claim is missing; write for example `X3`, `not LAMP` or `LEVEL >= 3`";
         Claim::Part part{.name = list[at++], .value = 1};
         const auto found = at < list.size()
                                ? std::ranges::find(relations, list[at], &std::pair<std::string_view, Relation>::first)
@@ -115,13 +115,15 @@ std::variant<Claim, std::string> claim_of(std::string_view text) {
         if (found != relations.end()) {
             const auto value = at + 1 < list.size() ? value_of(list[at + 1]) : std::nullopt;
             if (!value || negated)
-                return fmt::format("behind `{} {}` stands a whole number, `true` or `false`, and no `not` before it",
-                                   part.name, list[at]);
+                return fmt::format(
+                    "invalid operand of `{} {}`; write a whole number, `true` or `false`, without `not` before the "
+                    "comparison",
+                    part.name, list[at]);
             part.relation = found->second;
             part.value = *value;
             at += 2;
         } else if (is(at, "in")) {
-            if (at + 1 >= list.size()) return fmt::format("`{} in` is followed by a location", part.name);
+            if (at + 1 >= list.size()) return fmt::format("the location after `{} in` is missing; add it", part.name);
             part.relation = negated ? Relation::NotIn : Relation::In;
             part.location = list[at + 1];
             at += 2;
@@ -130,7 +132,8 @@ std::variant<Claim, std::string> claim_of(std::string_view text) {
         }
         claim.parts.push_back(std::move(part));
     } while (is(at, "and") || is(at, ","));
-    if (at < list.size()) return fmt::format("`{}` does not belong to a claim such as `X3 and LEVEL >= 3`", list[at]);
+    if (at < list.size())
+        return fmt::format("unexpected `{}` in a claim; write for example `X3 and LEVEL >= 3`", list[at]);
     for (const std::string& word : list) claim.text += (claim.text.empty() || word == "," ? "" : " ") + word;
     return claim;
 }

@@ -33,7 +33,8 @@ std::vector<std::string> words(std::string_view line) {
 Command wait_of(const std::vector<std::string>& list) {
     if (list.size() == 1) return WaitCommand{};
     const auto milliseconds = duration_ms(list.size() == 2 ? list[1] : list[1] + " " + list[2]);
-    if (!milliseconds || list.size() > 3) return BadCommand{"`wait` takes a duration such as `3s`, `250ms` or `2min`"};
+    if (!milliseconds || list.size() > 3)
+        return BadCommand{"`wait` requires a duration; write `3s`, `250ms` or `2min`, for example"};
     return WaitCommand{*milliseconds};
 }
 
@@ -41,11 +42,11 @@ Command set_of(const std::vector<std::string>& list) {
     SetCommand set;
     for (std::size_t k = 0; k < list.size(); k += 4) {
         const bool whole = k + 2 < list.size() && list[k + 1] == "=" && (k + 3 == list.size() || list[k + 3] == ",");
-        if (!whole || k + 4 == list.size()) return BadCommand{"write `NAME = VALUE`"};
+        if (!whole || k + 4 == list.size()) return BadCommand{"the assignment is incomplete; write `NAME = VALUE`"};
         const std::string& value = list[k + 2];
         const std::optional<std::int64_t> counted = value_of(value);
         if (!counted)
-            return BadCommand{fmt::format("`{}` is no value; write `true`, `false` or a whole number", value)};
+            return BadCommand{fmt::format("invalid value `{}`; write `true`, `false` or a whole number", value)};
         set.settings.push_back({list[k], *counted});
     }
     return set;
@@ -71,14 +72,14 @@ Command expect_of(std::string_view line, const std::vector<std::string>& list) {
     const auto joined = list.size() > 2 ? duration_ms(list[2]) : std::nullopt;
     const auto apart = list.size() > 3 ? duration_ms(list[2] + " " + list[3]) : std::nullopt;
     if (!joined && !apart)
-        return BadCommand{"`expect within` takes a duration such as `3s`, `250ms` or `2min`, then a claim"};
+        return BadCommand{"`expect within` requires a duration and a claim; write for example `expect within 3s X3`"};
     return expectation(behind(line, joined ? 3 : 4), joined ? joined : apart);
 }
 
 Command repeat_of(const std::vector<std::string>& list) {
     const auto times = list.size() == 3 && list[2] == "{" ? number_of(list[1]) : std::nullopt;
     if (!times || *times < 1)
-        return BadCommand{"write `repeat 3 {`, and `}` on a line of its own behind what is repeated"};
+        return BadCommand{"invalid `repeat`; write `repeat 3 {`, and `}` on a separate line after the repeated lines"};
     return RepeatCommand{static_cast<std::uint64_t>(*times)};
 }
 
@@ -99,12 +100,12 @@ Command command_of(std::string_view line) {
     if (first == "save") {
         const std::string_view file = behind(line, 1);
         const std::size_t from = file.find_first_not_of(" \t"), to = file.find_last_not_of(" \t\r");
-        if (from == std::string_view::npos) return BadCommand{"write `save FILE`"};
+        if (from == std::string_view::npos) return BadCommand{"the file name is missing; write `save FILE`"};
         return SaveCommand{std::string(file.substr(from, to + 1 - from))};
     }
     if (first == "force") {
         if (list.size() == 3 && (list[2] == "on" || list[2] == "off")) return ForceCommand{list[1], list[2] == "on"};
-        return BadCommand{"write `force STEP on` or `force STEP off`"};
+        return BadCommand{"`force` is incomplete; write `force STEP on` or `force STEP off`"};
     }
     if (list.size() == 1) {
         if (first == "show") return ShowCommand{};
@@ -116,8 +117,9 @@ Command command_of(std::string_view line) {
             return ChooseCommand{static_cast<std::size_t>(*choice)};
     }
     const std::string meant = nearest_of(first, command_words);
-    return BadCommand{fmt::format("`{}` is no command; {}", first,
-                                  meant.empty() ? "`help` lists them" : fmt::format("did you mean `{}`?", meant))};
+    return BadCommand{
+        fmt::format("unknown command `{}`; {}", first,
+                    meant.empty() ? "list the commands with `help`" : fmt::format("did you mean `{}`?", meant))};
 }
 
 }  // namespace grafverif

@@ -44,7 +44,7 @@ public:
     /// Message for a sequence that has returned to its first state.
     std::string endless_text() const {
         const auto moved = std::ranges::find_if(situations_, [](const auto& each) { return each.size() > 1; });
-        if (others_moved_ || moved == situations_.end()) return "this goes on for ever within the instant";
+        if (others_moved_ || moved == situations_.end()) return "the moves repeat forever within one instant";
         const std::vector<std::vector<bool>> course(moved->begin() + 1, moved->end());
         return instability_text(*charts_[static_cast<std::size_t>(moved - situations_.begin())], course);
     }
@@ -122,7 +122,7 @@ Patience LoopSimulation::patience() const {
 std::string LoopSimulation::choose(std::size_t choice) { return choose(fires()[choice]); }
 
 std::string LoopSimulation::problem_of(const Step& step, const Move& move) const {
-    if (step.result == Step::Result::Blocked) return "this cannot happen now";
+    if (step.result == Step::Result::Blocked) return "this move is not possible now";
     const Fire& fire = std::get<Fire>(move);
     const auto kind =
         step.result == Step::Result::OutOfRange ? ModelError::Kind::OutOfRange : ModelError::Kind::NoValue;
@@ -131,7 +131,7 @@ std::string LoopSimulation::problem_of(const Step& step, const Move& move) const
 
 bool LoopSimulation::move(const Move& move, std::string& problem) {
     if (run_.moves.size() >= evolution_limit) {
-        problem = fmt::format("this goes on for too long: there are {} moves already", evolution_limit);
+        problem = fmt::format("too many moves within one instant: {}", evolution_limit);
         return false;
     }
     const NetworkState before = state_;
@@ -222,8 +222,8 @@ std::string LoopSimulation::waiting_for() const {
     for (const Fire& fire : fires())
         if (std::ranges::find(hurried, fire.process) != hurried.end())
             words.push_back(choice_words(network_, state_, fire));
-    if (words.empty()) return "time cannot pass any more: nothing can happen that must";
-    return "time cannot pass before one of these happens: " + listed(words);
+    if (words.empty()) return "timelock: time cannot pass, and no required move is possible";
+    return "time cannot pass before one of these moves: " + listed(words);
 }
 
 std::string LoopSimulation::pass(std::int64_t units) {
@@ -242,7 +242,8 @@ std::string LoopSimulation::pass(std::int64_t units) {
 std::string LoopSimulation::wait(std::int64_t milliseconds) {
     const std::int64_t unit = network_.time_unit_ms;
     if (milliseconds % unit != 0)
-        return fmt::format("the time unit of this loop is {}; wait a multiple of it", seconds_text(unit));
+        return fmt::format("the duration is not a multiple of the time unit {}; wait for a multiple of it",
+                           seconds_text(unit));
     begin_command();
     std::string problem = pass(milliseconds / unit);
     teller_->flush();
@@ -259,7 +260,7 @@ std::string LoopSimulation::wait() {
 }
 
 std::string LoopSimulation::set(const std::vector<Setting>& settings) {
-    if (settings.size() > 1) return "where there is a plant, set one input at a time";
+    if (settings.size() > 1) return "several inputs cannot be set together in a closed loop; set one input at a time";
     const auto& [written, value] = settings.front();
     const std::string behind = behind_port(written), name = behind.empty() ? written : behind;
     const auto settable = [](const Network::Variable& variable) {
@@ -283,7 +284,7 @@ std::string LoopSimulation::set(const std::vector<Setting>& settings) {
         if (perform(network_, after, fire).result == Step::Result::Done && after.variables[index] == value)
             return choose(fire);
     }
-    return fmt::format("nothing can make `{}` {} now", name, wish);
+    return fmt::format("no move can make `{}` {} now", name, wish);
 }
 
 std::string LoopSimulation::act(std::string_view instance, std::string_view location) {
@@ -298,7 +299,8 @@ std::string LoopSimulation::act(std::string_view instance, std::string_view loca
     if (named != told_.instances.end() && !location.empty() &&
         std::ranges::find(named->locations, location) == named->locations.end())
         return unknown_words(fmt::format("location of `{}`", instance), location, named->locations);
-    return fmt::format("`{}`{} cannot happen now", instance, location.empty() ? "" : fmt::format(" to `{}`", location));
+    return fmt::format("`{}`{} is not possible now", instance,
+                       location.empty() ? "" : fmt::format(" to `{}`", location));
 }
 
 std::optional<std::int64_t> LoopSimulation::soonest_ms() const {
@@ -359,13 +361,13 @@ bool LoopSimulation::back() {
 }
 
 std::string LoopSimulation::force(std::string_view step, bool active) {
-    if (broken_) return "nothing more can happen; `back` undoes the last command";
+    if (broken_) return "no further event is possible; undo the last command with `back`";
     std::string problem;
     const std::optional<Trial> trial = trial_of(told_, step, active, problem);
     if (!trial) return problem;
     const Network::Controller& controller = network_.controllers[{trial->controller.index}];
     if (state_.locations[controller.process.index] != controller.waiting)
-        return "the PLC is in the midst of a cycle; a step can be forced between two cycles";
+        return "a step cannot be forced during a PLC cycle; force it between two cycles";
     if (ByHand made = forced(*trial); !made.refusal.empty()) return std::move(made.refusal);
     begin_command();
     put(*trial);

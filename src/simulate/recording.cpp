@@ -63,7 +63,7 @@ std::string Recording::claim(const ChartRun::State& before) const {
 }
 
 std::string Recording::script() const {
-    std::string text = fmt::format("{} of {}; `--script` does it again.\n", saved_session, simulation_.told().name);
+    std::string text = fmt::format("{} of {}; replay it with `--script`.\n", saved_session, simulation_.told().name);
     for (const Line& line : lines_)
         text += line.text + "\n" + (line.claim.empty() ? "" : "expect " + line.claim + "\n");
     return text;

@@ -16,14 +16,14 @@ Script script_of(std::string_view text) {
         if (auto* const bad = std::get_if<BadCommand>(&next.command))
             script.complaints.emplace_back(number, bad->complaint);
         if (std::holds_alternative<SaveCommand>(next.command))
-            script.complaints.emplace_back(number, "`save` is for who types; a script is saved already");
-        if (ends && open.empty()) script.complaints.emplace_back(number, "this `}` ends no `repeat`");
+            script.complaints.emplace_back(number, "`save` is allowed only interactively; remove it from the script");
+        if (ends && open.empty()) script.complaints.emplace_back(number, "this `}` closes no `repeat`; remove it");
         if (std::holds_alternative<RepeatCommand>(next.command)) open.push_back(script.lines.size());
         else if (ends && !open.empty()) open.pop_back();
         script.lines.push_back(std::move(next));
     }
     for (const std::size_t each : open)
-        script.complaints.emplace_back(script.lines[each].number, "`repeat` without its `}`");
+        script.complaints.emplace_back(script.lines[each].number, "`repeat` is not closed; add `}`");
     return script;
 }
 

@@ -33,7 +33,7 @@ std::size_t Simulation::moves() const {
 }
 
 std::string Simulation::undo() {
-    if (commands_.empty()) return "there is nothing to undo";
+    if (commands_.empty()) return "there is no command to undo";
     while (moves() > commands_.back().moves && std::visit([](auto& of) { return of.back(); }, of_)) {
     }
     examined_ = commands_.back().examined;
@@ -117,7 +117,7 @@ std::string Simulation::expect(const ExpectCommand& wish) {
         const std::int64_t passed = told().moments.back().after.time_ms - begin;
         if (wish.patience_ms && passed >= *wish.patience_ms)
             return failed(passed == 0 ? "" : fmt::format(" after {}", seconds_text(passed)));
-        if (!patience().may_pass) return failed(", and time cannot pass before somebody chooses");
+        if (!patience().may_pass) return failed(", and time cannot pass before a choice");
         const auto soonest = std::visit([](const auto& of) { return of.soonest_ms(); }, of_);
         if (!wish.patience_ms && !soonest) return failed(", and nothing changes as time passes");
         const std::int64_t left = wish.patience_ms ? *wish.patience_ms - passed : *soonest;
@@ -128,8 +128,8 @@ std::string Simulation::expect(const ExpectCommand& wish) {
 
 std::string Simulation::choose(std::size_t number) {
     const std::size_t count = choice_count();
-    if (count == 0) return "there is no choice now; let time pass with `wait`";
-    if (number > count) return fmt::format("there are {} choices", count);
+    if (count == 0) return "no choice is available; let time pass with `wait`";
+    if (number > count) return fmt::format("there are only {} choices", count);
     return std::visit([&](auto& of) { return of.choose(number - 1); }, of_);
 }
 

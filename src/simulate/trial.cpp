@@ -30,8 +30,8 @@ std::size_t tell_trial(ChartRun& run, Teller& teller, const Trial& trial) {
     teller.flush();
     const ChartRun::Step& step = run.steps[run.controllers[trial.controller].steps[trial.step]];
     run.rows.push_back({.kind = ChartRun::Kind::Environment,
-                        .what = fmt::format("TRIAL: step {} {} by hand; not a run of the model from here on",
-                                            step.short_name, trial.active ? "activated" : "deactivated"),
+                        .what = fmt::format("WHAT-IF: step {} forced {}; no longer a run of the model", step.short_name,
+                                            trial.active ? "active" : "inactive"),
                         .moment = run.moments.size() - 1});
     return run.rows.size() - 1;
 }

@@ -31,35 +31,34 @@ Diagnostic world_failed(std::string_view what) { return error("cannot-write", {}
 
 Diagnostic cannot_listen(std::uint64_t port, std::string_view why) {
     const std::string where = port == 0 ? "on any port" : fmt::format("on port {}", port);
-    return error("cannot-listen", {}, fmt::format("cannot listen {}: {}; `--port` names another one", where, why));
+    return error("cannot-listen", {},
+                 fmt::format("cannot listen {}: {}; select another port with `--port`", where, why));
 }
 
 Diagnostic output_is_input(std::string_view output, std::string_view input) {
     return error(
         "output-is-input", {},
         output == input
-            ? fmt::format("`{}` would be written, and it is read in the same run; name another output", output)
-            : fmt::format("`{}` would be written, and it is `{}`, which is read in the same run; name another output",
-                          output, input));
+            ? fmt::format("`{}` is both input and output of this command; choose another output file", output)
+            : fmt::format("output `{}` is the same file as input `{}`; choose another output file", output, input));
 }
 
 Diagnostic out_of_step() {
     return error("out-of-memory", {},
-                 "text of the editor was lost for lack of memory; close the document and open it again");
+                 "out of memory, so the document differs from the editor's text; close the document and open it again");
 }
 
 Diagnostic no_state_file(std::string_view path) {
     return error("not-a-state-file", {},
-                 fmt::format("`{}` exists and is not a state file of `mutate`; name another file", path));
+                 fmt::format("`{}` exists and is not a state file of `mutate`; choose another file", path));
 }
 
 Diagnostic output_twice(std::string_view one, std::string_view other) {
     return error(
         "output-twice", {},
         one == other
-            ? fmt::format("two outputs would be written to `{}`; give each a name of its own", one)
-            : fmt::format("two outputs would be written to one file, `{}` and `{}`; give each a name of its own", one,
-                          other));
+            ? fmt::format("two outputs have the name `{}`; choose a different file for each", one)
+            : fmt::format("the outputs `{}` and `{}` are the same file; choose a different file for each", one, other));
 }
 
 Diagnostic other_format(std::string_view path, std::string_view named, std::string_view written, std::string_view how) {
@@ -67,12 +66,11 @@ Diagnostic other_format(std::string_view path, std::string_view named, std::stri
 }
 
 Diagnostic missing_folder(std::string_view output, std::string_view folder) {
-    return error("missing-folder", {},
-                 output == folder
-                     ? fmt::format("there is no folder `{}` to write into; make it, or say `--create`", folder)
-                     : fmt::format("`{}` would be written into the folder `{}`, which is not there; make it, or say "
-                                   "`--create`",
-                                   output, folder));
+    return error(
+        "missing-folder", {},
+        output == folder
+            ? fmt::format("output directory `{}` does not exist; create it or pass `--create`", folder)
+            : fmt::format("the directory of `{}`, `{}`, does not exist; create it or pass `--create`", output, folder));
 }
 
 Diagnostic not_in_depfile(std::string_view name, std::string_view reader) {
@@ -84,25 +82,27 @@ Diagnostic not_in_depfile(std::string_view name, std::string_view reader) {
 
 Diagnostic cure_left_out(std::string_view cure) {
     return warning("cure-left-out", {},
-                   fmt::format("`{}` is left out of the model: no verdict here is about the chart", cure));
+                   fmt::format("`{}` is removed from the model, so verdicts do not apply to the chart; omit "
+                               "`--without` to check the chart",
+                               cure));
 }
 
 Diagnostic missing_program(std::string_view program, std::string_view instead) {
     return error(
         "missing-program", {},
-        fmt::format("`{}` is not on the PATH; the embedded engine needs nothing installed: `{}`", program, instead));
+        fmt::format("`{}` is not on the PATH; install it, or use the embedded engine: `{}`", program, instead));
 }
 
 Diagnostic no_closed_loop() {
-    return error(
-        "no-closed-loop", {},
-        "the file has no closed loop; declare `closed_loop NAME { controller CHART; ... }`. A chart alone is run by "
-        "`grafverif plc`, checked by `grafverif check`, and written as a model by `grafverif nusmv`");
+    return error("no-closed-loop", {},
+                 "the file has no closed loop; declare `closed_loop NAME { controller CHART; ... }`, or use a command "
+                 "for charts: `plc` runs one, `check` checks it, `nusmv` writes a model");
 }
 
 Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known,
                           std::string_view nearest) {
-    const std::string advice = nearest.empty() ? "it has " + listed(known) : fmt::format("did you mean `{}`?", nearest);
+    const std::string advice =
+        nearest.empty() ? "choose one of " + listed(known) : fmt::format("did you mean `{}`?", nearest);
     return error("no-such-choice", {},
                  known.empty() ? fmt::format("the file has no {}", kind)
                                : fmt::format("the file has no {} `{}`; {}", kind, name, advice));
@@ -119,15 +119,16 @@ Diagnostic ambiguous_choice(std::string_view kind, std::string_view option, std:
 }
 
 Diagnostic beyond_32_bits(Span where, std::string_view what, std::string_view target) {
-    return error("beyond-32-bits", where,
-                 fmt::format("{} may need integers of more than 32 bits, which {} does not have: it would find another "
-                             "value and not say so; make the ranges or the constants smaller",
-                             what, target));
+    return error(
+        "beyond-32-bits", where,
+        fmt::format(
+            "{} may exceed 32 bits, and {} would silently compute a wrong value; reduce the ranges or constants", what,
+            target));
 }
 
 Diagnostic not_expressible(Span property, std::string_view name, std::string_view target, std::string_view reason) {
     return warning("not-expressible", property,
-                   fmt::format("property `{}` is left out of the {} model; {}", name, target, reason));
+                   fmt::format("property `{}` is omitted from the {} model; {}", name, target, reason));
 }
 
 // -- reading ---------------------------------------------------------------------------------------------------------
@@ -140,39 +141,37 @@ Diagnostic output_cycle(Span where, std::span<const std::string> outputs) {
     for (const std::string& output : outputs.first(std::min(shown, outputs.size())))
         path += fmt::format("`{}` reads ", output);
     if (outputs.size() > shown) path += fmt::format("{} more, the last reads ", outputs.size() - shown);
-    return error(
-        "output-cycle", where,
-        fmt::format("the output `{}` depends on itself ({}`{}`); an assignation condition means the equation of "
-                    "each output it reads",
-                    outputs.front(), path, outputs.front()));
+    return error("output-cycle", where,
+                 fmt::format("the output `{}` depends on itself ({}`{}`); remove one of these outputs from an "
+                             "assignation condition, which is expanded with the equation of each output that it reads",
+                             outputs.front(), path, outputs.front()));
 }
 
 Diagnostic term_too_large(Span where, std::string_view what, std::size_t limit) {
     return error("too-large", where,
-                 fmt::format("the equation of {} has more than {} terms; outputs read in conditions are replaced by "
-                             "their equations, read internal variables instead",
+                 fmt::format("the equation of {} has more than {} terms, because outputs in conditions are replaced by "
+                             "their equations; read internal variables instead",
                              what, limit));
 }
 
 Diagnostic term_too_deep(Span where, std::string_view what, std::size_t limit) {
-    return error(
-        "too-large", where,
-        fmt::format("the equation of {} nests deeper than {}; outputs read in conditions are replaced by their "
-                    "equations, read internal variables instead",
-                    what, limit));
+    return error("too-large", where,
+                 fmt::format("the equation of {} nests deeper than {} levels, because outputs in conditions are "
+                             "replaced by their equations; read internal variables instead",
+                             what, limit));
 }
 
 Diagnostic terms_too_large(Span where, std::string_view grafcet, std::size_t limit) {
     return error("too-large", where,
-                 fmt::format("the equations of `{}` have more than {} terms beyond what is written; read fewer outputs "
-                             "in conditions, store fewer different values",
+                 fmt::format("expanding the equations of `{}` adds more than {} terms; read fewer outputs in "
+                             "conditions or store fewer different values",
                              grafcet, limit));
 }
 
 Diagnostic too_many_stored_values(Span where, std::string_view variable, std::size_t limit) {
-    return error(
-        "too-large", where,
-        fmt::format("more than {} different values are stored in `{}`; use fewer actions on it", limit, variable));
+    return error("too-large", where,
+                 fmt::format("more than {} different values are stored in `{}`; reduce the number of actions on it",
+                             limit, variable));
 }
 
 // -- plant and compose -------------------------------------------------------------------------------------------------
@@ -189,71 +188,64 @@ std::string time_text(std::int64_t milliseconds) {
 
 Diagnostic no_multiple_of_time_unit(Span where, std::int64_t milliseconds, std::int64_t unit_ms) {
     return error("no-multiple-of-time-unit", where,
-                 fmt::format("`{}` is no whole number of time units of `{}`; leave out `time unit`, or choose one that "
+                 fmt::format("`{}` is not a multiple of the time unit `{}`; remove `time unit` or choose a unit that "
                              "divides every duration",
                              time_text(milliseconds), time_text(unit_ms)));
 }
 
 Diagnostic duration_too_long(Span where, std::int64_t milliseconds, std::int64_t unit_ms) {
     return error("duration-too-long", where,
-                 fmt::format("`{}` is {} time units of `{}`, more than model checkers count; choose durations with a "
-                             "larger common divisor",
+                 fmt::format("`{}` is {} time units of `{}`, which exceeds the range of model checkers; choose "
+                             "durations with a larger common divisor",
                              time_text(milliseconds), milliseconds / unit_ms, time_text(unit_ms)));
 }
 
 Diagnostic many_time_units(Span where, std::int64_t milliseconds, std::int64_t unit_ms) {
-    return warning(
-        "many-time-units", where,
-        fmt::format("`{}` is {} time units of `{}`, and engines that count units will be slow; choose durations with a "
-                    "larger common divisor",
-                    time_text(milliseconds), milliseconds / unit_ms, time_text(unit_ms)));
+    return warning("many-time-units", where,
+                   fmt::format("`{}` is {} time units of `{}`, which slows down engines with integer time; choose "
+                               "durations with a larger common divisor",
+                               time_text(milliseconds), milliseconds / unit_ms, time_text(unit_ms)));
 }
 
 Diagnostic no_value(Span where, std::string_view instance) {
     return error("no-value", where,
-                 fmt::format("a value at power-on of `{}` cannot be computed; look for a division by "
-                             "zero",
-                             instance));
+                 fmt::format("a value of `{}` at power-on cannot be computed; check for a division by zero", instance));
 }
 
 Diagnostic bad_range(Span where, std::string_view variable, std::int64_t low, std::int64_t high) {
     return error("bad-range", where,
-                 fmt::format("`{}` would range over {}..{}; a range is not empty and lies within "
-                             "-32768..32767",
+                 fmt::format("the range {1}..{2} of `{0}` is empty or not within -32768..32767; correct its bounds",
                              variable, low, high));
 }
 
 Diagnostic initial_out_of_range(Span where, std::string_view variable, std::int64_t initial, std::int64_t low,
                                 std::int64_t high) {
-    return error("initial-out-of-range", where,
-                 fmt::format("`{}` starts at {}, outside its range {}..{}; widen the "
-                             "range or start within it",
-                             variable, initial, low, high));
+    return error(
+        "initial-out-of-range", where,
+        fmt::format(
+            "the initial value {1} of `{0}` is outside its range {2}..{3}; extend the range or change the value",
+            variable, initial, low, high));
 }
 
 Diagnostic second_writer(Span where, std::string_view variable, std::string_view first, std::string_view second) {
     return error("two-writers", where,
-                 fmt::format("`{}` is assigned by `{}` and by `{}`; each shared variable has one "
-                             "writer",
+                 fmt::format("`{}` is assigned by `{}` and by `{}`; assign each shared variable in one place only",
                              variable, first, second));
 }
 
 Diagnostic urgent_invariant(Span where, std::string_view component, std::string_view location) {
-    return error(
-        "urgent-invariant", where,
-        fmt::format("the invariant of `{}` can fail when this urgent edge of `{}` fires; reset its clock on the "
-                    "edge, or bound it as strongly in the source location",
-                    location, component));
+    return error("urgent-invariant", where,
+                 fmt::format("the invariant of `{}` can be violated when this urgent edge of `{}` is taken; reset its "
+                             "clock on the edge, or add the same bound to the source location",
+                             location, component));
 }
 
 Diagnostic range_skipped(Span where, std::string_view variable, std::string_view mover, std::int64_t step,
                          std::string_view detector, std::int64_t low, std::int64_t high) {
-    return warning(
-        "range-skipped", where,
-        fmt::format(
-            "`{}` moves `{}` in steps of {}, which can jump over the range {}..{} that `{}` detects; choose steps "
-            "of at most {}",
-            mover, variable, step, low, high, detector, high - low + 1));
+    return warning("range-skipped", where,
+                   fmt::format("`{}` moves `{}` in steps of {}, which can skip the range {}..{} that `{}` detects; "
+                               "choose steps of at most {}",
+                               mover, variable, step, low, high, detector, high - low + 1));
 }
 
 // -- schedule and emit -------------------------------------------------------------------------------------------------

@@ -16,7 +16,7 @@ Diagnostic empty_chart(Span where, std::string_view chart) {
 Diagnostic no_initial_step(Span where, std::string_view chart) {
     return error(
         "no-initial-step", where,
-        fmt::format("`{}` has no initial step and nothing else activates it; mark a step `initial`", clipped(chart)));
+        fmt::format("`{}` has no initial step and is not activated otherwise; mark a step `initial`", clipped(chart)));
 }
 
 Diagnostic no_activation_link(Span where, std::string_view chart) {
@@ -34,21 +34,22 @@ Diagnostic unreachable_step(Span where, std::string_view step, std::size_t other
 
 Diagnostic missing_condition(Span where) {
     return error("missing-condition", where,
-                 "this transition has no condition; write `when true` where it is always satisfied");
+                 "this transition has no transition condition; write `when true` if it is always satisfied");
 }
 
 Diagnostic detached_transition(Span where) {
-    return error("detached-transition", where, "this transition links no steps; write those before or after it");
+    return error("detached-transition", where, "this transition links no steps; add its upstream or downstream steps");
 }
 
 Diagnostic step_twice(Span where, std::string_view step) {
-    return error("step-twice", where,
-                 fmt::format("step `{}` is linked to this side of the transition already", clipped(step)));
+    return error(
+        "step-twice", where,
+        fmt::format("step `{}` is listed twice on this side of the transition; remove one occurrence", clipped(step)));
 }
 
 Diagnostic step_of_other_chart(Span where, std::string_view step, std::string_view chart) {
     return error("step-of-other-chart", where,
-                 fmt::format("step `{}` belongs to {}; a transition links steps of one partial chart", clipped(step),
+                 fmt::format("step `{}` belongs to {}; link only steps of the same partial chart", clipped(step),
                              chart.empty() ? "the main part of the chart"
                                            : fmt::format("the partial chart `{}`", clipped(chart))));
 }
@@ -56,52 +57,53 @@ Diagnostic step_of_other_chart(Span where, std::string_view step, std::string_vi
 Diagnostic not_an_output(Span where, std::string_view variable, std::string_view kind) {
     return error(
         "not-an-output", where,
-        fmt::format("`{}` is an {} variable; a continuous action is about an output", clipped(variable), kind));
+        fmt::format("`{}` is an {} variable, not an output; use a stored action (`:=`)", clipped(variable), kind));
 }
 
 Diagnostic assigned_input(Span where, std::string_view variable) {
     return error("assigned-input", where,
-                 fmt::format("`{}` is an input; only outputs and internal variables are assigned", clipped(variable)));
+                 fmt::format("`{}` is an input and cannot be assigned; assign an output or internal variable",
+                             clipped(variable)));
 }
 
 Diagnostic continuous_and_stored(Span where, std::string_view output, Span other) {
-    Diagnostic diagnostic =
-        error("continuous-and-stored", where,
-              fmt::format("`{}` has continuous and stored actions; use one kind for an output", clipped(output)));
+    Diagnostic diagnostic = error(
+        "continuous-and-stored", where,
+        fmt::format("`{}` has continuous and stored actions; use only one kind for each output", clipped(output)));
     diagnostic.notes.push_back(note(other, "the other kind is here"));
     return diagnostic;
 }
 
 Diagnostic missing_event(Span where) {
     return error("missing-event", where,
-                 "the assignment does not say when; write `on activation`, `on deactivation` or `on event ...`");
+                 "the assignment has no event; append `on activation`, `on deactivation` or `on event ...`");
 }
 
 Diagnostic enclosing_cycle(Span where, std::string_view chart) {
     return error("enclosing-cycle", where,
-                 fmt::format("`{}` contains the step that it belongs to; no chart is inside itself", clipped(chart)));
+                 fmt::format("`{}` contains the step that it belongs to; remove the cyclic enclosure", clipped(chart)));
 }
 
 Diagnostic forcing_cycle(Span where, std::string_view chart) {
     return error("forcing-cycle", where,
-                 fmt::format("this order closes a cycle: `{}` forces or encloses the chart of the order in turn; "
-                             "orders go down a hierarchy",
+                 fmt::format("this forcing order closes a cycle, because `{}` forces or encloses the partial chart of "
+                             "the order; remove an order so that forcing is hierarchical",
                              clipped(chart)));
 }
 
 Diagnostic forced_twice(Span where, std::string_view chart, Span first) {
-    Diagnostic diagnostic = error(
-        "forced-twice", where, fmt::format("`{}` is forced to two situations at once; keep one order", clipped(chart)));
+    Diagnostic diagnostic =
+        error("forced-twice", where,
+              fmt::format("`{}` is forced to two situations at the same time; remove one order", clipped(chart)));
     diagnostic.notes.push_back(note(first, "the other order is here"));
     return diagnostic;
 }
 
 Diagnostic forced_differently(Span where, std::string_view chart, Span first) {
-    Diagnostic diagnostic = warning(
-        "forced-differently", where,
-        fmt::format("two partial charts force `{}` to different situations; make sure that their orders are never "
-                    "active together",
-                    clipped(chart)));
+    Diagnostic diagnostic = warning("forced-differently", where,
+                                    fmt::format("two partial charts force `{}` to different situations; ensure that "
+                                                "their orders are never active at the same time",
+                                                clipped(chart)));
     diagnostic.notes.push_back(note(first, "the other order is here"));
     return diagnostic;
 }
@@ -109,34 +111,33 @@ Diagnostic forced_differently(Span where, std::string_view chart, Span first) {
 Diagnostic forced_beside(Span where, std::string_view expansion, std::string_view with, Span first) {
     Diagnostic diagnostic = error(
         "forced-twice", where,
-        fmt::format(
-            "`{0}` has an order of its own and is forced with `{1}`, of which it expands a macro-step; keep one order",
-            clipped(expansion), clipped(with)));
+        fmt::format("`{0}` is forced directly and also with `{1}`, of which it expands a macro-step; remove one order",
+                    clipped(expansion), clipped(with)));
     diagnostic.notes.push_back(note(first, "the other order is here"));
     return diagnostic;
 }
 
 Diagnostic edge_under_time(Span where) {
-    return error("edge-under-time", where,
-                 "an edge lasts for one evolution and has no duration; write the variable itself under the time");
+    return error(
+        "edge-under-time", where,
+        "an edge lasts for one evolution and has no duration; apply the time condition to the variable itself");
 }
 
 Diagnostic edge_of_edge(Span where) {
-    return error("edge-of-edge", where,
-                 "an edge lasts for one evolution and has no edges of its own; write the variable itself");
+    return error("edge-of-edge", where, "an edge operator is applied to an edge; apply it to the variable itself");
 }
 
 Diagnostic edge_in_assignation(Span where, std::string_view output) {
     return error("edge-in-assignation", where,
-                 fmt::format("the condition of `{}` has an edge, which is no state that lasts; store the output "
-                             "`on event`, or write the variable without its edge",
+                 fmt::format("the assignation condition of `{}` contains an edge, which is not a lasting state; store "
+                             "the output `on event`, or remove the edge operator",
                              clipped(output)));
 }
 
 Diagnostic event_without_edge(Span where, std::string_view target) {
     return error("event-without-edge", where,
-                 fmt::format("`{}` is assigned on an event that can hold without an edge; write `rise(...)` or "
-                             "`fall(...)` in it",
+                 fmt::format("`{}` is assigned on an event that can be true without an edge; add `rise(...)` or "
+                             "`fall(...)` to the event",
                              clipped(target)));
 }
 
@@ -147,28 +148,33 @@ Diagnostic not_an_expansion(Span where, std::string_view chart) {
 
 Diagnostic owned_twice(Span where, std::string_view chart, Span first) {
     Diagnostic diagnostic =
-        error("owned-twice", where, fmt::format("`{}` belongs to another step already", clipped(chart)));
+        error("owned-twice", where,
+              fmt::format("`{}` already belongs to another step; use a separate partial chart for this step",
+                          clipped(chart)));
     diagnostic.notes.push_back(note(first, "the first one is here"));
     return diagnostic;
 }
 
 Diagnostic unused_expansion(Span where, std::string_view chart) {
-    return error("unused-expansion", where,
-                 fmt::format("no macro-step expands `{0}`; write `macro step ... expands {0};`", clipped(chart)));
+    return error(
+        "unused-expansion", where,
+        fmt::format("no macro-step is expanded by `{0}`; write `macro step ... expands {0};`", clipped(chart)));
 }
 
 Diagnostic entry_and_exit(Span where, std::string_view chart) {
     return error("entry-and-exit", where,
-                 fmt::format("the expansion `{}` needs one entry step and one exit step", clipped(chart)));
+                 fmt::format("the expansion `{}` does not have exactly one entry step and one exit step; mark one step "
+                             "`entry` and one `exit`",
+                             clipped(chart)));
 }
 
 Diagnostic constraint_not_on_inputs(Span where, std::string_view other) {
     return error("constraint-not-on-inputs", where,
-                 fmt::format("this constraint reads {}; a constraint is an assumption on the inputs alone", other));
+                 fmt::format("this constraint reads {}; use only inputs in a constraint", other));
 }
 
 Diagnostic misplaced_mark(Span where, std::string_view mark, std::string_view place) {
-    return error("misplaced-mark", where, fmt::format("`{}` has no meaning here; it stands in {}", mark, place));
+    return error("misplaced-mark", where, fmt::format("`{}` is not allowed here; it is valid only in {}", mark, place));
 }
 
 }  // namespace grafverif::messages

@@ -10,41 +10,42 @@ namespace grafverif::messages {
 
 Diagnostic excludes_every_input(Span where) {
     return error("excludes-every-input", where,
-                 "no combination of inputs is left by this constraint and those before it; weaken one of them");
+                 "no combination of inputs satisfies this constraint and those before it; weaken one of them");
 }
 
 Diagnostic initial_never_stable(Span where, std::string_view inputs, std::string_view cycle) {
-    return error(
-        "never-stable", where,
-        fmt::format(
-            "from the initial situation no combination of inputs leads to a stable one; with {} the situations {} "
-            "follow each other for ever",
-            clipped(inputs), clipped(cycle)));
+    return error("never-stable", where,
+                 fmt::format("no combination of inputs leads from the initial situation to a stable one: with {}, the "
+                             "chart cycles forever through the situations {}; add a condition that breaks the cycle",
+                             clipped(inputs), clipped(cycle)));
 }
 
 Diagnostic action_race(Span where, std::string_view variable, std::string_view when) {
-    return error(
-        "action-race", where,
-        fmt::format(
-            "two actions store different values in `{}` at once: in {}; make their conditions exclusive, or exclude "
-            "these inputs by a `constraint`",
-            clipped(variable), clipped(when)));
+    return error("action-race", where,
+                 fmt::format("two actions store different values in `{}` in the same evolution, in {}; make their "
+                             "conditions exclusive, or exclude these inputs with a `constraint`",
+                             clipped(variable), clipped(when)));
 }
 
 Diagnostic forcing_race(Span where, std::string_view when) {
-    return error("action-race", where,
-                 fmt::format("two forcing orders that exclude each other are active at once: in {}", clipped(when)));
+    return error(
+        "action-race", where,
+        fmt::format("two contradictory forcing orders are active at the same time, in {}; make their steps exclusive",
+                    clipped(when)));
 }
 
 Diagnostic no_value_in_location(Span where, std::string_view when) {
-    return error("no-value", where,
-                 fmt::format("this has no value in {}: division by zero, or a number too large", clipped(when)));
+    return error(
+        "no-value", where,
+        fmt::format("the value is undefined in {}: division by zero or overflow; guard the operation with a condition",
+                    clipped(when)));
 }
 
 Diagnostic out_of_range_in_location(Span where, std::string_view variable, std::int64_t value, std::string_view when) {
-    return error("out-of-range", where,
-                 fmt::format("`{}` would get the value {}, which is outside its range, in {}", clipped(variable), value,
-                             clipped(when)));
+    return error(
+        "out-of-range", where,
+        fmt::format("`{}` is assigned {}, which is outside its range, in {}; extend the range or guard the assignment",
+                    clipped(variable), value, clipped(when)));
 }
 
 Diagnostic too_many_locations(Span where, std::uint64_t limit) {
@@ -53,70 +54,62 @@ Diagnostic too_many_locations(Span where, std::uint64_t limit) {
 }
 
 Diagnostic too_many_pairs(Span where, std::size_t states, std::uint64_t limit) {
-    return error(
-        "too-large", where,
-        fmt::format(
-            "{} states under every combination of inputs are more than {} transitions to cover; `--cover evolutions` "
-            "or `--cover locations` asks for less",
-            states, limit));
+    return error("too-large", where,
+                 fmt::format("{} states with every combination of inputs require more than {} transitions; use "
+                             "`--cover evolutions` or `--cover locations`",
+                             states, limit));
 }
 
 Diagnostic too_many_nodes(std::size_t nodes, std::size_t limit) {
     return error(
         "too-large", {},
-        fmt::format(
-            "{} states make no drawing or table that a person could read, the limit is {}; `--format dot` is for "
-            "Graphviz",
-            nodes, limit));
+        fmt::format("an automaton with {} states is too large to draw (limit: {}); use `--format dot` with Graphviz",
+                    nodes, limit));
 }
 
 Diagnostic too_many_states(Span where, std::uint64_t limit) {
     return error(
         "bound-reached", where,
-        fmt::format("the Mealy machine has more than {} states, as its timers run; raise `--max-states`", limit));
+        fmt::format("the Mealy machine has more than {} states, timers included; raise `--max-states`", limit));
 }
 
 Diagnostic automaton_too_large(Span where) {
     return error("bound-reached", where,
-                 "the conditions of the location automaton need more memory than allowed; raise `--max-memory`");
+                 "the conditions of the location automaton exceed the memory limit; raise `--max-memory`");
 }
 
 Diagnostic stopped(Span where, bool by_user) {
     return error("stopped", where,
-                 fmt::format("stopped before the end {}; nothing was written",
-                             by_user ? "by Ctrl-C or another signal" : "by the time limit, which `--timeout` sets"));
+                 fmt::format("stopped {}; no output was written",
+                             by_user ? "by Ctrl-C or another signal" : "at the time limit (`--timeout`)"));
 }
 
 Diagnostic timed_out(std::uint64_t milliseconds) {
     const std::string time =
         milliseconds % 1000 == 0 ? fmt::format("{} s", milliseconds / 1000) : fmt::format("{} ms", milliseconds);
-    return error("stopped", {},
-                 fmt::format("stopped before the end: the time allowed, {}, is over; raise `--timeout`", time));
+    return error("stopped", {}, fmt::format("time limit of {} reached before completion; raise `--timeout`", time));
 }
 
-Diagnostic interrupted() { return error("stopped", {}, "stopped before the end, as asked for by Ctrl-C"); }
+Diagnostic interrupted() { return error("stopped", {}, "interrupted by Ctrl-C before completion"); }
 
 Diagnostic out_of_memory(std::optional<std::uint64_t> allowed) {
     return error(
         "out-of-memory", {},
-        allowed ? fmt::format("stopped before the end: the memory allowed, {} MiB, is used up; raise `--max-memory`",
-                              *allowed >> 20U)
-                : std::string("stopped before the end: the system gives no more memory"));
+        allowed ? fmt::format("memory limit of {} MiB reached before completion; raise `--max-memory`", *allowed >> 20U)
+                : std::string("out of memory: the system refused an allocation; make more memory available"));
 }
 
 Diagnostic threads_refused() {
     return error("threads-refused", {},
-                 "stopped before the end: the system refuses to start a thread or a process; raise its limits (`ulimit "
-                 "-u`, `ulimit -v`) or `--max-memory`");
+                 "the system refuses to start a thread or process; raise its limits (`ulimit -u`, `ulimit -v`) or "
+                 "`--max-memory`");
 }
 
 Diagnostic too_many_inputs(Span where, std::string_view chart, std::size_t bits, std::size_t limit) {
-    return error(
-        "too-many-inputs", where,
-        fmt::format(
-            "the inputs of `{}` have 2^{} combinations, and every one of them in every state is too much above 2^{}; "
-            "`--cover evolutions` or `--cover locations` asks for less",
-            clipped(chart), bits, limit));
+    return error("too-many-inputs", where,
+                 fmt::format("the inputs of `{}` have 2^{} combinations, which is too many to test in every state "
+                             "(limit: 2^{}); use `--cover evolutions` or `--cover locations`",
+                             clipped(chart), bits, limit));
 }
 
 }  // namespace grafverif::messages

@@ -9,18 +9,18 @@ namespace grafverif::messages {
 
 Diagnostic bad_exclusion_header(Span where) {
     return error("bad-exclusion", where,
-                 "this is no table of exclusions; its first row is `variable1,variable2,reason`");
+                 "this is not an exclusion table; write `variable1,variable2,reason` as the first row");
 }
 
 Diagnostic bad_exclusion(Span where, std::size_t fields) {
     return error("bad-exclusion", where,
-                 fmt::format("this row has {} {}; write two inputs and a reason, in quotes where it holds a comma",
-                             fields, fields == 1 ? "field" : "fields"));
+                 fmt::format("this row has {} {}; write two inputs and a reason, quoted if it contains a comma", fields,
+                             fields == 1 ? "field" : "fields"));
 }
 
 Diagnostic not_a_boolean_input(Span where, std::string_view name, std::string_view chart) {
     return error("bad-exclusion", where,
-                 fmt::format("`{}` is no bool input of grafcet `{}`", clipped(name), clipped(chart)));
+                 fmt::format("`{}` is not a Boolean input of grafcet `{}`", clipped(name), clipped(chart)));
 }
 
 Diagnostic excludes_itself(Span where, std::string_view name) {
@@ -31,7 +31,7 @@ Diagnostic excludes_itself(Span where, std::string_view name) {
 Diagnostic unknown_finding(Span where, std::string_view code) {
     return error(
         "unknown-finding", where,
-        fmt::format("there is no finding `{}`; `grafverif analyse` shows the code of each in brackets", clipped(code)));
+        fmt::format("unknown finding `{}`; use a code that `grafverif analyse` prints in brackets", clipped(code)));
 }
 
 }  // namespace grafverif::messages

@@ -10,25 +10,22 @@
 namespace grafverif::messages {
 
 Diagnostic file_too_large(Span where, std::size_t mebibytes) {
-    return error("too-large", where, fmt::format("the file has more than {} MiB; split it with `include`", mebibytes));
+    return error("too-large", where, fmt::format("the file is larger than {} MiB; split it with `include`", mebibytes));
 }
 
 Diagnostic invalid_utf8(Span where, unsigned char byte) {
-    return error("invalid-utf8", where, fmt::format("byte 0x{:02X} is not UTF-8; save the file as UTF-8 text", byte));
+    return error("invalid-utf8", where, fmt::format("byte 0x{:02X} is not UTF-8; save the file as UTF-8", byte));
 }
 
 Diagnostic read_as_latin(Span where) {
     return warning("read-as-latin", where,
-                   "this text is not UTF-8, and is read as Latin-1 (Windows-1252); save the file as UTF-8");
+                   "the text is not UTF-8 and is read as Latin-1 (Windows-1252); save the file as UTF-8");
 }
 
-Diagnostic utf16(Span where) {
-    return error("invalid-utf8", where, "this text is UTF-16; save the file as UTF-8 text");
-}
+Diagnostic utf16(Span where) { return error("invalid-utf8", where, "the text is UTF-16; save the file as UTF-8"); }
 
 Diagnostic incomplete_utf16(Span where) {
-    return error("invalid-utf8", where,
-                 "this text is UTF-16 with half a character at its end; save the file as UTF-8 text");
+    return error("invalid-utf8", where, "the text is UTF-16 and ends within a character; save the file as UTF-8");
 }
 
 Diagnostic unexpected_character(Span where, std::string_view character) {
@@ -36,56 +33,59 @@ Diagnostic unexpected_character(Span where, std::string_view character) {
     const bool printable = byte > 0x20 && byte != 0x7F;
     const std::string shown = printable ? fmt::format("`{}`", character) : fmt::format("byte 0x{:02X}", byte);
     return error("unexpected-character", where,
-                 fmt::format("{} stands in no word of the language; names are made of letters, digits and `_`", shown));
+                 fmt::format("{} is not allowed here; use letters, digits and `_` in names", shown));
 }
 
 Diagnostic unterminated(Span where, std::string_view what, std::string_view end) {
     return error(fmt::format("unterminated-{}", what), where,
-                 fmt::format("this {} has no end; close it with `{}`", what, end));
+                 fmt::format("this {} is not closed; close it with `{}`", what, end));
 }
 
 Diagnostic unknown_unit(Span where, std::string_view text) {
-    return error(
-        "unknown-unit", where,
-        fmt::format("`{}` is neither a duration nor a name; durations end in `ms`, `s` or `min`, and names do not "
-                    "start with a digit",
-                    clipped(text)));
+    return error("unknown-unit", where,
+                 fmt::format("`{}` is neither a duration nor a name; end durations in `ms`, `s` or `min`, and do not "
+                             "start names with a digit",
+                             clipped(text)));
 }
 
 Diagnostic bad_duration(Span where, std::string_view text) {
-    return error("bad-duration", where,
-                 fmt::format("`{}` cannot be counted in milliseconds; write a whole number of `ms`, up to some years",
-                             clipped(text)));
+    return error(
+        "bad-duration", where,
+        fmt::format("`{}` is not a whole number of milliseconds or is too large; change the duration", clipped(text)));
 }
 
 Diagnostic decimal_number(Span where, std::string_view text) {
     return error("decimal-number", where,
-                 fmt::format("`{}` is no integer; only durations have decimals, as in `1.5s`", clipped(text)));
+                 fmt::format("`{}` is not an integer; use decimals only in durations, as in `1.5s`", clipped(text)));
 }
 
-Diagnostic number_too_large(Span where) { return error("number-too-large", where, "this number does not fit 64 bits"); }
+Diagnostic number_too_large(Span where) {
+    return error("number-too-large", where, "the number exceeds 64 bits; write a smaller one");
+}
 
 Diagnostic name_too_long(Span where, std::string_view name, std::size_t limit) {
-    return error("name-too-long", where,
-                 fmt::format("the name `{}` has {} bytes; {} are allowed", clipped(name), name.size(), limit));
+    return error(
+        "name-too-long", where,
+        fmt::format("the name `{}` has {} bytes; shorten it to at most {}", clipped(name), name.size(), limit));
 }
 
 Diagnostic too_deep(Span where, std::size_t limit) {
     return error("too-deep", where,
-                 fmt::format("this expression nests deeper than {} levels; use internal variables", limit));
+                 fmt::format("the expression nests deeper than {} levels; use internal variables", limit));
 }
 
 Diagnostic other_spelling(Span where, std::string_view seen, std::string_view meant) {
-    return with_fix(error("other-spelling", where, fmt::format("`{}` is no operator here; write `{}`", seen, meant)),
-                    where, meant);
+    return with_fix(
+        error("other-spelling", where, fmt::format("`{}` is not an operator here; write `{}`", seen, meant)), where,
+        meant);
 }
 
 Diagnostic single_equals(Span where, std::string_view what, std::string_view meant) {
-    return with_fix(error("single-equals", where, fmt::format("`=` is no {}; write `{}`", what, meant)), where, meant);
+    return with_fix(error("single-equals", where, fmt::format("`=` is not {}; write `{}`", what, meant)), where, meant);
 }
 
 Diagnostic missing_semicolon(Span where) {
-    return with_fix(error("missing-semicolon", where, "the declaration has no end; write `;`"), where, ";");
+    return with_fix(error("missing-semicolon", where, "the declaration is not terminated; append `;`"), where, ";");
 }
 
 Diagnostic unexpected(Span where, std::string_view seen, std::string_view expected) {
@@ -93,13 +93,13 @@ Diagnostic unexpected(Span where, std::string_view seen, std::string_view expect
 }
 
 Diagnostic unexpected_end(Span where, std::string_view expected) {
-    return error("unexpected-end", where, fmt::format("the input ends too early; expected {}", expected));
+    return error("unexpected-end", where, fmt::format("unexpected end of input; expected {}", expected));
 }
 
 Diagnostic missing_brace(Span heading, std::string_view text, Span next, Span place) {
-    Diagnostic diagnostic = error("missing-brace", heading,
-                                  fmt::format("the block of `{}` is not closed; write `}}` at its end", clipped(text)));
-    if (next.source.valid()) diagnostic.notes.push_back(note(next, "this cannot be within the block"));
+    Diagnostic diagnostic =
+        error("missing-brace", heading, fmt::format("the block of `{}` is not closed; append `}}`", clipped(text)));
+    if (next.source.valid()) diagnostic.notes.push_back(note(next, "this is not allowed within the block"));
     return place.source.valid() ? with_fix(std::move(diagnostic), place, "\n}") : diagnostic;
 }
 
@@ -130,7 +130,7 @@ Diagnostic other_keyword(Span where, std::string_view seen, std::string_view mea
 Diagnostic step_member(Span where, std::string_view step_variable, std::string_view member) {
     const bool time = member == "T" || member == "t";
     return error("other-spelling", where,
-                 fmt::format("`.{0}` of a step is the notation of IEC 61131-3; write {1}{2}`", member,
+                 fmt::format("`.{0}` of a step is IEC 61131-3 notation; write {1}{2}`", member,
                              time ? "a time condition such as `2s/" : "`", clipped(step_variable)));
 }
 
@@ -143,11 +143,10 @@ std::string further(std::size_t more) { return more == 0 ? "" : fmt::format(" (a
 }  // namespace
 
 Diagnostic line_separator(Span where, std::uint32_t code, std::size_t more) {
-    return warning(
-        "line-separator", where,
-        fmt::format("editors end a line at U+{:04X}{}, but comments and line numbers do not; replace it with a "
-                    "line feed",
-                    code, further(more)));
+    return warning("line-separator", where,
+                   fmt::format("U+{:04X}{} ends a line in editors, but does not end a comment or count as a line; "
+                               "replace it with a line feed",
+                               code, further(more)));
 }
 
 Diagnostic bidi_control(Span where, std::uint32_t code, std::size_t more) {

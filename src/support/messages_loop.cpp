@@ -12,22 +12,22 @@ namespace grafverif::messages {
 Diagnostic missing_argument(Span where, std::string_view component, std::string_view parameter,
                             std::string_view example) {
     return error("missing-argument", where,
-                 fmt::format("`{}` needs `{}`; write `{} = {}`", clipped(component), clipped(parameter),
-                             clipped(parameter), example));
+                 fmt::format("argument `{1}` of `{0}` is missing; write `{2} = {3}`", clipped(component),
+                             clipped(parameter), clipped(parameter), example));
 }
 
 Diagnostic output_not_a_name(Span where, std::string_view parameter) {
     return error(
         "argument-not-a-name", where,
-        fmt::format("`{}` is an output, which writes one variable; bind it to the name of a variable, and write "
-                    "the term where that is read",
-                    clipped(parameter)));
+        fmt::format(
+            "the output `{}` is bound to a term; bind it to a variable, and use the term where the variable is read",
+            clipped(parameter)));
 }
 
 Diagnostic no_signal(Span where, std::string_view name, std::string_view what) {
     return error("no-signal", where,
-                 fmt::format("`{}` is {}, no signal; an input reads inputs and outputs of controllers and what "
-                             "instances write: let the chart put it out",
+                 fmt::format("`{}` is {}, not a signal; bind the input to a controller input or output or to a plant "
+                             "variable, or add an output to the chart",
                              clipped(name), what));
 }
 
@@ -38,7 +38,7 @@ Diagnostic constant_without_value(Span where, std::string_view constant) {
 
 Diagnostic constant_below(Span where, std::string_view constant) {
     return error("constant-below", where,
-                 fmt::format("`{}` is declared further down; a constant reads those above it", clipped(constant)));
+                 fmt::format("`{}` is declared after its use; move its declaration up", clipped(constant)));
 }
 
 Diagnostic no_such_constant(Span loop, std::string_view loop_name, std::string_view name, std::string_view nearest) {
@@ -52,21 +52,22 @@ Diagnostic no_such_constant(Span loop, std::string_view loop_name, std::string_v
 Diagnostic bad_setting(Span where, std::string_view constant, std::string_view value, std::string_view kind) {
     const std::string_view example = kind == "a duration" ? "3s" : kind == "an integer" ? "4" : "true";
     return error("bad-setting", where,
-                 fmt::format("the constant `{0}` is {1}, and cannot be set to `{2}`; write `--set {0}={3}`",
+                 fmt::format("the constant `{0}` is {1} and cannot be set to `{2}`; write `--set {0}={3}`",
                              clipped(constant), kind, clipped(value), example));
 }
 
 Diagnostic setting_out_of_range(Span where, std::string_view constant, std::string_view value, std::int64_t low,
                                 std::int64_t high) {
-    return error("bad-setting", where,
-                 fmt::format("the constant `{}` has the range {}..{}, and cannot be set to `{}`", clipped(constant),
-                             low, high, clipped(value)));
+    return error(
+        "bad-setting", where,
+        fmt::format("the constant `{}` has the range {}..{} and cannot be set to `{}`; choose a value in this range",
+                    clipped(constant), low, high, clipped(value)));
 }
 
 Diagnostic missing_initially(Span where, std::string_view component, std::string_view locations) {
-    return error("missing-initially", where,
-                 fmt::format("`{}` has no initial location of its own; write `initially` and one of {}",
-                             clipped(component), locations));
+    return error(
+        "missing-initially", where,
+        fmt::format("`{}` has no initial location; write `initially` and one of {}", clipped(component), locations));
 }
 
 Diagnostic undriven_input(Span where, std::string_view input, std::string_view reader, bool boolean, Span loop) {
@@ -75,7 +76,7 @@ Diagnostic undriven_input(Span where, std::string_view input, std::string_view r
                                  : fmt::format("environment {0}_any = free_integer(OUT = {0}, ...);", clipped(input));
     Diagnostic diagnostic =
         error("undriven-input", where,
-              fmt::format("nothing drives the input `{}` of `{}`; write `{}`", clipped(input), clipped(reader), cure));
+              fmt::format("the input `{}` of `{}` is not driven; write `{}`", clipped(input), clipped(reader), cure));
     if (!boolean) return diagnostic;
     const Span before_end = {loop.source, loop.end - 1, loop.end - 1};
     return with_fix(std::move(diagnostic), before_end,
@@ -86,13 +87,12 @@ Diagnostic undriven_variable(Span where, std::string_view variable, std::string_
     std::string cure = fmt::format("write `environment {0}_any = free(OUT = {0});`", clipped(variable));
     if (!suggestion.empty()) cure = fmt::format("did you mean `{}`?", clipped(suggestion));
     Diagnostic diagnostic =
-        error("undriven-input", where, fmt::format("nothing drives `{}`; {}", clipped(variable), cure));
+        error("undriven-input", where, fmt::format("`{}` is not driven; {}", clipped(variable), cure));
     return suggestion.empty() ? diagnostic : with_fix(std::move(diagnostic), where, suggestion);
 }
 
 Diagnostic argument_type(Span where, std::string_view name, std::string_view found, std::string_view expected) {
-    return error("type-mismatch", where,
-                 fmt::format("`{}` is {}; {} is expected here", clipped(name), found, expected));
+    return error("type-mismatch", where, fmt::format("`{}` is {}; expected {}", clipped(name), found, expected));
 }
 
 Diagnostic range_mismatch(Span where, std::string_view name, std::int64_t low, std::int64_t high,
@@ -109,86 +109,87 @@ Diagnostic no_controller(Span where, std::string_view loop) {
 
 Diagnostic clock_in_property(Span where, std::string_view clock) {
     return error("clock-in-property", where,
-                 fmt::format("`{}` is a clock, which properties do not read; read a location or a variable instead",
+                 fmt::format("`{}` is a clock, which properties cannot read; read a location or a variable instead",
                              clipped(clock)));
 }
 
 Diagnostic place_outside_property(Span where) {
-    return error(
-        "place-outside-property", where,
-        "`in` asks where an instance of the plant is, and properties alone know that; read its outputs instead");
+    return error("place-outside-property", where,
+                 "the location test `in` is allowed only in properties; read an output of the instance instead");
 }
 
 Diagnostic unknown_time(Span where, const std::vector<std::string>& waited) {
-    constexpr std::string_view why = "a property reads the time conditions that its charts read";
+    constexpr std::string_view why = "no chart has this time condition";
     if (!waited.empty())
-        return error(
-            "unknown-time", where,
-            fmt::format("{}, and of this one only with {}", why, clipped(fmt::format("{}", fmt::join(waited, ", ")))));
-    return error("unknown-time", where,
-                 fmt::format("{}, and none of them waits for this; `p holds for 3s`, `q at most 3s since p` and "
-                             "`p leads to q within 3s` are properties with times of their own",
-                             why));
+        return error("unknown-time", where,
+                     fmt::format("{} on this event; use one of its durations: {}", why,
+                                 clipped(fmt::format("{}", fmt::join(waited, ", ")))));
+    return error(
+        "unknown-time", where,
+        fmt::format("{}; use a timed pattern: `p holds for 3s`, `q at most 3s since p` or `p leads to q within 3s`",
+                    why));
 }
 
 Diagnostic ambiguous_time(Span where, std::string_view first, std::string_view second) {
     return error("ambiguous-time", where,
-                 fmt::format("`{}` and `{}` both wait for this, each with a timer of its own; let the property read a "
-                             "step or an output of the one that is meant",
+                 fmt::format("`{}` and `{}` have separate timers for this time condition; read a step or an output of "
+                             "one of them instead",
                              clipped(first), clipped(second)));
 }
 
 Diagnostic declared_twice(Span where, std::string_view what) {
-    return error("declared-twice", where, fmt::format("the loop says its {} twice; keep one", what));
+    return error("declared-twice", where,
+                 fmt::format("the closed loop declares its {} twice; remove one declaration", what));
 }
 
 Diagnostic constraint_reads(Span where, std::string_view name, std::string_view what) {
-    return error("constraint-not-input", where,
-                 fmt::format("`{}` is no {}, and a constraint is assumed of free inputs; state a property instead",
-                             clipped(name), what));
+    return error(
+        "constraint-not-input", where,
+        fmt::format("`{}` is not {} and cannot occur in a constraint; state a property instead", clipped(name), what));
 }
 
 Diagnostic observer_blocks(Span where, std::string_view observer) {
     return error(
         "observer-blocks", where,
-        fmt::format("an invariant of `{}` would block the system that it watches; take it out", clipped(observer)));
+        fmt::format("an invariant of the observer `{}` would block the observed system; remove it", clipped(observer)));
 }
 
 Diagnostic observer_acts(Span where, std::string_view observer) {
     return error("observer-acts", where,
-                 fmt::format("an assignment of `{}` would change the system that it watches; take it out, and let "
-                             "properties read its locations",
+                 fmt::format("an assignment of the observer `{}` would change the observed system; remove it, and read "
+                             "the locations of the observer in properties",
                              clipped(observer)));
 }
 
 Diagnostic bad_formula(Span where, std::string_view language, std::string_view what) {
-    return error("bad-formula", where, fmt::format("this is no formula of {}: {}", language, what));
+    return error("bad-formula", where, fmt::format("not a valid {} formula: {}", language, what));
 }
 
 Diagnostic formula_at_stable(Span where) {
     return error("bad-formula", where,
-                 "a formula is passed through as it stands, in settled states and others; leave out `at stable`");
+                 "`at stable` is not allowed for a formula, which is passed through unchanged; remove it");
 }
 
 Diagnostic observer_without_start(Span where, std::string_view observer) {
-    return error("no-initial-location", where,
-                 fmt::format("the observer `{}` starts nowhere; write `initial location NAME;`", clipped(observer)));
+    return error(
+        "no-initial-location", where,
+        fmt::format("the observer `{}` has no initial location; add `initial location NAME;`", clipped(observer)));
 }
 
 Diagnostic constraints_contradict(Span where, std::string_view constraint, bool decided) {
-    return error(
-        "constraints-contradict", where,
-        fmt::format("{} of the inputs that satisfy `{}` together with the constraints before it, so the model would "
-                    "have no state; correct one of them",
-                    decided ? "there are no values" : "no values were found in the memory allowed",
-                    clipped(constraint)));
+    return error("constraints-contradict", where,
+                 fmt::format("{} satisfy `{}` together with the constraints before it, so the model would have no "
+                             "state; correct one of them",
+                             decided ? "no input values" : "no input values were found within the memory limit that",
+                             clipped(constraint)));
 }
 
 Diagnostic too_wide(Span where, std::string_view variable, std::int64_t values, std::int64_t most) {
-    return error("too-wide", where,
-                 fmt::format("`{}` has {} values, and a symbolic model takes {} at most; give it a narrower range or a "
-                             "coarser unit",
-                             clipped(variable), values, most));
+    return error(
+        "too-wide", where,
+        fmt::format(
+            "`{}` has {} values, but a symbolic model supports at most {}; reduce its range or use a coarser unit",
+            clipped(variable), values, most));
 }
 
 }  // namespace grafverif::messages

@@ -12,7 +12,7 @@ Diagnostic unknown(Span where, std::string_view kind, std::string_view name, std
     for (char& byte : code)
         if (byte == ' ') byte = '-';
     std::string message = fmt::format("unknown {} `{}`", kind, clipped(name));
-    message += suggestion.empty() ? "; nothing of that name is declared"
+    message += suggestion.empty() ? "; declare it or correct the name"
                                   : fmt::format("; did you mean `{}`?", clipped(suggestion));
     Diagnostic diagnostic = error(code, where, std::move(message));
     return suggestion.empty() ? diagnostic : with_fix(std::move(diagnostic), last_of(where, name.size()), suggestion);
@@ -33,14 +33,15 @@ Diagnostic unknown_location(Span where, std::string_view name, std::string_view 
 
 Diagnostic duplicate_name(Span where, std::string_view kind, std::string_view name, Span first) {
     Diagnostic diagnostic = error("duplicate-name", where,
-                                  fmt::format("a second {} is named `{}`; rename one of both", kind, clipped(name)));
+                                  fmt::format("a second {} is named `{}`; rename one of them", kind, clipped(name)));
     diagnostic.notes.push_back(note(first, "the first one is here"));
     return diagnostic;
 }
 
 Diagnostic ambiguous(Span where, std::string_view name, std::string_view one, std::string_view other) {
     return error("ambiguous-name", where,
-                 fmt::format("`{}` could be `{}` or `{}`; write which", clipped(name), clipped(one), clipped(other)));
+                 fmt::format("`{}` is ambiguous between `{}` and `{}`; write the qualified name", clipped(name),
+                             clipped(one), clipped(other)));
 }
 
 Diagnostic step_like_variable(Span where, std::string_view name) {
@@ -51,12 +52,13 @@ Diagnostic step_like_variable(Span where, std::string_view name) {
 
 Diagnostic shadows_library(Span where, std::string_view name) {
     return warning("shadows-library", where,
-                   fmt::format("`{}` hides the component of that name in the library", clipped(name)));
+                   fmt::format("`{}` hides the library component of the same name; rename it if this is not intended",
+                               clipped(name)));
 }
 
 Diagnostic include_cycle(Span where, std::string_view path) {
     return error("include-cycle", where,
-                 fmt::format("`{}` includes itself through this line; take the line out", clipped(path)));
+                 fmt::format("`{}` includes itself through this line; remove the line", clipped(path)));
 }
 
 Diagnostic cannot_include(Span where, std::string_view path, std::string_view why) {
@@ -64,7 +66,7 @@ Diagnostic cannot_include(Span where, std::string_view path, std::string_view wh
 }
 
 Diagnostic not_yet(Span where, std::string_view what) {
-    return error("unsupported", where, fmt::format("{} is not supported; take it out", what));
+    return error("unsupported", where, fmt::format("{} is not supported; remove it", what));
 }
 
 }  // namespace grafverif::messages

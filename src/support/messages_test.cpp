@@ -10,18 +10,19 @@
 namespace grafverif::messages {
 
 Diagnostic not_in_structured_text(Span where, std::string_view what) {
-    return error("not-in-structured-text", where,
-                 fmt::format("{} cannot be written in Structured Text so that every PLC computes the same", what));
+    return error(
+        "not-in-structured-text", where,
+        fmt::format("{} cannot be translated to Structured Text with the same result on every PLC; rewrite it", what));
 }
 
 Diagnostic cannot_run(std::string_view command) {
     return error("cannot-run", {},
-                 fmt::format("the shell cannot run `{}`; give a command that starts the controller", command));
+                 fmt::format("the shell cannot run `{}`; pass a command that starts the controller", command));
 }
 
 Diagnostic nothing_to_test(Span where, std::string_view chart, std::string_view what) {
     return error("nothing-to-test", where,
-                 fmt::format("`{}` has no {}; a test drives inputs and compares outputs", clipped(chart), what));
+                 fmt::format("`{}` has no {} and cannot be tested; declare at least one", clipped(chart), what));
 }
 
 Diagnostic empty_test(Span where) {
@@ -29,26 +30,25 @@ Diagnostic empty_test(Span where) {
 }
 
 Diagnostic unknown_column(Span where, std::string_view name, std::string_view chart) {
-    return error(
-        "bad-sequence", where,
-        fmt::format("`{}` is neither an input nor an output of `{}`, nor one of `sequence`, `step`, `wait`, `cycles`, "
-                    "`situation`",
-                    clipped(name), clipped(chart)));
+    return error("bad-sequence", where,
+                 fmt::format("the column `{}` is neither an input nor an output of `{}`, nor one of `sequence`, "
+                             "`step`, `wait`, `cycles`, `situation`; remove or rename it",
+                             clipped(name), clipped(chart)));
 }
 
 Diagnostic missing_column(Span where, std::string_view kind, std::string_view name) {
     return error("bad-sequence", where,
-                 fmt::format("there is no column for the {} `{}`; the first row names every input and every output",
-                             kind, clipped(name)));
+                 fmt::format("the first row has no column for the {} `{}`; add it", kind, clipped(name)));
 }
 
 Diagnostic repeated_column(Span where, std::string_view name) {
-    return error("bad-sequence", where, fmt::format("there is a column `{}` already", clipped(name)));
+    return error("bad-sequence", where, fmt::format("the column `{}` occurs twice; remove one", clipped(name)));
 }
 
 Diagnostic row_length(Span where, std::size_t found, std::size_t wanted) {
     return error("bad-sequence", where,
-                 fmt::format("this row has {} field{}, the first row has {}", found, found == 1 ? "" : "s", wanted));
+                 fmt::format("this row has {} field{}, but the first row has {}; add or remove fields", found,
+                             found == 1 ? "" : "s", wanted));
 }
 
 Diagnostic bad_field(Span where, std::string_view problem) {
@@ -56,50 +56,49 @@ Diagnostic bad_field(Span where, std::string_view problem) {
 }
 
 Diagnostic misplaced_wait(Span where, bool first) {
-    return error(
-        "bad-sequence", where,
-        first ? "the first step of a sequence cannot wait: it begins at power-on"
-              : "a step that waits changes no input; wait in a row of its own, with the inputs of the row before");
+    return error("bad-sequence", where,
+                 first
+                     ? "the first step of a sequence cannot wait, because it begins at power-on; remove `wait`"
+                     : "a step with `wait` changes an input; wait in a separate row with the inputs of the row before");
 }
 
 Diagnostic misplaced_activation(Span where) {
-    return error(
-        "bad-sequence", where,
-        "step 0 is the scan that activates the initial steps: the first row of its sequence, one cycle, with the "
-        "inputs of step 1");
+    return error("bad-sequence", where,
+                 "step 0 is misplaced or has other values than the scan that activates the initial steps; make it the "
+                 "first row of its sequence, with one cycle and the inputs of step 1");
 }
 
 // -- charts that cannot be compared --
 
 Diagnostic not_in_both(Span where, std::string_view kind, std::string_view name, std::string_view owner) {
     return error("not-comparable", where,
-                 fmt::format("the {} `{}` is in `{}` alone; charts are compared that have the same inputs and outputs",
-                             kind, clipped(name), clipped(owner)));
+                 fmt::format("the {} `{}` exists only in `{}`; compare charts with the same inputs and outputs", kind,
+                             clipped(name), clipped(owner)));
 }
 
 Diagnostic other_type(Span where, std::string_view kind, std::string_view name, std::string_view range,
                       std::string_view other) {
-    return error("not-comparable", where,
-                 fmt::format("the {} `{}` is {} here and {} in the other chart; charts are compared that have the same "
-                             "inputs and outputs",
-                             kind, clipped(name), range, other));
+    return error(
+        "not-comparable", where,
+        fmt::format("the {} `{}` is {} here and {} in the other chart; compare charts with the same inputs and outputs",
+                    kind, clipped(name), range, other));
 }
 
 Diagnostic nothing_to_compare(Span where, std::string_view chart) {
     return error(
         "not-comparable", where,
-        fmt::format("`{}` has no outputs, so nobody can tell it from another; declare what it shows", clipped(chart)));
+        fmt::format("`{}` has no outputs and cannot be compared; declare at least one output", clipped(chart)));
 }
 
 Diagnostic no_such_beginning(Span where, std::string_view chart, std::string_view why) {
     return error("not-comparable", where,
-                 fmt::format("`{}` cannot begin with the situation of `--from-situation`: {}", clipped(chart), why));
+                 fmt::format("`{}` cannot start in the situation of `--from-situation`: {}", clipped(chart), why));
 }
 
 Diagnostic coarse_resolution(std::string_view resolution, std::string_view duration, std::string_view divides_all) {
     return error("not-comparable", {},
-                 fmt::format("`--resolution {}` does not divide `{}`; take `{}`, or a part of it", resolution, duration,
-                             divides_all));
+                 fmt::format("`--resolution {}` does not divide `{}`; use `{}` or a divisor of it", resolution,
+                             duration, divides_all));
 }
 
 }  // namespace grafverif::messages

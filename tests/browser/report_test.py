@@ -165,7 +165,7 @@ class Report(browser.Case):
 
     def test_it_says_at_a_glance_what_holds(self):
         self.page.open(self.made)
-        self.assertIn("Every verdict asked for is as expected", self.page.text(".glance"))
+        self.assertIn("Every verdict selected is as expected", self.page.text(".glance"))
         self.assertIn("cycle takes no time", self.page.text(".assumed"))
         self.assertTrue(self.page.find("#property-P16").get_attribute("open"))
         self.assertFalse(self.page.find("#property-P15").get_attribute("open"))
@@ -250,19 +250,19 @@ class Report(browser.Case):
     def test_a_claim_about_settled_states_is_decided_by_none_that_is_left_at_once(self):
         at = self.report_of(SETTLED)
         at("#p/0")
-        self.assertIn("must never be true in settled states", self.page.text(".why .answer"))
+        self.assertIn("must never be true in quiescent states", self.page.text(".why .answer"))
         [button] = [b for b in self.page.all(".controls button") if "violation" in b.text]
         button.click()
         self.assertEqual(self.place(), "#p/6")
         self.assertEqual(self.lit(), ["step-3"])
         at("#q/0")
-        self.assertIn("after this is true in settled states", self.page.text(".why .answer"))
+        self.assertIn("after this is true in quiescent states", self.page.text(".why .answer"))
         self.assertEqual([b.text for b in self.page.all(".controls button") if "violation" in b.text], [])
 
     def test_a_delay_that_began_since_timers_were_read_is_not_known(self):
         at = self.report_of(DELAYED, "--untimed")
         at("#q/1")
-        self.assertIn("whether its condition is true the run does not tell", self.answer("t1"))
+        self.assertIn("the trace does not determine its condition", self.answer("t1"))
         self.assertIn("2s/X1 not known (not read since it began)", self.answer("t1"))
         at("#q/4")
         self.assertIn("t1 is cleared here", self.answer("t1"))
@@ -399,12 +399,12 @@ class Report(browser.Case):
             self.assertEqual(wrong, [], name)
         self.at("#P16/0")
         standing = lambda: self.page.text(".standing")
-        self.assertIn("What is never answered comes at", standing())
+        self.assertIn("The unanswered premise occurs at", standing())
         [button] = [b for b in self.page.all(".controls button") if "violation" in b.text]
         button.click()
-        self.assertEqual(standing(), "Here begins what is never answered.")
+        self.assertEqual(standing(), "The unanswered premise occurs here.")
         self.assertIn("true since", self.page.text(".why .answer"))
-        self.assertIn("made so by V_S (then true)", self.page.text(".why .answer"))
+        self.assertIn("caused by V_S (then true)", self.page.text(".why .answer"))
         self.page.find(".player").send_keys(Keys.END)
         self.assertIn("Not answered since", standing())
 

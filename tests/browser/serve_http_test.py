@@ -293,7 +293,7 @@ class Serve(unittest.TestCase):
     def test_a_port_in_use_is_said(self):
         done = subprocess.run([browser.PROGRAM, "serve", str(self.file), "--port", str(self.server.port)], capture_output=True, text=True, timeout=30)
         self.assertEqual(done.returncode, 2)
-        self.assertEqual(done.stderr, f"error: cannot listen on port {self.server.port}: another program listens there; `--port` names another one [cannot-listen]\n")
+        self.assertEqual(done.stderr, f"error: cannot listen on port {self.server.port}: another program uses this port; select another port with `--port` [cannot-listen]\n")
         for arguments, said in ((["--port", "70000"], "cannot-listen"), (["--port", "x"], "whole number")):
             done = subprocess.run([browser.PROGRAM, "serve", str(self.file), *arguments], capture_output=True, text=True, timeout=30)
             self.assertEqual(done.returncode, 2)

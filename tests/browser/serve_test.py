@@ -97,7 +97,7 @@ class Serve(browser.Case):
         self.file.write_text(LAMP)
         browser.eventually(lambda: not old(), what="new verdicts")
         server.stop()
-        self.page.wait_for_text("#status", "does not answer")
+        self.page.wait_for_text("#status", "does not respond")
         self.assertTrue(old())
         self.allowed_errors = ("ERR_CONNECTION", "Failed to load resource")
 
@@ -113,10 +113,10 @@ class Serve(browser.Case):
                              "closed_loop house { controller lamp with stability_search; environment On = push_button(OUT = ON);\n"
                              "observer Eye { initial location 100; location 101; 100 -> 101 when LAMP; }\n"
                              "property SEEN: never Eye.101; property DARK: X0 && !X0 leads to LAMP; }\n")
-        self.page.wait_for_text("#status", "not decided")
+        self.page.wait_for_text("#status", "undecided")
         self.assertEqual(self.page.find("#status").get_attribute("class"), "unknown")
         self.assertNotIn("not as expected", self.page.text("#status"))
-        self.assertIn("? SEEN is not known", self.page.text("#models"))
+        self.assertIn("? SEEN is unknown", self.page.text("#models"))
         self.assertIn("DARK holds vacuously", self.page.text("#models"))
 
     def test_a_chart_alone_is_played_with_and_its_session_is_an_address(self):
@@ -132,9 +132,9 @@ class Serve(browser.Case):
         address = self.page.driver.current_url
         self.press("ON is false")
         self.press("OFF is false")
-        browser.eventually(lambda: "break the constraint !(ON && OFF)" in " ".join(self.page.texts("#simulation .warning")))
+        browser.eventually(lambda: "violate the constraint !(ON && OFF)" in " ".join(self.page.texts("#simulation .warning")))
         self.page.script("page.simulator.move('NOBODY = true')")
-        browser.eventually(lambda: "there is no input `NOBODY`" in " ".join(self.page.texts("#simulation .problem")))
+        browser.eventually(lambda: "unknown input `NOBODY`" in " ".join(self.page.texts("#simulation .problem")))
         self.page.wait_for_text("#simulation p", "5 moves")
         self.press("Back")
         self.page.wait_for_text("#simulation p", "4 moves")
@@ -166,7 +166,7 @@ class Serve(browser.Case):
         self.press("Deactivate")
         self.assertEqual(self.last_row()[3], "1")
         words = self.page.texts("#simulation tbody tr.trial td:nth-child(2)")
-        self.assertEqual(words[0], "TRIAL: step 1 activated by hand; not a run of the model from here on")
+        self.assertEqual(words[0], "WHAT-IF: step 1 forced active; no longer a run of the model")
         times = self.page.texts("#simulation tbody td:first-child")
         self.assertFalse(times[0].startswith("trial"))
         self.assertTrue(times[-1].startswith("trial"))
@@ -177,9 +177,9 @@ class Serve(browser.Case):
         address = self.page.driver.current_url
         script = self.work / "trial.txt"
         script.write_text(self.page.script("return page.simulator.script()"))
-        self.assertIn("// A trial by hand", script.read_text())
+        self.assertIn("// What-if run", script.read_text())
         said = browser.run("simulate", self.file, "--chart", "lamp", "--script", script)
-        self.assertIn("TRIAL: step 0 deactivated", said)
+        self.assertIn("WHAT-IF: step 0 forced", said)
         self.page.open("about:blank")
         self.page.open(address)
         self.page.wait_for_text("#simulation p", "3 s since power-on, 3 moves")
@@ -289,7 +289,7 @@ class Serve(browser.Case):
     def test_a_server_that_has_ended_is_said(self):
         server = self.serve(LAMP)
         server.stop()
-        self.page.wait_for_text("#status", "does not answer")
+        self.page.wait_for_text("#status", "does not respond")
         self.allowed_errors = ("ERR_CONNECTION", "Failed to load resource")
 
 

@@ -121,7 +121,7 @@ std::string written_complaint(const std::string& text, const VerbRun& run, Writt
         switch (written) {
         case Written::Text: return {};
         case Written::Grafcet: return grafcet_complaint(text);
-        case Written::Json: return nlohmann::json::accept(text) ? "" : "no JSON";
+        case Written::Json: return nlohmann::json::accept(text) ? "" : "not valid JSON";
         case Written::Xml: {
             const pugi::xml_parse_result read = pugi::xml_document().load_buffer(text.data(), text.size());
             return read ? "" : std::string("no XML: ") + read.description();
@@ -165,7 +165,7 @@ std::string result_complaint(const VerbRun& run, const app::Result& result, cons
         if (!wrong.empty()) return entry.path().string() + ": " + wrong;
     }
     switch (result.code) {
-    case app::ExitCode::Failure: return "a failure on our side";
+    case app::ExitCode::Failure: return "internal error";
     case app::ExitCode::Input:
         if (run.arguments[0] == "plc" && result.out.find("error: ") != std::string::npos)
             return {};  // a line that it did not understand

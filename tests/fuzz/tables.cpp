@@ -31,7 +31,7 @@ std::string session_complaint(const std::string& verb, std::string_view typed) {
     static const app::Folder folder;
     static const std::string file = folder.write("press.grafcet", press_text);
     const app::Result result = app::grafverif({verb, file}, std::string(typed));
-    if (result.code == app::ExitCode::Failure) return "a failure on our side:\n" + result.out + result.err;
+    if (result.code == app::ExitCode::Failure) return "internal error:\n" + result.out + result.err;
     for (const std::string* text : {&result.out, &result.err})
         for (const char byte : *text)
             if (byte != '\n' && static_cast<unsigned char>(byte) < ' ') return "a control character in:\n" + *text;

@@ -19,7 +19,8 @@ namespace {
 
 /// The error in the diagnostics of a text that was accepted or rejected.
 std::string answer_complaint(bool read, const Diagnostics& diagnostics, const Sources& sources) {
-    if (read == diagnostics.has_errors()) return read ? "it is read, with errors" : "it is not read, without an error";
+    if (read == diagnostics.has_errors())
+        return read ? "it is read, with errors" : "it cannot be read, without an error";
     if (diagnostics.all().size() > Diagnostics::limit * 4) return "there is no end of warnings";
     std::ostringstream json;
     render_json(diagnostics.all(), sources, json);

@@ -50,7 +50,8 @@ int differing(const Network& network, const TimedResult& whole, const TimedResul
             EXPECT_TRUE(found.outcome == Outcome::Unknown || found.outcome == here.outcome) << "in finer units";
         }
         if (by_cells && here.scope.searched.size() > 1) ++seen["by several cells"];
-        if (by_cells && here.scope.because.find("breaks none of") != std::string::npos) ++seen["by invariants"];
+        if (by_cells && here.scope.because.find("at any time that satisfies") != std::string::npos)
+            ++seen["by invariants"];
         if (!here.declared && here.outcome == Outcome::Unknown) continue;
         const bool differs =
             by_cells && there.obstacle == Obstacle::Faulty

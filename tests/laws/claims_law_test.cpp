@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Statements of verdicts about other models (`so with every plant`, `so in the timed loop`) compared with those models,
+// Statements of verdicts about other models (`valid for every plant`, `valid for the timed loop`) compared with those models,
 // on random loops: each approach, schedule, grain and mode. Also compares the reasons for vacuous verdicts, and replays
 // every run of a verdict by the interpreter.
 #include <gtest/gtest.h>
@@ -214,8 +214,8 @@ private:
     /// The reported reasons why a verdict is vacuous.
     static void try_notes(const Verdict& verdict, const Verdicts& all) {
         for (const std::string& note : verdict.notes) {
-            const bool left = has(note, "the premise is never true"), settled = has(note, "no state is ever settled");
-            const bool still = has(note, "time stands still"), unfair = has(note, "no run is fair");
+            const bool left = has(note, "the premise is never true"), settled = has(note, "no state is quiescent");
+            const bool still = has(note, "time does not pass"), unfair = has(note, "no run is fair");
             if (!left && !settled && !still && !unfair) continue;
             const std::string companion = left      ? verdict.property + "_left"
                                           : settled ? "settles"
@@ -267,9 +267,10 @@ private:
     void try_claim(const Untimed& kind, const std::string& words, const Verdict& verdict) {
         const Timed& timed = kind.grain == Grain::Atomic ? atomic_ : phased_;
         const Network& network = timed.loop->network;
-        if (words.starts_with("so with every plant")) {
+        if (words.starts_with("valid for every plant")) {
             const auto kept = [&](const Verdicts& there) {
-                return !has(words, "keeps the constraints") || outcome(there, "kept_constraint_1") == Outcome::Holds;
+                return !has(words, "satisfies the constraints") ||
+                       outcome(there, "kept_constraint_1") == Outcome::Holds;
             };
             if (kept(atomic_.verdicts)) agree(words, verdict, atomic_.verdicts, &atomic_.loop->network);
             // Without time the controllers may be delayed forever.
@@ -279,7 +280,7 @@ private:
                     (other.options.time == TimeModel::Discrete ? !other.options.fairness : !is_liveness(verdict)) &&
                     !(is_liveness(verdict) && loop().controllers.size() > 1))
                     agree(words, verdict, other.verdicts);
-        } else if (words.starts_with("so in the timed loop")) {
+        } else if (words.starts_with("valid for the timed loop")) {
             agree(words, verdict, timed.verdicts, &network);
             const std::string grain = kind.grain == Grain::Atomic ? "discrete atomic" : "discrete phased";
             for (const Untimed& other : untimed_)

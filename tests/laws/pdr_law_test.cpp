@@ -62,13 +62,13 @@ void compare_bounded(const System& system, const SymbolicResult& symbolic, std::
         if (symbolic.runs[i] && symbolic.runs[i]->states.size() <= steps + 1) {
             ASSERT_EQ(verdict.outcome, expected.outcome);
             EXPECT_EQ(found.runs[i]->states.size(), symbolic.runs[i]->states.size());
-            EXPECT_TRUE(says(verdict.notes, "no run with fewer steps shows it"));
+            EXPECT_TRUE(says(verdict.notes, "no shorter trace exists"));
             continue;
         }
         EXPECT_EQ(verdict.outcome, Outcome::Unknown);
         EXPECT_EQ(verdict.obstacle, Obstacle::Bound);
         EXPECT_EQ(verdict.reason, "no run of up to " + std::to_string(steps) + (steps == 1 ? " step" : " steps") +
-                                      (verdict.pattern == Pattern::Reachable ? " gets there" : " violates it"));
+                                      (verdict.pattern == Pattern::Reachable ? " reaches it" : " violates it"));
         ++compared.bounded;
     }
 }
@@ -109,7 +109,7 @@ void compare(const System& system, const std::optional<SystemGraph>& graph, cons
         if (!dead_end) {
             ASSERT_EQ(verdict.outcome, symbolic.verdicts[id.index].outcome);
             ASSERT_EQ(verdict.vacuous, symbolic.verdicts[id.index].vacuous);
-            if (found.runs[id.index] && says(verdict.notes, "no run with fewer steps shows it")) {
+            if (found.runs[id.index] && says(verdict.notes, "no shorter trace exists")) {
                 ASSERT_EQ(found.runs[id.index]->states.size(), symbolic.runs[id.index]->states.size());
             }
         }
@@ -228,7 +228,7 @@ TEST(PdrLaw, InvariantsWithoutAClauseOrLiteralAreCheckedAgain) {
                 rejected += pdr::flaw(circuit, target.bad, damaged, watch).empty() ? 0U : 1U;
                 damaged = answer.invariant;
                 damaged[0] = {};
-                EXPECT_EQ(pdr::flaw(circuit, target.bad, damaged, watch), "it excludes the first state");
+                EXPECT_EQ(pdr::flaw(circuit, target.bad, damaged, watch), "it excludes an initial state");
             }
         }
     }

@@ -38,7 +38,7 @@ std::string decided_by(const Verdict& verdict) {
 
 bool is_shortest(const Verdict& verdict) {
     return decided_by(verdict) != "decided by pdr" ||
-           std::ranges::find(verdict.notes, "no run with fewer steps shows it") != verdict.notes.end();
+           std::ranges::find(verdict.notes, "no shorter trace exists") != verdict.notes.end();
 }
 
 void compare_verdict(const Verdict& verdict, const std::optional<SystemRun>& run, const Verdict& expected,

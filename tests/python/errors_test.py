@@ -98,9 +98,9 @@ def test_every_error_of_grafverif_has_one_base():
     read = grafverif.read(blinker)
     report = read.loop().check()
     for find in (lambda: read.chart("other"), lambda: read.loop("other"), lambda: report["P99"]):
-        with pytest.raises(grafverif.NotFoundError, match="^there is no ") as caught:
+        with pytest.raises(grafverif.NotFoundError, match="^unknown ") as caught:
             find()
-        assert str(caught.value).startswith("there is no ") and caught.value.diagnostics == []
+        assert str(caught.value).startswith("unknown ") and caught.value.diagnostics == []
         assert isinstance(caught.value, KeyError)
     with pytest.raises(grafverif.GrafverifError, match="NOTHING"):
         read.loop().simulate().set(NOTHING=True)

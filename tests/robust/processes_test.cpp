@@ -311,7 +311,7 @@ TEST(Watch, SurvivesUnreadableInputAndLeavesNoProcesses) {
         "export HOME=/proc/no/such/home\nn=0; for f in missing.grafcet broken.grafcet folder.grafcet huge.grafcet "
         "lamp.grafcet lamp.grafcet\ndo n=$((n+1)); $P watch draw $f -o drawn.svg >out 2>err$n & pids=\"$pids "
         "$!\"\ndone\n"
-        "for i in 1 2 3 4 5 6; do while ! grep -q 'looking at' err$i; do sleep 0.05; done; done\n"
+        "for i in 1 2 3 4 5 6; do while ! grep -q 'watching' err$i; do sleep 0.05; done; done\n"
         "cat err1 err2 err3 err4 | grep -c 'exit code 2'; grep -c 'exit code 0' err5 err6\n"
         "kill -TERM $pids; for p in $pids; do wait $p; echo $?; done");
     EXPECT_EQ(result.out, "4\nerr5:1\nerr6:1\n0\n0\n0\n0\n0\n0\n") << result.err;

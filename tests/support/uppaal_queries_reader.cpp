@@ -25,7 +25,7 @@ void QueryReader::read_query(const std::string& formula, const std::string& comm
     Property property;
     property.name = title.substr(0, title.find(": "));
     if (holds(title, ": ")) property.text = title.substr(title.find(": ") + 2);
-    property.at_stable = holds(remarks, "in settled states; ");
+    property.at_stable = holds(remarks, "in quiescent states; ");
     property.expected_violated = holds(remarks, "not satisfied");
     Cursor cursor(formula);
     if (remarks.starts_with("as written; ")) {

@@ -22,7 +22,7 @@ const std::map<std::string, Role> roles = {
     {"inputs of the controller", Role::Input},       {"outputs of the controller", Role::Output},
     {"internal variables", Role::Internal},          {"step activities", Role::Step},
     {"firing conditions", Role::FiringCondition},    {"inputs as sampled in this cycle", Role::Sample},
-    {"outputs not yet written", Role::Image},        {"ends of timers", Role::TimerEnd},
+    {"outputs not yet written", Role::Image},        {"outputs of timers", Role::TimerEnd},
     {"timers to start or stop", Role::TimerPending}, {"previous values, for edges", Role::Previous},
     {"levels that timers watch", Role::Watched},     {"flags between controller, timers and plant", Role::Flag},
     {"variables of the plant", Role::Plant}};
@@ -95,8 +95,8 @@ private:
     }
 
     void read_header_line(const std::string& line) {
-        if (line.find(" is called ") != std::string::npos) {
-            original_[between(line, " is called ", "")].push_back(between(line, "//   ", " is called "));
+        if (line.find(" is renamed to ") != std::string::npos) {
+            original_[between(line, " is renamed to ", "")].push_back(between(line, "//   ", " is renamed to "));
         } else if (line.starts_with("// Grain: ")) {
             network_.grain = line.starts_with("// Grain: atomic") ? Grain::Atomic : Grain::Phased;
         } else if (line.starts_with("// Time unit: ")) {

@@ -40,32 +40,46 @@ std::string title(std::string name, std::string_view version) {
 
 constexpr std::string_view exit_status =
     ".SH EXIT STATUS\n"
-    ".TP\n0\ndone, every verdict as expected\n"
-    ".TP\n1\na verdict against expectation\n"
-    ".TP\n2\ninput or usage wrong\n"
-    ".TP\n3\na verdict unknown, or stopped by a bound of time or memory, or by a signal\n"
-    ".TP\n4\na failure of the program\n";
+    ".TP\n"
+    "0\n"
+    "success, all verdicts as expected\n"
+    ".TP\n"
+    "1\n"
+    "unexpected verdict or model error\n"
+    ".TP\n"
+    "2\n"
+    "invalid input or usage\n"
+    ".TP\n"
+    "3\n"
+    "unknown verdict, or stopped by a time or memory limit or a signal\n"
+    ".TP\n"
+    "4\n"
+    "internal error\n";
 
 }  // namespace
 
 std::string man_page(std::span<const Verb> verbs, std::string_view version) {
     std::string page = title("grafverif", version);
     page +=
-        ".SH NAME\ngrafverif \\- prove GRAFCET charts (IEC 60848) with their plants\n"
-        ".SH SYNOPSIS\n.B grafverif\n.I VERB\n[\\fIFILE\\fR] [\\fIoptions\\fR]\n"
+        ".SH NAME\n"
+        "grafverif \\- prove GRAFCET charts (IEC 60848) with their plants\n"
+        ".SH SYNOPSIS\n"
+        ".B grafverif\n"
+        ".I COMMAND\n"
+        "[\\fIFILE\\fR] [\\fIoptions\\fR]\n"
         ".SH DESCRIPTION\n"
-        "Takes a GRAFCET chart and a plant built from a library of components, proves properties of their closed "
-        "loop,\n"
-        "draws and plays what goes wrong, and writes models for UPPAAL, NuSMV and other model checkers. Where "
-        "something\n"
-        "cannot be translated or decided exactly, it says so.\n"
-        ".PP\n\\fIFILE\\fR may be \\fB\\-\\fR, standard input. Outputs are written whole or not at all.\n"
-        ".SH VERBS\n";
+        "Verifies a GRAFCET chart in closed loop with a plant built from library components, draws and replays\n"
+        "counterexamples, and writes models for UPPAAL, NuSMV and other model checkers. Reports every construct that\n"
+        "cannot be translated or decided exactly.\n"
+        ".PP\n"
+        "\\fIFILE\\fR may be \\fB\\-\\fR, standard input. Outputs are written whole or not at all.\n"
+        ".SH COMMANDS\n";
     for (const Verb& verb : verbs)
         page += fmt::format(".TP\n\\fBgrafverif\\-{}\\fR(1)\n{}\n", troff(verb.name), troff(verb.summary));
     page += exit_status;
     return page +
-           ".SH SEE ALSO\nThe pages of the verbs; /usr/share/doc/grafverif, where the documentation is installed.\n";
+           ".SH SEE ALSO\n"
+           "The manual pages of the commands; the documentation in /usr/share/doc/grafverif, if installed.\n";
 }
 
 std::string man_page(const Verb& verb, std::string_view version) {

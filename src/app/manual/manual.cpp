@@ -39,12 +39,12 @@ ExitCode completion(Job& job, const Streams& streams) {
 
 Verb manual_usage() {
     return {"manual",
-            "[VERB]",
+            "[COMMAND]",
             0,
             1,
             "write a manual page",
-            "Writes the manual page of VERB, or of the program, in the format of `man`. Installed packages contain all "
-            "pages.",
+            "Writes the manual page of COMMAND, or of the program, in the format of `man`. Installed packages contain "
+            "all pages.",
             {"grafverif manual check | man -l -"},
             {Accepts::Output}};
 }

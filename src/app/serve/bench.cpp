@@ -57,7 +57,7 @@ Answer no_answer(const Property& property) {
     Answer answer{.text = property.text};
     answer.verdict.property = property.name;
     answer.verdict.expected_violated = property.expected_violated;
-    answer.verdict.reason = "it is left out of this model, so nothing is known of it";
+    answer.verdict.reason = "it is omitted from this model, so its value is unknown";
     return answer;
 }
 
@@ -138,7 +138,7 @@ private:
                 for (Proof& proof : proofs_)
                     if (!stale_ && !over_ && proof.state == "waiting") prove(proof);
             } catch (const std::bad_alloc&) {
-                give_up("there is not enough memory");
+                give_up("out of memory");
             } catch (const std::system_error& failure) {
                 give_up(failure.what());
             }

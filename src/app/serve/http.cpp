@@ -182,9 +182,9 @@ private:
                 try {
                     answer = self->server_.handler_(self->request_, at_once);
                 } catch (const std::bad_alloc&) {
-                    answer = HttpAnswer{503, "text/plain", "there is not enough memory for the answer\n"};
+                    answer = HttpAnswer{503, "text/plain", "out of memory\n"};
                 } catch (const std::exception&) {
-                    answer = HttpAnswer{500, "text/plain", "there is no answer: a failure on our side\n"};
+                    answer = HttpAnswer{500, "text/plain", "internal error\n"};
                 }
                 Impl& server = self->server_;  // its thread alone releases connections
                 asio::post(server.context_, [self = std::move(self), notices, answer = std::move(answer)]() mutable {
@@ -199,15 +199,15 @@ private:
         void header_is_read(beast::error_code error) {
             if (error == http::error::end_of_stream || error == beast::error::timeout || state_ == State::Dropped)
                 return close();
-            if (error == http::error::body_limit) return refuse(413, "the request is too long");
-            if (error == http::error::header_limit) return refuse(431, "the header of the request is too long");
-            if (error) return refuse(400, "this is no request");
+            if (error == http::error::body_limit) return refuse(413, "the request is too large");
+            if (error == http::error::header_limit) return refuse(431, "the header of the request is too large");
+            if (error) return refuse(400, "malformed request");
             if (auto [status, why] = server_.objection(parser_.get()); status != 0) return refuse(status, why);
             if (server_.has_token(parser_.get())) identify();
             http::async_read(stream_, buffer_, parser_,
                              [self = shared_from_this()](beast::error_code failure, std::size_t) {
                                  if (failure == http::error::body_limit)
-                                     return self->refuse(413, "the request is too long");
+                                     return self->refuse(413, "the request is too large");
                                  if (failure) return self->close();
                                  self->request_is_read();
                              });
@@ -356,16 +356,16 @@ private:
     template <class Request>
     std::pair<unsigned, std::string> objection(const Request& request) const {
         if (!is_ours(text_of(request[http::field::host])) || request.count(http::field::host) != 1)
-            return {421, "this server has another name"};
+            return {421, "unknown host name"};
         const std::string_view origin = text_of(request[http::field::origin]);
         if (request.count(http::field::origin) > 1 ||
             (!origin.empty() && !(origin.starts_with("http://") && is_ours(origin.substr(7)))))
-            return {403, "another page asks"};
+            return {403, "cross-origin request refused"};
         if (request.method() != http::verb::get && request.method() != http::verb::post)
-            return {405, "only GET and POST are answered"};
+            return {405, "only GET and POST are supported"};
         // The parts of every page are public.
         if (text_of(request.target()).starts_with("/web/") || has_token(request)) return {0, ""};
-        return {403, "the token is missing; open the address that `grafverif serve` has printed"};
+        return {403, "the token is missing; open the address that `grafverif serve` printed"};
     }
 
     template <class Request>

@@ -38,7 +38,7 @@ std::string_view media_type(std::string_view name) {
 HttpAnswer file_named(std::string_view name) {
     const auto files = live_files();
     const auto found = std::ranges::find(files, name, &LiveFile::name);
-    if (found == files.end()) return {404, "text/plain", "there is nothing here\n"};
+    if (found == files.end()) return {404, "text/plain", "not found\n"};
     return {200, std::string(media_type(name)), std::string(found->text)};
 }
 
@@ -64,8 +64,8 @@ public:
 
     std::optional<HttpAnswer> answer(const HttpRequest& request, bool at_once) const {
         if (request.path == "/simulate")
-            return request.post ? simulation(request, at_once) : HttpAnswer{405, "text/plain", "moves are posted\n"};
-        if (request.post) return HttpAnswer{405, "text/plain", "nothing is posted here\n"};
+            return request.post ? simulation(request, at_once) : HttpAnswer{405, "text/plain", "use POST for moves\n"};
+        if (request.post) return HttpAnswer{405, "text/plain", "POST is not supported here\n"};
         if (request.path == "/drawings") return HttpAnswer{.body = drawings(*bench_->workpiece())};
         if (request.path == "/report") return report_page(request);
         if (request.path == "/state") return state(known_version(request), at_once);
@@ -83,7 +83,7 @@ private:
     /// At most two at a time, so that a thread remains for the state.
     std::optional<HttpAnswer> simulation(const HttpRequest& request, bool at_once) const {
         if (!simulating_.try_acquire()) {
-            if (at_once) return HttpAnswer{503, "text/plain", "other simulations are still being made\n"};
+            if (at_once) return HttpAnswer{503, "text/plain", "too many simulations are running; try again later\n"};
             return {};
         }
         const std::unique_ptr<const Desk, void (*)(const Desk*)> place(this, [](const Desk* desk) {
@@ -96,7 +96,7 @@ private:
     /// The page that `report` writes; one at a time.
     HttpAnswer report_page(const HttpRequest& request) const {
         const std::unique_lock hold(reporting_, std::try_to_lock);
-        if (!hold) return {503, "text/plain", "another report is being made; try again when it is there\n"};
+        if (!hold) return {503, "text/plain", "another report is being generated; try again later\n"};
         Job job{.options = options_};
         if (const auto loop = request.query.find("loop"); loop != request.query.end()) job.options.loop = loop->second;
         if (const auto chart = request.query.find("chart"); chart != request.query.end())

@@ -97,7 +97,7 @@ private:
                            std::holds_alternative<ChooseCommand>(command) ||
                            std::holds_alternative<ForceCommand>(command);
         problem_ = moves || std::holds_alternative<BadCommand>(command) ? simulation_.obey(command)
-                                                                        : "`" + move + "` is no move";
+                                                                        : "`" + move + "` is not a valid move";
         made_.push_back(move);
         ends_.push_back(rows());
     }
@@ -242,7 +242,7 @@ Json marks_of(const Chart& chart, const ElementIds& ids) {
 }
 
 Json played(const Workpiece& piece, const Options& options, const Wish& wish) {
-    if (!piece.reading.model) return complaint("the file has errors; nothing can be simulated");
+    if (!piece.reading.model) return complaint("the file has errors and cannot be simulated; correct them");
     const Model& model = *piece.reading.model;
     if (!wish.loop.empty()) {
         const auto loop = find_loop(model, wish.loop);
@@ -285,10 +285,11 @@ std::string drawings(const Workpiece& piece) {
 std::string play(const Workpiece& piece, const Options& options, const std::string& request) {
     const std::optional<Wish> wish = wish_of(request);
     Json answer;
-    if (!wish) answer = complaint("this is no request: an object with `loop` or `chart`, and `moves`, a list of texts");
+    if (!wish)
+        answer = complaint("malformed request; send an object with `loop` or `chart`, and `moves`, a list of strings");
     else if (wish->moves.size() > most_moves || wish->random > most_random_moves)
-        answer = complaint("there are too many moves: " + std::to_string(most_moves) + " at most, and " +
-                           std::to_string(most_random_moves) + " at random in one go");
+        answer = complaint("too many moves: at most " + std::to_string(most_moves) + " in total and " +
+                           std::to_string(most_random_moves) + " at random per request");
     else answer = played(piece, options, *wish);
     return json_text(answer, -1);
 }

@@ -136,18 +136,19 @@ bool Dialogue::wait_for_end(std::chrono::milliseconds longest) {
 }
 
 std::string Dialogue::end_text() {
-    std::string text = "it closed its output";
+    std::string text = "the controller closed its output";
     if (wait_for_end(std::chrono::milliseconds(500))) {
         const ChildEnd end = *program_->ended();
-        text = end.by_signal ? fmt::format("it was ended by signal {} ({})", end.status, ::strsignal(end.status))
-                             : fmt::format("it ended with exit code {}", end.status);
+        text = end.by_signal
+                   ? fmt::format("the controller was terminated by signal {} ({})", end.status, ::strsignal(end.status))
+                   : fmt::format("the controller exited with code {}", end.status);
     }
-    if (!heard_.empty()) text += fmt::format(", in the midst of the line `{}`", shown_line(heard_));
+    if (!heard_.empty()) text += fmt::format(", after the incomplete line `{}`", shown_line(heard_));
     listen();
     std::string_view last = said_;
     while (last.ends_with('\n')) last.remove_suffix(1);
     last.remove_prefix(last.rfind('\n') + 1);  // npos + 1 is 0
-    if (!last.empty()) text += fmt::format("; it said: {}", shown_line(last));
+    if (!last.empty()) text += fmt::format("; its error output: {}", shown_line(last));
     return text;
 }
 

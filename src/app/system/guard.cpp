@@ -140,12 +140,12 @@ bool keep(std::atomic<void*>& kept, std::size_t size) {
 
 [[noreturn]] void give_up() {
     ExitCode code = ExitCode::Failure;
-    std::string_view why = "grafverif: internal failure: an error where none can be told\n";
+    std::string_view why = "grafverif: internal error: exception in a context that cannot report it\n";
     try {
         if (const std::exception_ptr failure = std::current_exception()) std::rethrow_exception(failure);
     } catch (const std::bad_alloc&) {
         code = ExitCode::Unknown;
-        why = "error: the system gives no more memory [out-of-memory]\n";
+        why = "error: out of memory: the system refused an allocation [out-of-memory]\n";
     } catch (...) {
     }
     write_whole(why);
@@ -218,7 +218,7 @@ Guard::Guard(GuardOrders orders) : orders_(std::move(orders)) {
     const int failure = ::pthread_create(&thread_, &attributes, watch, this);
     ::pthread_attr_destroy(&attributes);
     ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    if (failure != 0) throw std::system_error(failure, std::generic_category(), "no thread for the guard");
+    if (failure != 0) throw std::system_error(failure, std::generic_category(), "cannot start the watchdog thread");
 }
 
 Guard::~Guard() {

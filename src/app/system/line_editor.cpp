@@ -107,8 +107,8 @@ LineEditor::LineEditor(std::string prompt, Complete complete, std::size_t (*last
     el_set(editor, EL_HIST, history, parts_->history);
     // The library keeps copies of narrow names forever.
     el_wset(editor, EL_ADDFN, L"grafverif-complete", L"complete the word", Parts::tab);
-    el_wset(editor, EL_ADDFN, L"grafverif-give-up", L"give the line up", Parts::give_up);
-    el_wset(editor, EL_ADDFN, L"grafverif-stop", L"stop until the shell goes on with it", Parts::suspend);
+    el_wset(editor, EL_ADDFN, L"grafverif-give-up", L"discard the line", Parts::give_up);
+    el_wset(editor, EL_ADDFN, L"grafverif-stop", L"suspend until the shell resumes it", Parts::suspend);
     el_set(editor, EL_BIND, "^I", "grafverif-complete", nullptr);
     el_set(editor, EL_BIND, "^R", "em-inc-search-prev", nullptr);
     el_source(editor, nullptr);

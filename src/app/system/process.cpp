@@ -39,7 +39,7 @@ void write_all(const Descriptor& to, std::string_view text) {
 
 Descriptor file_of(const std::string& input) {
     Descriptor file(::memfd_create("input", MFD_CLOEXEC));
-    if (!file.open()) fail(errno, "cannot make a temporary file");
+    if (!file.open()) fail(errno, "cannot create a temporary file");
     write_all(file, input);
     ::lseek(file.number(), 0, SEEK_SET);
     return file;
@@ -165,7 +165,7 @@ TemporaryFolder::TemporaryFolder() {
     remove_litter(where);
     std::string pattern = (where / folder_name).string() + std::string(random_part);
     if (::mkdtemp(pattern.data()) == nullptr)
-        fail(errno, fmt::format("cannot make a temporary folder in `{}`", where.string()));
+        fail(errno, fmt::format("cannot create a temporary directory in `{}`", where.string()));
     path_ = pattern;
     lock_ = locked_folder(path_);
     if (lock_.open()) write(lock_mark, "");
@@ -179,7 +179,7 @@ TemporaryFolder::~TemporaryFolder() {
 void TemporaryFolder::write(const std::string& name, const std::string& content) const {
     const Descriptor file(
         ::open((path_ / name).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, S_IRUSR | S_IWUSR));
-    if (!file.open()) fail(errno, "cannot make a temporary file");
+    if (!file.open()) fail(errno, "cannot create a temporary file");
     write_all(file, content);
 }
 

@@ -55,7 +55,7 @@ constexpr std::size_t random_digits = 16;
 
 std::string draft_name() {
     std::uint64_t number = 0;
-    if (::getrandom(&number, sizeof number, 0) != sizeof number) fail(errno, "no random numbers");
+    if (::getrandom(&number, sizeof number, 0) != sizeof number) fail(errno, "no source of random numbers");
     return fmt::format("{}{:0{}x}{}", draft_begin, number, random_digits, draft_end);
 }
 
@@ -108,7 +108,7 @@ void lock(const Folder& folder) {
          ::flock(folder.open.number(), LOCK_EX | LOCK_NB) != 0;) {
         if (errno != EWOULDBLOCK && errno != EINTR) return;  // no such locks on this file system
         if (std::chrono::steady_clock::now() > end)
-            fail(ETIMEDOUT, fmt::format("another program holds the lock of the folder `{}`", folder.path.string()));
+            fail(ETIMEDOUT, fmt::format("another process has locked the directory `{}`", folder.path.string()));
         std::this_thread::sleep_for(nap);
     }
     remove_litter(folder);

@@ -73,7 +73,7 @@ ExitCode analyse_one(const Model& model, Id<Chart> chart, Job& job, const Stream
     else streams.out << text;  // text without control characters, except for the colour codes
     if (job.options.sarif) add_findings(analysis, job.sources, job.reports->sarif);
     for (const std::string& failure : analysis.failures)
-        streams.err << "grafverif: internal failure: " << failure << '\n';
+        streams.err << "grafverif: internal error: " << failure << '\n';
     return exit_code(analysis);
 }
 

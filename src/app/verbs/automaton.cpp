@@ -32,7 +32,7 @@ bool draw(const Diagram& drawn, Job& job, const Streams& streams) {
         return false;
     }
     if (nodes > largest_drawing && !job.options.quiet)
-        streams.err << fmt::format("note: {} locations are more than a drawing shows, {}; a table is written instead\n",
+        streams.err << fmt::format("note: {} locations exceed the limit of a drawing, {}; a table is written instead\n",
                                    nodes, largest_drawing);
     print_to_output(job, streams, [&](std::ostream& out) {
         job.options.format == Format::Svg ? emit_svg(drawn, out) : emit_dot(drawn, out);

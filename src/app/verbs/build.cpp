@@ -21,16 +21,16 @@ std::vector<Product> products(const Model& model, Id<ClosedLoop> loop, Job& job)
         if (const auto network = network_of(model, loop, job)) {
             UppaalProject project = uppaal_project(*network, job.diagnostics);
             made.push_back({{folder / (name + ".xml"), std::move(project.project)},
-                            "UPPAAL project of the closed loop: open it in UPPAAL, or run `verifyta` on it"});
-            made.push_back({{folder / (name + ".q"), std::move(project.queries)}, "its queries alone, for `verifyta`"});
+                            "UPPAAL project of the closed loop, for UPPAAL or `verifyta`"});
+            made.push_back({{folder / (name + ".q"), std::move(project.queries)}, "its queries, for `verifyta`"});
         }
     }
     if (job.options.target != Target::Uppaal) {
         if (const auto system = transition_system_of(model, loop, job))
             made.push_back({{folder / (name + ".smv"), nusmv_model(*system, job.diagnostics)},
                             job.options.untimed.plant == PlantApproach::Automata
-                                ? "NuSMV model of the closed loop with its plant automata: run `NuSMV` on it"
-                                : "NuSMV model of the controller, inputs and timer ends free: run `NuSMV` on it"});
+                                ? "NuSMV model of the closed loop with plant automata"
+                                : "NuSMV model of the controller with free inputs and timers"});
     }
     return made;
 }

@@ -43,15 +43,15 @@ void note_trace(const Report& report, Job& job, const Streams& streams) {
     const Chosen chosen = first_trace(report);
     if (chosen.trace) job.reports->files = trace_files(*chosen.trace, chosen.title, options);
     else if ((options.trace_vcd || options.trace_svg) && !options.quiet)
-        streams.err << "note: no verdict has a trace; none was written\n";
+        streams.err << "note: no verdict has a trace, so no trace file was written\n";
 }
 
 /// The expected verdicts of a loop may refer to its schedule, which timed models do not have.
 void point_to_schedule(const ClosedLoop& loop, const Job& job, const Streams& streams) {
     if (!loop.schedule || job.options.quiet) return;
     streams.err << fmt::format(
-        "note: `{}` names a `schedule`, which untimed models alone obey; `grafverif check {} --untimed "
-        "--plant automata` checks that one\n",
+        "note: `{}` declares a `schedule`, which applies only to untimed models; to check one, run `grafverif check {} "
+        "--untimed --plant automata`\n",
         loop.name, printable(job.options.operands[0]));
 }
 
@@ -88,7 +88,7 @@ ExitCode check_one(const Model& model, Job& job, Bounds& bounds, const Streams& 
         print_why(*decided->why, asked.verbose, streams.out);
     streams.out.flush();
     for (const std::string& failure : report.failures)
-        streams.err << "grafverif: internal failure: " << printable(failure) << '\n';
+        streams.err << "grafverif: internal error: " << printable(failure) << '\n';
     note_trace(report, job, streams);
     note(*decided, model, job);
     const ExitCode code = app::exit_code(report, bounds.interrupted());

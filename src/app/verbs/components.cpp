@@ -24,7 +24,7 @@ Component component_of(const LibraryEntry& entry) {
     const Id<Source> file = sources.add({std::string(entry.path), std::string(entry.text)});
     const auto model = read_text(file, sources, {}, diagnostics);
     if (!model || model->components.empty())
-        throw std::logic_error(fmt::format("library component {} is broken", entry.name));
+        throw std::logic_error(fmt::format("library component {} is invalid", entry.name));
     return *model->components.begin();
 }
 

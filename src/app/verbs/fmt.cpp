@@ -22,7 +22,7 @@ ExitCode fmt(Job& job, const Streams& streams) {
     const bool canonical = text == read;
     if (job.options.check) {
         if (!canonical && !job.options.quiet)
-            streams.err << printable(path) << ": not in canonical form; `grafverif fmt -i` rewrites it\n";
+            streams.err << printable(path) << ": not in canonical form; rewrite it with `grafverif fmt -i`\n";
         return canonical ? ExitCode::Done : ExitCode::Verdict;
     }
     if (!job.options.in_place) deliver(text, job, streams);

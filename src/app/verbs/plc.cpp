@@ -44,7 +44,7 @@ public:
         const std::size_t longest = longest_scan_line(columns_.size());
         for (std::string line; code_ != ExitCode::Verdict && next_line(streams_.in, longest, line);) {
             ++number_;
-            if (line.size() > longest) refuse(fmt::format("the line is longer than {} bytes", longest));
+            if (line.size() > longest) refuse(fmt::format("the line is longer than {} bytes; shorten it", longest));
             else obey(line);
             streams_.out << std::flush;
             if (!streams_.out) break;
@@ -68,9 +68,9 @@ private:
     void obey_wait(const std::string& line) {
         const Command command = command_of(line);
         const WaitCommand* const wait = std::get_if<WaitCommand>(&command);
-        if (clock_ == Clock::Real) refuse("`wait` is for `--clock simulated`; time passes by itself here");
+        if (clock_ == Clock::Real) refuse("`wait` is allowed only with `--clock simulated`; remove it");
         else if (wait == nullptr || !wait->milliseconds)
-            refuse("`wait` takes a duration such as `3s`, `250ms` or `2min`");
+            refuse("`wait` requires a duration; write `3s`, `250ms` or `2min`, for example");
         else plc_.wait(*wait->milliseconds);
     }
 

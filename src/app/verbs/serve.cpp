@@ -40,7 +40,7 @@ void open_in_browser(const std::filesystem::path& page, const Streams& streams) 
     const int failure = ::posix_spawnp(&child, program.c_str(), &quiet, &apart, arguments, environ);
     ::posix_spawn_file_actions_destroy(&quiet);
     ::posix_spawnattr_destroy(&apart);
-    if (failure != 0) streams.err << "note: there is no `xdg-open` to open the page with; open the address by hand\n";
+    if (failure != 0) streams.err << "note: `xdg-open` is not installed; open the address in a browser\n";
 }
 
 /// A page that redirects to `address`: the browser's command line is readable by other users and must not contain the
@@ -55,12 +55,11 @@ std::string redirect_to(const std::string& address) {
 bool can_be_served(Job& job) {
     const std::string& path = job.options.operands[0];
     std::string why;
-    if (path == "-" || own_descriptor(path))
-        why = "what is watched is a file with a name, which standard input has not";
+    if (path == "-" || own_descriptor(path)) why = "standard input cannot be watched; pass a file name";
     else if (content_of_file(path, why)) why.clear();
     if (!why.empty()) job.diagnostics.add(messages::cannot_read(path, why));
     const std::uint64_t port = job.options.port;
-    if (port > 65535) job.diagnostics.add(messages::cannot_listen(port, "ports go up to 65535"));
+    if (port > 65535) job.diagnostics.add(messages::cannot_listen(port, "invalid port; use a number up to 65535"));
     return !job.diagnostics.has_errors();
 }
 
@@ -76,11 +75,14 @@ ExitCode serve(Job& job, const Streams& streams) {
         if (failure.code() == std::errc::resource_unavailable_try_again) throw;  // a thread could not be started
         const bool in_use = failure.code() == std::errc::address_in_use;
         job.diagnostics.add(messages::cannot_listen(
-            job.options.port, in_use ? "another program listens there" : failure.code().message()));
+            job.options.port, in_use ? "another program uses this port" : failure.code().message()));
         return ExitCode::Input;
     }
     const std::string address = page->address();
-    streams.out << fmt::format("{} is at {}\nCtrl-C ends it.\n", printable(job.options.operands[0]), address)
+    streams.out << fmt::format(
+                       "{}: {}\n"
+                       "Press Ctrl-C to stop.\n",
+                       printable(job.options.operands[0]), address)
                 << std::flush;
     std::optional<TemporaryFolder> folder;  // readable by this user only, kept until the end: the browser may be slow
     if (job.options.open) {

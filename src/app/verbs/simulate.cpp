@@ -57,7 +57,7 @@ public:
         if (std::holds_alternative<HelpCommand>(command)) out_ << help;
         if (std::holds_alternative<ShowCommand>(command)) show();
         if (std::holds_alternative<RepeatCommand>(command) || std::holds_alternative<EndCommand>(command))
-            return "`repeat` is for scripts";
+            return "`repeat` is allowed only in scripts; write the commands repeatedly";
         if (const auto* const save = std::get_if<SaveCommand>(&command)) return saved(save->file);
         return recording_.obey(command, line);
     }
@@ -81,18 +81,18 @@ public:
 
 private:
     static constexpr const char* help =
-        "  NUMBER             make that choice\n"
-        "  NAME = VALUE       make an input true, false or a number\n"
-        "  do INSTANCE [LOC]  the instance does what it can\n"
-        "  wait [3s]          let time pass; alone: until something happens by itself, or can\n"
-        "  force STEP on|off  a trial: make the step active by hand, or not; not a run of the model from there on\n"
-        "  expect CLAIM       it holds now: X3, not LAMP, LEVEL >= 3, Gate in open, several with `and`\n"
-        "  expect within 5s CLAIM   it does before so much time has passed\n"
+        "  NUMBER             make this choice\n"
+        "  NAME = VALUE       set an input to true, false or a number\n"
+        "  do INSTANCE [LOC]  take an enabled edge of the instance\n"
+        "  wait [3s]          let time pass; without a duration: until the next automatic or possible event\n"
+        "  force STEP on|off  what-if run: activate or deactivate the step; no longer a run of the model\n"
+        "  expect CLAIM       check that it holds now: X3, not LAMP, LEVEL >= 3, Gate in open, several with `and`\n"
+        "  expect within 5s CLAIM   check that it holds before this time has passed\n"
         "  wait until CLAIM   let time pass until it holds, or has become true in this instant\n"
-        "  show               the values of everything now\n"
+        "  show               print all current values\n"
         "  back, undo         undo the last command\n"
-        "  save FILE          write what was done as a script, which expects what was seen\n"
-        "  quit               end\n";
+        "  save FILE          write the session as a script that expects the observed values\n"
+        "  quit               exit\n";
 
     void show() {
         const ChartRun& run = simulation_.told();
@@ -120,16 +120,16 @@ private:
         const bool is_there = std::filesystem::exists(std::filesystem::symlink_status(file));
         const auto old = is_there ? content_of_file(file, why) : std::nullopt;
         if (is_there && !(old && old->starts_with(saved_session)))
-            return fmt::format("`{}` is there already, and is no session that was saved; choose another name", file);
+            return fmt::format("`{}` exists and is not a saved session; choose another name", file);
         const std::filesystem::path folder = std::filesystem::path(file).parent_path();
         if (!folder.empty() && !std::filesystem::is_directory(folder))
-            return fmt::format("there is no folder `{}`", folder.string());
+            return fmt::format("directory `{}` does not exist; create it or choose another one", folder.string());
         try {
             write_files({{file, recording_.script()}});
         } catch (const std::system_error& failure) {
             return failure.what();
         }
-        out_ << fmt::format("saved; `--script {}` does it again\n", printable(file));
+        out_ << fmt::format("saved; replay it with `--script {}`\n", printable(file));
         return {};
     }
 
@@ -138,7 +138,7 @@ private:
         std::vector<std::string> now = simulation_.broken_constraints();
         for (const std::string& constraint : now)
             if (std::ranges::find(broken_, constraint) == broken_.end())
-                out_ << fmt::format("! these inputs break the constraint `{}`\n", printable(constraint));
+                out_ << fmt::format("! these inputs violate the constraint `{}`\n", printable(constraint));
         broken_ = std::move(now);
     }
 
@@ -148,7 +148,7 @@ private:
         const Patience patience = simulation_.patience();
         if (patience.may_pass)
             out_ << (patience.limit ? fmt::format(" wait  up to {}\n", seconds_text(*patience.limit * patience.unit_ms))
-                                    : " wait  as long as you like\n");
+                                    : " wait  any time\n");
         out_ << prompt_;
     }
 
@@ -270,7 +270,7 @@ std::string walk(Simulation& simulation, std::uint64_t seed, std::uint64_t steps
     if (std::string problem = simulation.begin(); !problem.empty()) return problem;
     for (std::uint64_t i = 0; i < steps; ++i) {
         const std::optional<Command> next = walk.draw(simulation);
-        if (!next) return "nothing can happen any more";
+        if (!next) return "no further event is possible";
         if (std::string problem = simulation.obey(*next); !problem.empty()) return problem;
     }
     return {};
@@ -288,14 +288,15 @@ ExitCode move(Simulation& simulation, const std::vector<const Chart*>& charts, J
     if (!problem.empty()) streams.out << "! " << printable(problem) << '\n';
     const bool is_trial = simulation.trial_row().has_value();  // trials need not follow the rules
     if (const auto found = is_trial ? std::nullopt : disagreement(run, charts)) {
-        streams.err << "grafverif: internal failure: " << replay_failure("this run", *found) << '\n';
+        streams.err << "grafverif: internal error: " << replay_failure("this run", *found) << '\n';
         return ExitCode::Failure;
     }
-    const std::string title = is_trial ? run.name + ", a trial by hand: not a run of the model" : run.name;
+    const std::string title =
+        is_trial ? run.name + ", a what-if run with forced steps: not a run of the model" : run.name;
     std::vector<OutputFile> files = trace_files(run, title, job.options);
     for (OutputFile& file : files)
         if (is_trial && job.options.trace_vcd && file.path == *job.options.trace_vcd)
-            file.content.insert(0, "$comment a trial by hand: not a run of the model $end\n");
+            file.content.insert(0, "$comment a what-if run with forced steps: not a run of the model $end\n");
     job.reports->files = std::move(files);
     return code;
 }
@@ -342,7 +343,7 @@ Verb simulate_usage() {
         "together\n"
         "  wait 3s            let time pass (ms, s, min); without a duration: until the next automatic or possible "
         "event\n"
-        "  do INSTANCE [LOC]  take the enabled edge of the instance, or the one that leads to location LOC\n"
+        "  do INSTANCE [LOC]  take an enabled edge of the instance, or the one that leads to location LOC\n"
         "  force STEP on|off  what-if run: activate or deactivate the step; no longer a run of the model\n"
         "  expect CLAIM       check that it holds now: X3, not LAMP, LEVEL >= 3, Gate in open, several with `and`;\n"
         "                     `expect within 5s CLAIM`: check that it holds before this time has passed\n"

@@ -123,16 +123,16 @@ private:
         case Reply::Kind::Stopped: return {};
         case Reply::Kind::Silent:
             failure.cause = Cause::Silent;
-            failure.message = fmt::format("no answer within {}", duration_text(options_.patience.count()));
+            failure.message = fmt::format("no response within {}", duration_text(options_.patience.count()));
             break;
         case Reply::Kind::Ended:
             failure.cause = Cause::Ended;
-            failure.message = "no answer: " + dialogue.end_text();
+            failure.message = "no response: " + dialogue.end_text();
             break;
         case Reply::Kind::Flood:
             failure.cause = Cause::Flood;
             failure.message =
-                fmt::format("more than one line for one scan, or one without end: `{}`", shown_line(answer.text));
+                fmt::format("more than one line for one scan, or an unterminated line: `{}`", shown_line(answer.text));
             break;
         }
         return failure;
@@ -145,7 +145,8 @@ private:
         if (read.values) failure.answered = std::move(*read.values);
         else {
             failure.cause = Cause::NotUnderstood;
-            failure.message = fmt::format("the answer `{}` is no line of outputs: {}", shown_line(line), read.problem);
+            failure.message =
+                fmt::format("the response `{}` is not a line of outputs: {}", shown_line(line), read.problem);
         }
         return failure;
     }
@@ -196,8 +197,7 @@ ExitCode test(Job& job, const Streams& streams) {
     const auto sequence = chart ? sequence_to_run(*model, *chart, job, bounds.limits()) : std::nullopt;
     if (!sequence) return bounds.interrupted() ? ExitCode::Unknown : ExitCode::Input;
     if (const auto wrong = job.options.sequence ? std::nullopt : disagreement(model->charts[*chart], *sequence)) {
-        streams.err << "grafverif: internal failure: the test does not pass on the rules of IEC 60848: " << *wrong
-                    << '\n';
+        streams.err << "grafverif: internal error: the test fails on the rules of IEC 60848: " << *wrong << '\n';
         return ExitCode::Failure;
     }
     const auto report = bench_report(*sequence, job.options, bounds.limits());

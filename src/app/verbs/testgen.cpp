@@ -35,8 +35,7 @@ ExitCode testgen(Job& job, const Streams& streams) {
         chart ? test_of(*model, *chart, conform_options(job.options, bounds.limits()), job.diagnostics) : std::nullopt;
     if (!test) return bounds.interrupted() ? ExitCode::Unknown : ExitCode::Input;
     if (const auto wrong = disagreement(model->charts[*chart], *test)) {
-        streams.err << "grafverif: internal failure: the test does not pass on the rules of IEC 60848: " << *wrong
-                    << '\n';
+        streams.err << "grafverif: internal error: the test fails on the rules of IEC 60848: " << *wrong << '\n';
         return ExitCode::Failure;
     }
     deliver(written(*test, job), job, streams);

@@ -244,8 +244,8 @@ void ByCells::know(const Property& property) {
 std::string ByCells::taken_to_do(const LocalNetwork& local) const {
     std::vector<std::string> names;
     for (const std::size_t i : local.known) names.push_back(known_[i].name);
-    if (names.empty()) return "is taken to do anything at any moment, which takes no run away";
-    return fmt::format("is taken to do anything at any moment that breaks none of {}, which {}; that takes no run away",
+    if (names.empty()) return "may do anything at any time, which is an over-approximation";
+    return fmt::format("may do anything at any time that satisfies {}, which {}; this is an over-approximation",
                        fmt::join(names, ", "), names.size() == 1 ? "holds" : "hold");
 }
 
@@ -281,7 +281,7 @@ void ByCells::go_on_with(Open open) {
 void ByCells::take_local() {
     if (race_) {  // each fragment that may race has been searched
         Verdict& none = found_[*race_] = {.outcome = Outcome::Holds};
-        none.scope = scope(faultless_, "has nothing in it that could race");
+        none.scope = scope(faultless_, "cannot have a model error");
         if (!faultless_.empty()) {
             none.states = std::to_string(faultless_states_);
             none.transitions = faultless_transitions_;
@@ -309,7 +309,7 @@ bool ByCells::needs_whole() {
         needed = needed || verdict.declared;
         if (!verdict.declared)
             verdict.reason =
-                "nothing that was asked needs the whole loop, of which " + verdict.states + " states were looked at";
+                "no selected property requires the complete loop, of which " + verdict.states + " states were explored";
     }
     return needed;
 }
@@ -354,8 +354,8 @@ TimedResult with_time_told(TimedResult result) {
     const bool cut_off =
         time->obstacle == Obstacle::Bound || time->obstacle == Obstacle::Memory || time->obstacle == Obstacle::Stopped;
     if (time->outcome != Outcome::Unknown || !cut_off) return result;
-    const std::string note = "time-locks were looked for in the first " + time->states + " states only" +
-                             (time->declared ? "" : "; ask for `no timelock` to have all looked at");
+    const std::string note = "timelocks were searched only in the first " + time->states + " states" +
+                             (time->declared ? "" : "; declare `no timelock` to search all states");
     for (Verdict& verdict : result.verdicts)
         if (verdict.outcome == (verdict.pattern == Pattern::Reachable ? Outcome::Violated : Outcome::Holds))
             verdict.notes.push_back(note);

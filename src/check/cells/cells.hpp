@@ -21,7 +21,7 @@
 namespace grafverif {
 
 /// Name of the property that the first search of the complete network adds: some state is quiescent.
-inline constexpr const char* settled_probe = "some state is settled";
+inline constexpr const char* settled_probe = "some state is quiescent";
 
 struct CellLimits {
     std::uint64_t whole = std::uint64_t{1} << 17U;  ///< states explored in the first search of the complete network

@@ -153,7 +153,7 @@ std::string failure_of(const ProgramResult& said) {
         if (const std::string_view line = trimmed_line(text); !line.empty()) last = line;
     constexpr std::size_t longest = 200;
     if (last.size() > longest) last = last.substr(0, longest) + "...";
-    return last.empty() ? "the program gave no verdict" : "the program gave no verdict; its last words: " + last;
+    return last.empty() ? "the program gave no verdict" : "the program gave no verdict; end of its output: " + last;
 }
 
 Obstacle obstacle_of(const ProgramResult& said) {
@@ -214,7 +214,7 @@ std::optional<SystemRun> judged(Verdict& verdict, const Answers& answers, const 
     const bool about_paths = pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo ||
                              pattern == Pattern::RawLtl || pattern == Pattern::RawCtl;
     const auto told = TraceReader(question.flat, question.spelling).read(answers.section(name), about_paths);
-    const std::string why = !told ? "the program shows no run for its verdict"
+    const std::string why = !told ? "the program gave no trace for its verdict"
                                   : doubt(question.system, question.flat, question.property, *told);
     if (!why.empty()) {
         distrust(verdict, why);
@@ -254,7 +254,7 @@ NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spe
         verdict.states = result.states;
         std::optional<SystemRun> run;
         if (!totality.empty() && !result.total)
-            undecided(verdict, Obstacle::Faulty, "some reachable state has no step");
+            undecided(verdict, Obstacle::Faulty, "some reachable state has no successor");
         else if (totality.empty()) undecided(verdict, obstacle_of(said), failure_of(said));
         else run = judged(verdict, answers, std::to_string(index), {system, flat, spelling, property}, said);
         result.verdicts.push_back(std::move(verdict));

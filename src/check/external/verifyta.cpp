@@ -57,10 +57,10 @@ std::optional<ExternalAnswer> ended_early(const ProgramResult& result) {
     switch (result.end) {
     case ProgramResult::End::Exited: return {};
     case ProgramResult::End::Signalled:
-        return undecided(Obstacle::Failed, "verifyta was ended by signal " + std::to_string(result.status));
+        return undecided(Obstacle::Failed, "verifyta was terminated by signal " + std::to_string(result.status));
     case ProgramResult::End::TimedOut: return undecided(Obstacle::Stopped, "verifyta was stopped at the time limit");
     case ProgramResult::End::Stopped: return undecided(Obstacle::Stopped, "verifyta was stopped");
-    case ProgramResult::End::TooMuchOutput: return undecided(Obstacle::Failed, "verifyta printed more than is read");
+    case ProgramResult::End::TooMuchOutput: return undecided(Obstacle::Failed, "the output of verifyta is too large");
     }
     unreachable();
 }
@@ -81,7 +81,7 @@ bool asks_for_race(const Network& network, const ExternalQuestion& question) {
 
 Verdict unasked(Verdict verdict) {
     verdict.obstacle = Obstacle::Stopped;
-    verdict.reason = "stopped before it was asked";
+    verdict.reason = "stopped before it was checked";
     return verdict;
 }
 
@@ -101,7 +101,7 @@ void take_back(Verdict& verdict) {
     if (verdict.outcome == Outcome::Unknown) return;
     verdict.outcome = Outcome::Unknown;
     verdict.obstacle = Obstacle::Faulty;
-    verdict.reason = "stored actions may race; see `no_race`";
+    verdict.reason = "stored actions can race; see `no_race`";
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ ExternalAnswer read_verifyta(const ProgramResult& result) {
         lines(text, "-- Formula MAY be satisfied.") + lines(text, "-- Formula MAY NOT be satisfied.");
     if (satisfied + refuted + open > 1)
         return undecided(Obstacle::Disagrees, "engine-disagrees: verifyta gave more than one verdict on one formula");
-    if (open == 1) return undecided(Obstacle::Inexact, "verifyta says that the formula may or may not be satisfied");
+    if (open == 1) return undecided(Obstacle::Inexact, "verifyta reports that the formula may or may not be satisfied");
     if (satisfied + refuted == 1) return {satisfied == 1 ? Outcome::Holds : Outcome::Violated, Obstacle::None, {}};
     std::string said = first_line(marked(result.err));
     if (said.empty()) said = "exit code " + std::to_string(result.status);
@@ -153,7 +153,7 @@ std::vector<Verdict> check_verifyta(const Network& network, std::span<const Exte
         verdicts.push_back({.property = "no_timelock",
                             .pattern = Pattern::NoTimelock,
                             .obstacle = Obstacle::Unsupported,
-                            .reason = "UPPAAL has no query for `no timelock`; `--engine timed` decides it",
+                            .reason = "UPPAAL has no query for `no timelock`; use `--engine timed`",
                             .declared = false});
     return verdicts;
 }

@@ -53,7 +53,7 @@ SymbolicResult ByTurns::result() {
         try {
             parts_.about_each(system_.properties[id]) ? answer_each(id) : answer(id);
         } catch (const BddExhausted&) {
-            need_whole(id, "what the sub-loops let each other do could not be found out");
+            need_whole(id, "the interaction of the sub-loops could not be determined");
         }
     }
     parts_.forget();
@@ -94,14 +94,14 @@ void ByTurns::answer(Id<Property> id) {
     const bool about_states = settled_apart(property.pattern);
     if (chosen == parts_.all()) return need_whole(id, "");
     if (!about_states && !parts_.flat().justice.empty())
-        return need_whole(id, "whether a run is fair is a question to all sub-loops");
+        return need_whole(id, "fairness of a run depends on all sub-loops");
     if (property.at_stable && !about_states)
-        return need_whole(id, "whether a run is settled in the end is a question to all sub-loops");
+        return need_whole(id, "quiescence at the end of a run depends on all sub-loops");
     if (property.at_stable && system_.settled.valid() &&
         std::ranges::any_of(system_.parts.each, [](const System::Part& part) { return !part.settled.valid(); }))
-        return need_whole(id, "which states are settled does not come apart");
+        return need_whole(id, "quiescence cannot be decomposed into sub-loops");
     Searched& found = parts_.search(chosen);
-    if (found.result.fault) return need_whole(id, "they break off together");
+    if (found.result.fault) return need_whole(id, "they have a model error");
     const auto place = static_cast<std::size_t>(std::ranges::find(found.asked, id) - found.asked.begin());
     Verdict verdict = found.result.verdicts[place];
     if (verdict.outcome == Outcome::Unknown) return give(id, verdict, scope(chosen, ""), {});
@@ -137,7 +137,7 @@ bool ByTurns::answer_starved(Id<Property> id, Searched& search, Verdict& verdict
     const PartList all_others = parts_.others(search.chosen);
     const std::uint32_t who = all_others[static_cast<std::size_t>(mover - rest.begin())];
     if (waiting.is_false()) {
-        give(id, verdict, scope(search.chosen, "shares nothing with it, which has it at once"), {});
+        give(id, verdict, scope(search.chosen, "shares nothing with it; the verdict is reached without it"), {});
         return true;
     }
     const FlatRun way =
@@ -146,8 +146,8 @@ bool ByTurns::answer_starved(Id<Property> id, Searched& search, Verdict& verdict
     const TurnRun made = behind(turn_run(search, way), turn_run(moving, parts_.turns(moving).endless_run()));
     verdict.outcome = Outcome::Violated;
     verdict.vacuous = false;
-    verdict.notes = {"`" + (*mover)->name + "` may move for ever, and nobody else does"};
-    give(id, verdict, scope(search.chosen, "shares nothing with it and may move for ever meanwhile"),
+    verdict.notes = {"`" + (*mover)->name + "` can move forever while the others wait"};
+    give(id, verdict, scope(search.chosen, "shares nothing with it and can move forever while it waits"),
          replayed(parts_.flat(), made));
     return true;
 }
@@ -195,7 +195,7 @@ void ByTurns::search_whole() {
         const auto asked = whole_.find(verdict.about.index);
         if (asked == whole_.end()) continue;
         if (const std::string& why = asked->second; !why.empty())
-            verdict.notes.push_back("the whole loop was searched: " + why);
+            verdict.notes.push_back("the complete loop was explored: " + why);
         given_[verdict.about.index] = {verdict, std::move(whole.runs[i])};
     }
 }
@@ -294,7 +294,7 @@ std::optional<FlatRun> ByTurns::whole_run(const Searched& search, const FlatRun&
     }
     if (made && stands) made = led_on(std::move(*made), last, rest);
     if (made) return replayed(parts_.flat(), *made);
-    verdict.notes.emplace_back("no run is shown: with the other sub-loops it would repeat only after very long");
+    verdict.notes.emplace_back("no trace is given: with the other sub-loops, it repeats only after very many steps");
     return {};
 }
 

@@ -13,14 +13,14 @@ std::string objection(const Neighbour& other, const Verdict& verdict, bool at_st
     const Claim claim = claim_of(verdict);
     const std::string name = "`" + other.name + "` ";
     if (claim == Claim::Everywhere && !at_stable) return {};
-    if (!other.searched) return name + "could not be searched to its end";
-    if (other.faulty && (at_stable || !settled_apart(verdict.pattern))) return name + "breaks off somewhere";
+    if (!other.searched) return name + "could not be explored completely";
+    if (other.faulty && (at_stable || !settled_apart(verdict.pattern))) return name + "has a model error";
     if (claim == Claim::Somewhere || claim == Claim::Everywhere) {
-        if (!other.diverges) return name + "cannot let time pass for ever";
-        return at_stable && !other.settles ? "time passes in " + name + "while it is not settled" : "";
+        if (!other.diverges) return name + "cannot let time pass forever";
+        return at_stable && !other.settles ? "time passes in " + name + "while it is not quiescent" : "";
     }
-    if (!other.never_locks) return "it is not known that " + name + "never locks time";
-    if (claim == Claim::Unavoidable && !other.rests) return name + "may go on for ever within one instant";
+    if (!other.never_locks) return "it is unknown whether " + name + "is free of timelocks";
+    if (claim == Claim::Unavoidable && !other.rests) return name + "can move forever within one instant";
     return {};
 }
 
@@ -50,16 +50,16 @@ std::string untimed_objection(const Verdict& verdict, bool at_stable, const std:
     for (const Neighbour* const other : left_out) {
         const std::string name = "`" + other->name + "` ";
         if (!at_stable && claim_of(verdict) != Claim::Unavoidable) continue;
-        if (!other->searched) return name + "could not be searched to its end";
-        if (at_stable && !other->settles) return name + "is never settled";
-        if (claim_of(verdict) == Claim::Unavoidable && !other->rests) return name + "may move for ever meanwhile";
+        if (!other->searched) return name + "could not be explored completely";
+        if (at_stable && !other->settles) return name + "is never quiescent";
+        if (claim_of(verdict) == Claim::Unavoidable && !other->rests) return name + "can move forever";
     }
     return {};
 }
 
 std::string untimed_because(const Verdict& verdict, bool at_stable) {
-    if (at_stable) return "shares nothing with it and is settled in some state";
-    if (claim_of(verdict) == Claim::Unavoidable) return "shares nothing with it and cannot move for ever";
+    if (at_stable) return "shares nothing with it and has a quiescent state";
+    if (claim_of(verdict) == Claim::Unavoidable) return "shares nothing with it and cannot move forever";
     return "shares nothing with it";
 }
 
@@ -67,21 +67,21 @@ std::string because(const Verdict& verdict, bool at_stable) {
     const Claim claim = claim_of(verdict);
     const bool of_states = claim == Claim::Everywhere || claim == Claim::Somewhere;
     if (of_states && at_stable)
-        return "shares only time with it, can let time pass for ever and is settled where time passes";
+        return "shares only time with it, can let time pass forever and is quiescent whenever time passes";
     switch (claim) {
     case Claim::Everywhere: return "shares only time with it and adds no state";
-    case Claim::Somewhere: return "shares only time with it and can let time pass for ever";
+    case Claim::Somewhere: return "shares only time with it and can let time pass forever";
     case Claim::Unavoidable:
-        return "shares only time with it, never locks time and never goes on for ever within one instant";
+        return "shares only time with it, has no timelock and cannot move forever within one instant";
     case Claim::Possible: break;
     }
-    return "shares only time with it and never locks time";
+    return "shares only time with it and has no timelock";
 }
 
 bool settled_apart(Pattern pattern) { return is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps; }
 
 void mark_vacuous(Verdict& verdict, const std::vector<const Neighbour*>& left_out) {
-    const char* const why = "time stands still in this model";
+    const char* const why = "time does not pass in this model";
     const bool wanted = verdict.pattern == Pattern::Reachable || verdict.pattern == Pattern::ReachableAllSteps;
     if (verdict.outcome != Outcome::Holds || wanted) return;
     for (const Neighbour* const other : left_out) {

@@ -241,7 +241,8 @@ void ByParts::show(Verdict& verdict, const SubNetwork& of, const PartNumbers& ch
     if (!verdict.run) return;
     verdict.run = joined(in_whole(of, *verdict.run), beside(chosen), at_stable ? Ending::Waiting : Ending::Anywhere);
     if (!verdict.run) {
-        verdict.notes.emplace_back("no run is shown: with the other sub-loops it would repeat only after very long");
+        verdict.notes.emplace_back(
+            "no trace is given: with the other sub-loops, it repeats only after very many steps");
         return;
     }
     const bool maximal = verdict.pattern == Pattern::Inevitable || verdict.pattern == Pattern::LeadsTo ||
@@ -249,7 +250,7 @@ void ByParts::show(Verdict& verdict, const SubNetwork& of, const PartNumbers& ch
     if (maximal && !verdict.run->loop) verdict.run = gone_on(network_, std::move(*verdict.run));
     if (verdict.run->moves.size() <= most_moves) return;
     verdict.run.reset();
-    verdict.notes.emplace_back("no run is shown: with the other sub-loops it has too many moves");
+    verdict.notes.emplace_back("no trace is given: with the other sub-loops, it has too many moves");
 }
 
 void ByParts::answer(PartQuestion& question) {
@@ -257,9 +258,9 @@ void ByParts::answer(PartQuestion& question) {
     const Property& property = question.property;
     if (question.reads.size() == parts_.count) return need_whole(question, "");
     if (property.at_stable && !settled_apart(property.pattern))
-        return need_whole(question, "whether a run is settled in the end is a question to all sub-loops");
+        return need_whole(question, "quiescence at the end of a run depends on all sub-loops");
     if (property.at_stable && network_.settled.valid() && parts_.settled.empty())
-        return need_whole(question, "which states are settled does not come apart");
+        return need_whole(question, "quiescence cannot be decomposed into sub-loops");
     const Search& search = search_of(question.reads);
     Verdict verdict = search.verdict(property.name);
     std::string why;
@@ -319,7 +320,7 @@ void ByParts::search_whole() {
     for (const auto& [index, why] : whole_) {
         PartQuestion& question = questions_[index];
         Verdict verdict = element_of(whole.verdicts, question.verdict.property, &Verdict::property);
-        if (!why.empty()) verdict.notes.push_back("the whole loop was searched: " + why);
+        if (!why.empty()) verdict.notes.push_back("the complete loop was explored: " + why);
         tell_earlier(verdict, "searches of independent subsystems", earlier);
         take(question, std::move(verdict));
     }

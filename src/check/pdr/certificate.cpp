@@ -42,17 +42,17 @@ std::string flaw(const Circuit& circuit, Literal bad, const std::vector<Cube>& c
     for (const Cube& cube : cubes) {
         std::vector<int> outside;
         for (const Literal literal : cube) {
-            if (!next.contains(node_of(literal))) return "it speaks of something that is no latch";
+            if (!next.contains(node_of(literal))) return "it contains a literal that is not a latch";
             outside.push_back(-WholeCircuit::of(literal));
         }
-        if (std::ranges::all_of(cube, is_inverted)) return "it excludes the first state";
+        if (std::ranges::all_of(cube, is_inverted)) return "it excludes an initial state";
         solver.clause(outside);
     }
-    if (solver.possible({WholeCircuit::of(bad)})) return "it does not exclude what it should";
+    if (solver.possible({WholeCircuit::of(bad)})) return "it does not exclude the bad states";
     for (const Cube& cube : cubes) {
         std::vector<int> after;
         for (const Literal literal : cube) after.push_back(WholeCircuit::of(next[node_of(literal)] ^ (literal & 1U)));
-        if (solver.possible(after)) return "a step leads out of it";
+        if (solver.possible(after)) return "it is not inductive";
     }
     return {};
 }

@@ -24,7 +24,8 @@ namespace {
 std::string refusal(Pattern pattern) {
     const bool about_runs =
         pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo || pattern == Pattern::AlwaysPossible;
-    return about_runs ? "it is about runs, and this engine decides what is about states" : untimed_refusal(pattern);
+    return about_runs ? "a property of runs, but this engine decides only properties of states"
+                      : untimed_refusal(pattern);
 }
 
 class Check {
@@ -96,7 +97,7 @@ private:
 
     std::string words(Exhausted::Cause cause) const {
         if (cause == Exhausted::Cause::Stopped) return "stopped";
-        return "the memory allowed, " + std::to_string(options_.max_memory >> 20U) + " MiB, is used up";
+        return "memory limit of " + std::to_string(options_.max_memory >> 20U) + " MiB reached";
     }
     static Obstacle obstacle(Exhausted::Cause cause) {
         return cause == Exhausted::Cause::Stopped ? Obstacle::Stopped : Obstacle::Memory;
@@ -117,11 +118,11 @@ private:
         if (going_on != nullptr) *going_on = nullptr;
         if (answer.reached) {
             if (!gets_to(bad, answer.inputs))
-                throw Unsound{"the run found for `" + name + "` is none: it does not get there"};
+                throw Unsound{"the trace for `" + name + "` is invalid: it does not reach the state"};
             return answer;
         }
         if (const std::string why = flaw(circuit_, bad, answer.invariant, watch_); !why.empty())
-            throw Unsound{"the invariant found for `" + name + "` is none: " + why};
+            throw Unsound{"the invariant for `" + name + "` is invalid: " + why};
         return answer;
     }
 
@@ -176,7 +177,7 @@ private:
         } catch (const Unsound& unsound) {
             disbelieve(unsound.what);
         }
-        if (obstacle_ == Obstacle::Stopped && !watch_.over()) reason_ = "its share of the time is over";
+        if (obstacle_ == Obstacle::Stopped && !watch_.over()) reason_ = "its share of the time limit is used up";
     }
 
     /// For an internal engine a failure; the result of an external program is only rejected.
@@ -192,7 +193,7 @@ private:
             else look_for_leaks();
         });
         fault_obstacle_ = result_.fault ? Obstacle::Faulty : obstacle_;
-        fault_reason_ = result_.fault ? "the model breaks off; see its fault" : reason_;
+        fault_reason_ = result_.fault ? "model error; see above" : reason_;
     }
 
     bool starts() {
@@ -236,7 +237,7 @@ private:
     void by_pdr(std::optional<Clock::duration> time) {
         auto left = static_cast<std::size_t>(std::ranges::count_if(questions_, &Question::is_open));
         for (Question& question : questions_) {
-            if (!matters(question)) give_up(question, Obstacle::Stopped, "its property does not hold");
+            if (!matters(question)) give_up(question, Obstacle::Stopped, "its property is violated");
             if (!question.is_open()) question.search = nullptr;
             if (!question.is_open()) continue;
             const auto start = Clock::now();
@@ -289,9 +290,10 @@ private:
         }
         if (!question.wants() && property.at_stable) is_settled();  // if that is interrupted, the query stays open
         close(question, question.wants() ? Outcome::Violated : Outcome::Holds);
-        question.verdict.notes.push_back("an inductive invariant of " + std::to_string(answer.invariant.size()) +
-                                         (answer.invariant.size() == 1 ? " clause" : " clauses") +
-                                         " shows it, checked by " + (options_.reach ? "a solver" : "a second solver"));
+        question.verdict.notes.push_back("proved by an inductive invariant of " +
+                                         std::to_string(answer.invariant.size()) +
+                                         (answer.invariant.size() == 1 ? " clause" : " clauses") + ", checked by " +
+                                         (options_.reach ? "a solver" : "a second solver"));
         if (!question.wants() && property.at_stable) mark_vacuous(question.verdict);
     }
 
@@ -320,13 +322,12 @@ private:
     /// Validates the run in `answer` by the terms of the system.
     void reached(Question& question, const Answer& answer) {
         if (const std::string why = doubt(system_, flat_, question.property, told_run(answer)); !why.empty())
-            throw Unsound{"the run found for `" + question.property.name + "` is none: " + why};
+            throw Unsound{"the trace for `" + question.property.name + "` is invalid: " + why};
         question.run = run_of(answer);
         close(question, question.wants() ? Outcome::Holds : Outcome::Violated);
         if (options_.reach) return;
-        question.verdict.notes.emplace_back(question.cleared + 1 >= answer.inputs.size()
-                                                ? "no run with fewer steps shows it"
-                                                : "a run with fewer steps may show it");
+        question.verdict.notes.emplace_back(question.cleared + 1 >= answer.inputs.size() ? "no shorter trace exists"
+                                                                                         : "a shorter trace may exist");
     }
 
     // -- bounded model checking --------------------------------------------------------------------------------------
@@ -349,7 +350,7 @@ private:
         if (!unrolling_) unrolling_.emplace(circuit_, watch_);
         std::optional<RunInputs> found = unrolling_->run_to(question.target->bad, question.cleared);
         if (found && !gets_to(question.target->bad, *found))
-            throw Unsound{"the run found for `" + question.property.name + "` is none: it does not get there"};
+            throw Unsound{"the trace for `" + question.property.name + "` is invalid: it does not reach the state"};
         if (!found) ++question.cleared;
         return found;
     }
@@ -405,7 +406,7 @@ private:
         if (question.cleared == 0) return words;
         const std::size_t steps = question.cleared - 1;
         return words + (words.empty() ? "" : "; ") + "no run of up to " + std::to_string(steps) +
-               (steps == 1 ? " step" : " steps") + (question.wants() ? " gets there" : " violates it");
+               (steps == 1 ? " step" : " steps") + (question.wants() ? " reaches it" : " violates it");
     }
 
     /// True if some state is quiescent.
@@ -417,7 +418,7 @@ private:
     void mark_vacuous(Verdict& verdict) {
         if (is_settled()) return;
         verdict.vacuous = true;
-        verdict.notes.emplace_back("no state is ever settled");
+        verdict.notes.emplace_back("no state is quiescent");
     }
 
     const TransitionSystem& system_;

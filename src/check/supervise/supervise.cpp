@@ -60,16 +60,16 @@ public:
     Supervisor run() {
         prepare();
         if (!result_.reason.empty()) return std::move(result_);
-        tell("what must be forbidden is looked for");
+        tell("computing the losing states");
         Lost lost = game_->solve(bad_, marked_);
         if (!(lost.all & model_->initial()).is_false()) return nothing(lost);
         while (!settled(lost)) {
             result_.claim = Supervisor::Claim::Cautious;
-            tell("conditions are made anew");
+            tell("recomputing the conditions");
             if (!(lost.all & model_->initial()).is_false())
-                return unknown("what the charts see does not tell apart what must be told apart");
+                return unknown("the inputs and steps of the charts do not distinguish enough states");
         }
-        tell("conditions are made short");
+        tell("simplifying the conditions");
         if (!write(lost)) return unknown("a condition has more than 64 terms");
         result_.outcome = Supervisor::Outcome::Found;
         return std::move(result_);
@@ -118,13 +118,13 @@ private:
             seen_.emplace_back(*model_, space_, seen);
         }
         const Bdd reached = all_reached();
-        if (model_->leak(reached)) result_.reason = "a step leaves the range of a variable of the plant";
+        if (model_->leak(reached)) result_.reason = "a variable of the plant leaves its range";
         else if (reached.is_false()) result_.reason = "the model has no initial state";
         else game_.emplace(*model_, space_, std::move(players), reached);
     }
 
     Bdd all_reached() const {
-        tell("the loop is searched");
+        tell("exploring the loop");
         if (model_->has_kinds()) {
             const Bdd closure = model_->closure(model_->initial());
             if ((closure & ~model_->invariant()).is_false() && !model_->leak(closure)) return closure;
@@ -132,7 +132,7 @@ private:
         bdd::Rings rings;
         rings.add(model_->initial());
         (void)symbolic::grow(*model_, rings, model_->invariant(), {}, [&](std::size_t) {
-            tell("the loop is searched, " + std::to_string(rings.each.size()) + " steps deep");
+            tell("exploring the loop, " + std::to_string(rings.each.size()) + " steps deep");
             return !model_->leak(rings.each.back());
         });
         return rings.reached;
@@ -401,11 +401,10 @@ Supervisor supervisor_of(const TransitionSystem& system, const Supervision& aske
         return supervise::Synthesis(system, asked, options).run();
     } catch (const BddExhausted& exhausted) {
         const bool stopped = exhausted.cause() == BddExhausted::Cause::Stopped;
-        unknown.reason = stopped
-                             ? "stopped"
-                             : "the memory allowed, " + std::to_string(options.max_memory >> 20U) + " MiB, is used up";
+        unknown.reason =
+            stopped ? "stopped" : "memory limit of " + std::to_string(options.max_memory >> 20U) + " MiB reached";
     } catch (const std::bad_alloc&) {
-        unknown.reason = "the memory of the machine is used up";
+        unknown.reason = "out of memory";
     }
     return unknown;
 }

@@ -69,7 +69,7 @@ std::vector<Found> Questions::answers(const StateSpace* model, Search& search, c
             reason = std::move(why);
         };
         const auto no_memory = [&] {
-            return "the memory allowed, " + std::to_string(options.max_memory >> 20U) + " MiB, is used up";
+            return "memory limit of " + std::to_string(options.max_memory >> 20U) + " MiB reached";
         };
         try {
             if (obstacle == Obstacle::None) found = answer(question, *model, search);
@@ -153,7 +153,7 @@ void Questions::answer_paths(Found& found, const Question& question, const Sets&
         const Bdd lost = fair_ & ~can_reach(model, search.reached, p & fair_);
         if (lost.is_false()) return;
         verdict.outcome = Outcome::Violated;
-        verdict.notes.emplace_back("from the last state of the trace on it is impossible");
+        verdict.notes.emplace_back("impossible from the last state of the trace");
         const std::vector<State> way = shortest_way(model, search, lost);
         found.run = run_of(model, {way, {}});
         found.lost = way.back();
@@ -197,11 +197,11 @@ void Questions::mark_vacuous(Verdict& verdict, const Question& question, const S
     };
     if (is_about_all_states(property.pattern) && property.at_stable) {
         BddTerms terms = model.terms();
-        if ((search.reached & terms(settled_).bits.front()).is_false()) vacuous("no state is ever settled");
+        if ((search.reached & terms(settled_).bits.front()).is_false()) vacuous("no state is quiescent");
     }
     if (is_declared_response(property) && sets.operands.front().is_false()) vacuous("the premise is never true");
     if (!is_about_single_states(property.pattern) && !justice_.empty() && (fair_ & model.initial()).is_false())
-        vacuous("no run is fair: its fairness conditions exclude each other");
+        vacuous("no run is fair: the fairness conditions exclude each other");
 }
 
 }  // namespace grafverif::symbolic

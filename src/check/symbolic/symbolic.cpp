@@ -32,7 +32,7 @@ SymbolicResult Check::result() {
         note(BddExhausted(BddExhausted::Cause::Memory));
     }
     if (!result_.fault && search_.obstacle == Obstacle::None) count_states();
-    if (result_.fault) search_ = {.obstacle = Obstacle::Faulty, .reason = "the model breaks off; see its fault"};
+    if (result_.fault) search_ = {.obstacle = Obstacle::Faulty, .reason = "model error; see above"};
     answer();
     result_.bytes = std::max(result_.bytes, space_.bytes());
     result_.seconds = seconds();
@@ -54,14 +54,13 @@ double Check::seconds() const {
 }
 
 void Check::note(const BddExhausted& exhausted) {
-    const std::string after = " after " + std::to_string(search_.rings.each.size()) + " steps of the search";
+    const std::string after = " after " + std::to_string(search_.rings.each.size()) + " steps of the exploration";
     if (exhausted.cause() == BddExhausted::Cause::Stopped) {
         search_.obstacle = Obstacle::Stopped;
         search_.reason = "stopped" + after;
     } else {
         search_.obstacle = Obstacle::Memory;
-        search_.reason =
-            "the memory allowed, " + std::to_string(options_.max_memory >> 20U) + " MiB, is used up" + after;
+        search_.reason = "memory limit of " + std::to_string(options_.max_memory >> 20U) + " MiB reached" + after;
     }
 }
 

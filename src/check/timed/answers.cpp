@@ -29,11 +29,11 @@ void unknown(Verdict& verdict, Obstacle obstacle, std::string reason) {
 
 std::string text_of(Obstacle ended, const Graph& graph, const Limits& limits) {
     const std::string states = std::to_string(graph.states()) + " states";
-    if (ended == Obstacle::Bound) return "the bound is reached: " + states;
-    if (ended == Obstacle::Memory && !limits.allowed_used()) return "there is no more memory after " + states;
+    if (ended == Obstacle::Bound) return "state limit reached: " + states;
+    if (ended == Obstacle::Memory && !limits.allowed_used()) return "out of memory after " + states;
     if (ended == Obstacle::Memory)
-        return "the memory allowed, " + std::to_string(limits.max_memory() >> 20U) + " MiB, is used up after " + states;
-    return graph.states() > 1 ? "stopped after " + states : "stopped before its search began";
+        return "memory limit of " + std::to_string(limits.max_memory() >> 20U) + " MiB reached after " + states;
+    return graph.states() > 1 ? "stopped after " + states : "stopped before the exploration";
 }
 
 /// The expanded states whose kind is one of these.
@@ -69,10 +69,9 @@ Lasso without_time(Graph& graph, std::uint32_t state) {
 std::vector<Verdict> Questions::answers(Graph& graph, Obstacle ended, const std::vector<ModelError>& errors,
                                         const Limits& limits) {
     if (ended == Obstacle::Unsupported)
-        outcomes_ = {ended, "a state of this model takes more memory than the timed engine can address"};
+        outcomes_ = {ended, "a state of this model exceeds the memory that the timed engine can address"};
     else if (ended != Obstacle::None) outcomes_ = {ended, text_of(ended, graph, limits)};
-    else if (!errors.empty())
-        outcomes_ = {Obstacle::Faulty, "the model breaks off: " + text_of(network_, errors.front())};
+    else if (!errors.empty()) outcomes_ = {Obstacle::Faulty, "model error: " + text_of(network_, errors.front())};
     else if (inexact_) outcomes_ = {Obstacle::Inexact, inexact_reason()};
     std::vector<Verdict> verdicts;
     for (Question& question : questions_) {
@@ -83,7 +82,7 @@ std::vector<Verdict> Questions::answers(Graph& graph, Obstacle ended, const std:
         } catch (const Limits::Stop&) {
             unknown(question.verdict, Obstacle::Stopped, "stopped");
         } catch (const std::bad_alloc&) {
-            unknown(question.verdict, Obstacle::Memory, "no memory is left to judge what was searched");
+            unknown(question.verdict, Obstacle::Memory, "no memory is left to evaluate the explored states");
         }
         if (question.verdict.outcome == Outcome::Holds) mark_vacuous(question, graph);
         verdicts.push_back(std::move(question.verdict));
@@ -236,7 +235,7 @@ void Questions::answer_timelock(Question& question, Graph& graph, const Limits& 
     if (!restless) return unknown(question.verdict, Obstacle::Stopped, "stopped");
     if (!restless->empty())
         unknown(question.verdict, Obstacle::Inexact,
-                "in some state no urgent edges lead to one where time may pass; only edges that wait do");
+                "from some state, urgent edges alone do not lead to a state in which time may pass");
 }
 
 void Questions::answer_possible(Question& question, Graph& graph, const Limits& limits) {
@@ -253,8 +252,8 @@ void Questions::answer_possible(Question& question, Graph& graph, const Limits& 
     holds_unless(question, outcomes_.obstacle, outcomes_.reason);
     if (question.verdict.outcome == Outcome::Holds && machine_.timed())
         unknown(question.verdict, Obstacle::Inexact,
-                "integer time says nothing of the states between two ticks; `--untimed` decides it of a model without "
-                "time");
+                "integer time does not cover the states between two ticks; use `--untimed` to decide it for the "
+                "untimed model");
 }
 
 /// Omitted if it needs more time or memory than is available.
@@ -274,7 +273,7 @@ void Questions::holds_if_dense(Question& question, Graph& graph, const std::opti
     if (outcomes_.obstacle != Obstacle::None || !bound)
         return holds_unless(question, outcomes_.obstacle, outcomes_.reason);
     unknown(question.verdict, Obstacle::Inexact,
-            "a time-lock may hide between the ticks at " + place_of(graph, *bound));
+            "a timelock is possible between two ticks at " + place_of(graph, *bound));
 }
 
 std::string Questions::place_of(Graph& graph, const UncoveredAt& at) const {
@@ -284,8 +283,8 @@ std::string Questions::place_of(Graph& graph, const UncoveredAt& at) const {
     const Network::Location& place = automaton.locations[{static_cast<std::uint32_t>(location)}];
     const Network::ClockConstraint& bound = place.invariant[at.bound.bound];
     const std::string clock = automaton.clocks[bound.clock].name;
-    return "`" + process.name + "." + place.name + "`: no edge that waits for `" + clock +
-           "` alone can end the stay at `" + clock + " == " + std::to_string(admitted(network_, bound).high) + "`";
+    return "`" + process.name + "." + place.name + "`: no edge that waits for `" + clock + "` alone can leave it at `" +
+           clock + " == " + std::to_string(admitted(network_, bound).high) + "`";
 }
 
 void Questions::mark_vacuous(Question& question, const Graph& graph) const {
@@ -297,11 +296,11 @@ void Questions::mark_vacuous(Question& question, const Graph& graph) const {
     };
     if (pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps || pattern == Pattern::NoTimelock)
         return;
-    if (!graph.time_passes) vacuous("time stands still in this model");
+    if (!graph.time_passes) vacuous("time does not pass in this model");
     if (is_declared_response(*question.property) && watch_.found(question.watch) == Watch::none)
         vacuous("the premise is never true");
     if (is_about_all_states(pattern) && question.at_stable && watch_.found(settled_watch_) == Watch::none)
-        vacuous("no state is ever settled");
+        vacuous("no state is quiescent");
 }
 
 }  // namespace grafverif::timed

@@ -151,7 +151,7 @@ std::optional<std::string> inexact_place(const Network& network) {
                     return "the strict constraint on clock `" + automaton.clocks[constraint.clock].name + "` of " +
                            place;
             if (edge.urgent && !keeps_target_invariant(network, process, edge))
-                return "the urgent edge that time may switch off, of " + place;
+                return "the urgent edge that the passage of time can disable, of " + place;
         }
     }
     return {};

@@ -81,7 +81,7 @@ void Questions::ask(Id<Property> about, const Property& property) {
     question.verdict = verdict_on(about, property);
     if (property.at_stable && is_judged(property.pattern) && !network_.settled.valid()) {
         question.verdict.obstacle = Obstacle::Unsupported;
-        question.verdict.reason = "nothing says which states of this network are settled";
+        question.verdict.reason = "this network does not define quiescent states";
         questions_.push_back(std::move(question));
         return;
     }
@@ -124,7 +124,7 @@ void Questions::compile(Question& question) {
     case Pattern::Watched:
     case Pattern::RawLtl:
         question.verdict.obstacle = Obstacle::Unsupported;
-        question.verdict.reason = "the timed engine reads no raw formulas";
+        question.verdict.reason = "the timed engine does not support formulas";
         return;
     }
     unreachable();

@@ -11,8 +11,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string_view what_it_means(Pattern pattern) {
-    return pattern == Pattern::Reachable ? "a run to it shows that the property holds"
-                                         : "a run to it shows that the property is violated";
+    return pattern == Pattern::Reachable ? "a run to it proves that the property holds"
+                                         : "a run to it proves that the property is violated";
 }
 
 class Map {
@@ -56,8 +56,8 @@ private:
             questions.push_back({{"symbol", (runs ? "j" : "b") + std::to_string(runs ? justice++ : bad++)},
                                  {"property", property.name},
                                  {"text", property.text},
-                                 {"meaning", runs ? "a run that meets all its conditions again and again shows that "
-                                                    "the property is violated"
+                                 {"meaning", runs ? "a run that satisfies each of its conditions infinitely often "
+                                                    "proves that the property is violated"
                                                   : what_it_means(property.pattern)}});
         }
         return questions;

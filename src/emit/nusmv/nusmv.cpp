@@ -217,7 +217,7 @@ void print_module(const ModulePrinter& printer) {
 
 void print_header(std::ostream& out, const System& system, const Names& names) {
     out << "-- " << system.name << ": NuSMV model written by grafverif\n"
-        << "-- to check it: NuSMV -dynamic FILE (which orders the variables as it goes: far faster on large models)\n";
+        << "-- to check it: NuSMV -dynamic FILE (dynamic variable reordering: much faster on large models)\n";
     if (!system.constants.empty()) print_comment(out, "constants: " + constants_text(system.constants));
     if (!system.scope.empty()) {
         out << "--\n";
@@ -225,14 +225,14 @@ void print_header(std::ostream& out, const System& system, const Names& names) {
     }
     if (std::ranges::find(system.properties, Pattern::Reachable, &Property::pattern) != system.properties.end()) {
         out << "--\n";
-        print_comment(
-            out,
-            "A property P that says reachable is asked as its opposite: P holds where never_P is false, and is "
-            "violated where never_P is true. (EF would ask for a way from every initial state and, where "
-            "there are conditions of JUSTICE, for a fair one.)");
+        print_comment(out,
+                      "A property P with the pattern reachable is written as its negation: P holds if never_P is "
+                      "false, and is violated if never_P is true. (EF would require a run from every initial state, "
+                      "and a fair one with JUSTICE conditions.)");
     }
     if (names.changed.empty()) return;
-    out << "--\n-- names that NuSMV does not take as they are\n";
+    out << "--\n"
+           "-- names that are not valid in NuSMV\n";
     for (const Names::Changed& scope : names.changed) {
         out << "--   " << scope.scope << ":\n";
         for (const Renaming& renaming : scope.renamings)

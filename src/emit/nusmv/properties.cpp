@@ -84,7 +84,9 @@ void print_omitted(std::ostream& out, const System::Omitted& omitted) {
     const Property& property = omitted.property;
     out << "\n-- " << property.name;
     if (!property.text.empty()) out << ": " << printable(property.text);
-    out << "\n-- left out: " << omitted.reason << '\n';
+    out << "\n"
+           "-- omitted: "
+        << omitted.reason << '\n';
 }
 
 void print_heading(std::ostream& out, const Property& property, const std::string& legal) {
@@ -93,7 +95,7 @@ void print_heading(std::ostream& out, const Property& property, const std::strin
         out << "-- " << property.name;
         if (!property.text.empty()) out << ": " << printable(property.text);
         if (property.expected_violated) out << " (expected: violated)";
-        if (property.pattern == Pattern::Reachable) out << "; holds where " << legal << " is false";
+        if (property.pattern == Pattern::Reachable) out << "; holds if " << legal << " is false";
         out << '\n';
     }
 }

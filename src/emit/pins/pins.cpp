@@ -178,7 +178,7 @@ void Writer::write_head() {
     fmt::print(out_, "char pins_plugin_name[] = \"{}\";\n\n", harmless(network_.name));
     fmt::print(out_, "enum {{ SLOTS = {}, SCRATCH = {}, GROUPS = {}, LABELS = {} }};\n\n",
                std::max(slots_.names.size(), least_slots), slots_.scratch, groups_.size() + 1, labels_.size() + 1);
-    out_ << R"(/* Set where a term has no value, or a value leaves its range. */
+    out_ << R"(/* Set if a term has no value, or a value leaves its range. */
 static __thread bool broken;
 
 static inline int64_t sum(int64_t a, int64_t b) { int64_t r; broken |= __builtin_add_overflow(a, b, &r); return r; }
@@ -241,7 +241,8 @@ void Writer::write_move(std::size_t index, const Group& group) {
 }
 
 void Writer::write_time() {
-    out_ << "/* Whether some urgent edge can fire: time stands. */\nstatic bool urgent(const int *s) {\n    (void)s;\n "
+    out_ << "/* True if an urgent edge can be taken, so time cannot pass. */\nstatic bool urgent(const int *s) {\n    "
+            "(void)s;\n "
             "   bool "
             "is;\n    (void)is;\n";
     for (std::size_t i = 0; i < groups_.size(); ++i)
@@ -281,13 +282,13 @@ void Writer::write_next() {
     out_ << "\n    0};\nstatic const move_t move[] = {";
     for (std::size_t i = 0; i < groups_.size(); ++i) fmt::print(out_, "{}move_{},", i % 8 == 0 ? "\n    " : " ", i);
     const std::string race = network_.race.valid() && slots_.variables[network_.race.index]
-                                 ? fmt::format("    if (src[{}] != 0) return 0; /* stored actions have raced */\n",
+                                 ? fmt::format("    if (src[{}] != 0) return 0; /* a race of stored actions */\n",
                                                *slots_.variables[network_.race.index])
                                  : "";
     fmt::print(out_, R"(
     0}};
 
-/* The state that a group leads to, in `next`; false: it cannot move, or breaks off. */
+/* The successor by a group, in `next`; false: it cannot move, or has a model error. */
 static bool step(int group, const int *src, int *next) {{
     memcpy(next, src, SLOTS * sizeof(int));
     memset(next + SLOTS, 0, SCRATCH * sizeof(int));
@@ -313,8 +314,8 @@ static int next_state(model_t model, int group, int *src, TransitionCB callback,
 }
 
 void Writer::write_labels() {
-    out_ << R"(/* Whether some move breaks off. */
-static int breaks_off(const int *s) {
+    out_ << R"(/* 1 if some move has a model error. */
+static int has_error(const int *s) {
     int next[SLOTS + SCRATCH + 1];
     for (int group = 0; group < GROUPS - 1; ++group) {
         if (!step(group, s, next) && broken) return 1;
@@ -329,7 +330,7 @@ static int state_label(model_t model, int label, int *s) {
 )";
     for (std::size_t i = 0; i < labels_.size(); ++i)
         fmt::print(out_, "    case {}: return {};\n", i, text(labels_[i].term, "s"));
-    out_ << "    default: return breaks_off(s);\n    }\n}\n\n";
+    out_ << "    default: return has_error(s);\n    }\n}\n\n";
 }
 
 void Writer::write_matrix(const char* name, const std::vector<SlotSet>& rows) {

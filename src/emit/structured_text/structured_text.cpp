@@ -24,7 +24,8 @@ std::string comment_of(const Equations& equations, const Names& names, const Opt
     std::string text =
         fmt::format("{}: controller written by grafverif from the equations of the chart\n", equations.name);
     text +=
-        "One call is one PLC cycle: call it once per cycle of its task, with inputs that do not change meanwhile.\n";
+        "One call is one PLC cycle: call it once per cycle of its task, with inputs that do not change during the "
+        "call.\n";
     text += search ? "With stability search: evolutions follow each other until the situation is stable, then outputs "
                      "are written.\n"
                    : "Without stability search: one evolution per call, outputs are written in every cycle.\n";
@@ -59,11 +60,10 @@ public:
             if (!timer.lasted.empty()) made_.push_back({Section::Local, timer.lasted, "BOOL", false, "FALSE", ""});
             if (!timer.off.empty()) made_.push_back({Section::Local, timer.off, "TOF", true, "", ""});
         }
-        made_.push_back({Section::Output, names_.fault, "INT", false, "0", "what stopped the controller; 0: nothing"});
+        made_.push_back({Section::Output, names_.fault, "INT", false, "0", "reason of the stop; 0: running"});
         made_.push_back({Section::Local, names_.started, "BOOL", false, "FALSE", "the first evolution has been made"});
         if (options.mode == ExecutionMode::EveryCycle) return std::move(made_);
-        made_.push_back(
-            {Section::Local, names_.stable, "BOOL", false, "FALSE", "one more evolution would change nothing"});
+        made_.push_back({Section::Local, names_.stable, "BOOL", false, "FALSE", "the situation is stable"});
         made_.push_back({Section::Local, names_.evolutions, "UDINT", false, "0", "of this cycle"});
         made_.push_back({Section::Constant, names_.limit, "UDINT", false, std::to_string(options.max_evolutions),
                          "of one cycle; more of them are total instability"});
@@ -133,7 +133,7 @@ private:
     const char* own(Id<Expr> term) const {
         const Expr& node = exprs_[term];
         const bool divides = node.op == Op::Divide || node.op == Op::Modulo;
-        if (divides && exprs_[exprs_.operands(term)[1]].op != Op::Integer) return "a division by what is no constant";
+        if (divides && exprs_[exprs_.operands(term)[1]].op != Op::Integer) return "a division by a variable";
         if (divides && exprs_[exprs_.operands(term)[1]].value == 0) return "a division by zero";
         return nullptr;
     }

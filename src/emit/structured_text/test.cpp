@@ -162,8 +162,9 @@ private:
 
     std::vector<UnitVariable> variables() const {
         std::vector<UnitVariable> made = {
-            {Section::Output, names_.done, "BOOL", false, "FALSE", "the test is over"},
-            {Section::Output, names_.passed, "BOOL", false, "FALSE", "it is over, and the controller conforms"},
+            {Section::Output, names_.done, "BOOL", false, "FALSE", "the test is complete"},
+            {Section::Output, names_.passed, "BOOL", false, "FALSE",
+             "the test is complete, and the controller conforms"},
             {Section::Output, names_.failures, "UDINT", false, "0", "scans with a wrong output"},
             {Section::Output, names_.failed_row, "UDINT", false, "0", "the first row with one"},
             {Section::Output, names_.row, "UDINT", false, "1", "the row that runs"},

@@ -29,7 +29,7 @@ std::string_view title(Role role) {
     case Role::FiringCondition: return "firing conditions";
     case Role::Sample: return "inputs as sampled in this cycle";
     case Role::Image: return "outputs not yet written";
-    case Role::TimerEnd: return "ends of timers";
+    case Role::TimerEnd: return "outputs of timers";
     case Role::TimerPending: return "timers to start or stop";
     case Role::Previous: return "previous values, for edges";
     case Role::Watched: return "levels that timers watch";
@@ -53,7 +53,7 @@ std::string_view title(Network::ProcessKind kind) {
 std::string_view grain_text(Grain grain) {
     switch (grain) {
     case Grain::Phased: return "phased (the plant and the timers may move between the phases of a PLC cycle)";
-    case Grain::Atomic: return "atomic (a PLC cycle is one edge: the plant does not move while it runs)";
+    case Grain::Atomic: return "atomic (a PLC cycle is one edge: the plant does not move during the cycle)";
     }
     unreachable();
 }
@@ -97,9 +97,9 @@ void write_header(std::ostream& out, const Network& network, const Names& names)
         << "// Assumed: a PLC cycle takes no time; no time passes while the guard of an edge with `" << names.channel
         << "!` holds.\n";
     for (const auto& [property, reason] : inexpressible(network))
-        out << "// Property " << network.properties[property].name << " is left out: " << reason << ".\n";
-    if (!names.changed.empty()) out << "// Names that UPPAAL cannot take:\n";
-    for (const auto& [name, legal] : names.changed) out << "//   " << name << " is called " << legal << "\n";
+        out << "// Property " << network.properties[property].name << " is omitted: " << reason << ".\n";
+    if (!names.changed.empty()) out << "// Names that are not valid in UPPAAL:\n";
+    for (const auto& [name, legal] : names.changed) out << "//   " << name << " is renamed to " << legal << "\n";
 }
 
 void write_variable(std::ostream& out, const Network::Variable& variable, const std::string& name) {
@@ -175,7 +175,8 @@ void write_system_line(std::ostream& out, const std::vector<std::string>& proces
 
 void write_global_declarations(std::ostream& out, const Network& network, const Names& names) {
     write_header(out, network, names);
-    out << "\n// urgent edges emit on this channel; nobody needs to receive\n"
+    out << "\n"
+           "// urgent edges emit on this channel; no receiver is needed\n"
         << "urgent broadcast chan " << names.channel << ";\n";
     for (const Role role : roles) {
         bool any = false;

@@ -32,8 +32,8 @@ std::string_view reason(Pattern pattern) {
     case Pattern::Watched: return "its observer is not part of this model";
     case Pattern::NoTimelock: return "UPPAAL has no query for `no timelock`";
     case Pattern::AlwaysPossible: return "UPPAAL has no query for `always possible` (AG EF)";
-    case Pattern::RawCtl: return "UPPAAL reads no CTL beyond its own queries";
-    case Pattern::RawLtl: return "UPPAAL reads no LTL";
+    case Pattern::RawCtl: return "UPPAAL does not support CTL beyond its own queries";
+    case Pattern::RawLtl: return "UPPAAL does not support LTL";
     }
     unreachable();
 }
@@ -41,7 +41,7 @@ std::string_view reason(Pattern pattern) {
 /// Additional text in the second line of the comment, if the formula alone is not sufficient.
 std::string_view remark(const Property& property) {
     if (property.pattern == Pattern::RawUppaal) return "as written; ";
-    if (property.at_stable) return "in settled states; ";
+    if (property.at_stable) return "in quiescent states; ";
     return "";
 }
 
@@ -64,7 +64,7 @@ private:
         if (std::ranges::any_of(property.operands, [&](Id<Expr> operand) { return wide_[operand.index]; }))
             why = too_wide;
         if (!why.empty()) {
-            list.push_back({id, property.name, {}, headline(property, property.name) + ": left out; " + why, {}, why});
+            list.push_back({id, property.name, {}, headline(property, property.name) + ": omitted; " + why, {}, why});
             return;
         }
         if (property.pattern == Pattern::ReachableAllSteps) return add_steps(list, id);
@@ -96,7 +96,7 @@ private:
     void add_steps(std::vector<Query>& list, Id<Property> id) {
         const Property& property = network_.properties[id];
         const bool satisfied = !property.expected_violated;
-        const std::string outcome = satisfied ? "expected: satisfied" : "expected of one step at least: not satisfied";
+        const std::string outcome = satisfied ? "expected: satisfied" : "expected for at least one step: not satisfied";
         for (const Id<Network::Variable> step : steps(property)) {
             const std::string name = property.name + '.' + step_variable_name(network_, step);
             list.push_back({id, name,

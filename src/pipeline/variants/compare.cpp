@@ -29,7 +29,7 @@ namespace {
 // -------------------------------------------------------------------------------------------------------
 
 std::string range_text(Type type) {
-    return type.boolean ? "a Boolean" : fmt::format("an integer of {} to {}", type.low, type.high);
+    return type.boolean ? "a Boolean" : fmt::format("an integer from {} to {}", type.low, type.high);
 }
 
 /// False after an error that names each input or output that is not in both.
@@ -59,7 +59,8 @@ std::optional<Chart> beginning_with(Chart chart, const std::vector<Id<Chart::Ste
     for (const Chart::ForcingOrder& order : chart.forcing)
         if (order.to == Chart::ForcedTo::Initial) {
             diagnostics.add(messages::no_such_beginning(
-                order.origin, chart.name, "this order forces the initial situation, which would be another one"));
+                order.origin, chart.name,
+                "this order forces the initial situation, which differs from the selected one"));
             return {};
         }
     for (const Id<Chart::Step> step : chart.steps.ids())
@@ -71,8 +72,9 @@ std::optional<Chart> beginning_with(Chart chart, const std::vector<Id<Chart::Ste
         diagnostics.add(messages::no_such_beginning(
             chart.steps[step].origin, chart.name,
             fmt::format("with it `{}` is {}", step_variable(chart, step),
-                        begins[step.index] ? "active too, by a forcing order or a macro-step; name it too"
-                                           : "not active: it is enclosed or forced; name the step that allows it")));
+                        begins[step.index]
+                            ? "also active, because of a forcing order or a macro-step; add it"
+                            : "not active, because it is enclosed or forced; add the step that activates it")));
         return {};
     }
     return chart;
@@ -189,14 +191,14 @@ private:
     }
 
     static Answered contradiction() {
-        return {Comparison::Outcome::Unknown, "the constraints of both charts leave no inputs", {}};
+        return {Comparison::Outcome::Unknown, "no inputs satisfy the constraints of both charts", {}};
     }
 
     /// `possible` stands for the constraints: if they permit no inputs, the result would be vacuous.
     Answered answered(const Both& both, const PdrResult& found) const {
         if (found.fault && found.fault->kind == SystemFault::Kind::NoInitialState) return contradiction();
         if (found.fault)
-            return {Comparison::Outcome::Unknown, "the model of both charts breaks off: a fault of ours", {}};
+            return {Comparison::Outcome::Unknown, "internal error: the model of both charts has a model error", {}};
         Answered answer{Comparison::Outcome::Equal, {}, {}};
         for (std::size_t k = 0; k < found.verdicts.size(); ++k) {
             const Verdict& verdict = found.verdicts[k];
@@ -232,7 +234,7 @@ private:
         const std::optional<std::size_t> last = rules.difference(scans);
         if (!last) {
             result_.outcome = Comparison::Outcome::Unknown;
-            result_.reason = "the rules of IEC 60848 do not confirm the difference that was found";
+            result_.reason = "internal error: the rules of IEC 60848 do not confirm the difference";
             result_.failures.emplace_back(result_.reason);
             return;
         }
@@ -308,7 +310,7 @@ std::optional<Comparison> compare(const Model& a, Id<Chart> of_a, const Model& b
     Question question(charts[0], charts[1], *equations[0], *equations[1], options, result);
     if (!durations(*equations[0], *equations[1]).empty() &&
         durations(*equations[0], *equations[1]).back() / result.resolution_ms > greatest_integer)
-        result.reason = "a duration has more units of time than are counted; ask for a coarser `--resolution`";
+        result.reason = "a duration has too many time units; use a coarser `--resolution`";
     else if (identical_up_to_names(*equations[0], *equations[1])) question.answer_identical();
     else question.answer();
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -96,7 +96,7 @@ void MutantBench::ask(const Model& mutated, const Asked& asked, const Limits& li
 MutantFate MutantBench::fate_of(const Mutant& mutant, const Limits& limits) const {
     MutantFate fate;
     if (!reads_back(mutant.text))
-        fate.failures.push_back("a mutant is not the text that was made of it: " + mutant.kind + ", " + mutant.subject);
+        fate.failures.push_back("a mutant differs from its text: " + mutant.kind + ", " + mutant.subject);
     Reading reading = read_string(mutant.text, path_, read_);
     const auto chart = reading.model ? find_chart(*reading.model, model_.charts[chart_].name) : std::nullopt;
     if (!chart || !equations_of(*reading.model, *chart, reading.diagnostics))
@@ -114,7 +114,7 @@ MutantFate MutantBench::fate_of(const Mutant& mutant, const Limits& limits) cons
     const bool differs = compared->outcome == Comparison::Outcome::Different;
     if (!fate.noticed_by.empty()) fate.kind = MutantFate::Kind::Noticed;
     else if (differs && fate.undecided.empty() && fate.reason.empty()) fate.kind = MutantFate::Kind::Unnoticed;
-    else if (fate.reason.empty()) fate.reason = differs ? "a property was not decided" : compared->reason;
+    else if (fate.reason.empty()) fate.reason = differs ? "the verdict on a property is unknown" : compared->reason;
     return fate;
 }
 

@@ -55,10 +55,11 @@ public:
             const bool about_states = is_about_all_states(property.pattern);
             made_.ignored.push_back({property.name, !ask_.properties.empty() ? "not selected"
                                                     : about_states           ? "expected violated"
-                                                                             : "not about all states"});
+                                                                             : "not a property of all states"});
         }
         if (made_.kept.empty()) {
-            made_.reason = "every property about states is expected violated; name those to be kept by `--property`";
+            made_.reason =
+                "every property of states is expected violated; select the properties to enforce with `--property`";
             return std::move(made_);
         }
         const Supervision asked = supervision(*system, *marked, loop, *properties);
@@ -103,8 +104,8 @@ private:
         std::vector<bool> known(model.charts.size());
         for (const ClosedLoop::Controller& controller : loop.controllers) {
             if (known[controller.chart.index]) {
-                made_.reason =
-                    fmt::format("two controllers run `{}`, which can have one set of conditions only", controller.name);
+                made_.reason = fmt::format(
+                    "two controllers run `{}`, but conditions apply to both; give each its own chart", controller.name);
                 return false;
             }
             known[controller.chart.index] = true;
@@ -171,7 +172,7 @@ private:
         }
         ChartRun told = project(*system, system_run(flat, run));
         if (const auto wrong = disagreement(told, charts_of(plain, plain.loops[loop_])))
-            made_.failures.push_back(replay_failure("the run that nobody prevents", *wrong));
+            made_.failures.push_back(replay_failure("the trace that no conditions prevent", *wrong));
         else made_.run = tell(std::move(told));
     }
 
@@ -232,7 +233,7 @@ private:
         const auto model = read_again(main_, texts, sources_, sources, ask_.read, diagnostics);
         const auto loop = model ? find_loop(*model, made_.loop) : std::nullopt;
         auto system = loop ? transition_system_of(*model, *loop, untimed(ask_), diagnostics) : std::nullopt;
-        if (!system) return fail("it is not read");
+        if (!system) return fail("it cannot be read");
         if (ask_.marked.empty()) {
             Property marked{.name = marked_, .pattern = Pattern::AlwaysPossible};
             marked.operands = {initial_situation(*system, *model, model->loops[*loop])};
@@ -290,19 +291,19 @@ private:
         made_.failures.insert(made_.failures.end(), report.failures.begin(), report.failures.end());
         for (const Breakdown& breakdown : report.breakdowns) made_.failures.push_back(breakdown.message);
         std::vector<std::string> left = unanswered(report, names);
-        std::string why = "it is not asked";
+        std::string why = "it is not checked";
         for (const Answer& answer : report.answers) {
             const Verdict& verdict = answer.verdict;
             if (verdict.outcome == Outcome::Holds) continue;
             left.push_back(verdict.property);
             why = verdict.reason;
             if (verdict.outcome == Outcome::Violated)
-                made_.failures.push_back(fmt::format("with the conditions the engine {} finds `{}` violated",
+                made_.failures.push_back(fmt::format("with the conditions, engine {} finds `{}` violated",
                                                      report.basis.engine, verdict.property));
         }
         if (!left.empty()) {
             made_.outcome = Supervisor::Outcome::Unknown;
-            made_.reason = fmt::format("conditions were found, and the engine {} does not prove `{}` of them: {}",
+            made_.reason = fmt::format("conditions were found, but engine {} did not prove `{}` for them: {}",
                                        report.basis.engine, left.front(), why);
         }
         return left;

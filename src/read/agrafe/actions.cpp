@@ -36,7 +36,7 @@ tree::Name target(AgrafeReader& reader, pugi::xml_node action) {
 bool has_stray_condition(AgrafeReader& reader, pugi::xml_node action, std::string_view hint) {
     const pugi::xml_node term = child(action, "term");
     if (!term) return false;
-    reader.draft.refuse(reader.xml.where(term), "the condition of an action that has none by its type", hint);
+    reader.draft.refuse(reader.xml.where(term), "the condition of an action whose type has none", hint);
     return true;
 }
 
@@ -54,7 +54,9 @@ std::optional<tree::Action> continuous(AgrafeReader& reader, pugi::xml_node acti
         return {};
     }
     if (conditional) made.condition = agrafe_term(reader, term);
-    else has_stray_condition(reader, action, "say `continuousActionType=\"assignationCondition\"`, or remove the term");
+    else
+        has_stray_condition(reader, action,
+                            "write `continuousActionType=\"assignationCondition\"`, or remove the term");
     const auto length = [&] { return reader.draft.duration(time.rise_ms, reader.xml.where(action, "delayTime")); };
     switch (time.kind) {
     case AgrafeTime::Kind::None: break;
@@ -79,7 +81,7 @@ std::optional<tree::Action> stored(AgrafeReader& reader, pugi::xml_node action) 
     if (!assigned) reader.diagnostics().add(messages::missing_part(made.where, "this stored action", "`value`"));
     else made.assignment.value = agrafe_term(reader, assigned);
     const std::string type = value(action, "storedActionType");
-    const std::string_view hint = "say `storedActionType=\"event\"`, or remove the term";
+    const std::string_view hint = "write `storedActionType=\"event\"`, or remove the term";
     if (type.empty() || type == "activation") {
         made.when = tree::StoredWhen::Activation;
         has_stray_condition(reader, action, hint);
@@ -121,7 +123,7 @@ std::optional<tree::Action> forcing(AgrafeReader& reader, pugi::xml_node action)
         if (reader.index[step].partial != *forced)
             reader.diagnostics().add(messages::misplaced_link(reader.xml.where(action, "forcedSteps"),
                                                               "a step of another partial grafcet is forced",
-                                                              "force steps of the grafcet that the order is about"));
+                                                              "force steps of the grafcet of the order"));
         made.steps.push_back(reader.draft.name(reader.index[step].name, reader.xml.where(action, "forcedSteps")));
     }
     if (made.steps.empty()) made.to = tree::ForcedTo::Empty;

@@ -191,8 +191,9 @@ tree::Step step_of(AgrafeReader& reader, std::size_t entity, std::vector<tree::A
         for (const std::size_t partial : enclosed) content(partial, "partialGrafcets");
         if (!enclosed.empty()) step.kind = tree::StepKind::Enclosing;
         else if (value(one.node, "partialGrafcets").empty())
-            reader.diagnostics().add(messages::without_effect(step.where, "an enclosing step that encloses nothing",
-                                                              "name what it encloses in `partialGrafcets`"));
+            reader.diagnostics().add(messages::without_effect(step.where,
+                                                              "an enclosing step without an enclosed grafcet",
+                                                              "list the enclosed grafcets in `partialGrafcets`"));
     }
     return step;
 }
@@ -240,9 +241,10 @@ void check_enclosure(AgrafeReader& reader, std::size_t entity) {
     if (!step) return;
     const auto enclosed = reader.references(reader.index[*step].node, "partialGrafcets", "partial grafcet", is_plain);
     if (std::ranges::find(enclosed, entity) == enclosed.end())
-        reader.diagnostics().add(messages::misplaced_link(reader.xml.where(partial.node, "enclosingStep"),
-                                                          "this step does not enclose the partial grafcet that says so",
-                                                          "list it in `partialGrafcets` of the step"));
+        reader.diagnostics().add(
+            messages::misplaced_link(reader.xml.where(partial.node, "enclosingStep"),
+                                     "this step does not enclose the partial grafcet that refers to it",
+                                     "list it in `partialGrafcets` of the step"));
 }
 
 // -- the chart ----------------------------------------------------------------------------------------------------------
@@ -282,7 +284,7 @@ void drive_outputs(AgrafeReader& reader, const tree::File& file, tree::Chart& ch
         variables.kind = tree::VariableKind::Output;
         reader.diagnostics().add(
             messages::chosen_kind(variable.where, file.text(variable.name), "output",
-                                  "continuous actions drive it, and conditions read the steps that do"));
+                                  "it is driven by continuous actions; conditions read the steps instead"));
     }
 }
 
@@ -298,12 +300,12 @@ void fill_ranges(AgrafeReader& reader, const tree::File& file, tree::Chart& char
         if (!range.exact)
             reader.diagnostics().add(
                 messages::chosen_range(variable.where, file.text(variable.name), range.low, range.high,
-                                       "the meta-model leaves it open, and the chart computes with it"));
+                                       "the meta-model does not define it, and the chart computes with it"));
         if (variables->kind == tree::VariableKind::Output && range.low < 0) {
             variables->kind = tree::VariableKind::Internal;
             reader.diagnostics().add(
                 messages::chosen_kind(variable.where, file.text(variable.name), "internal variable",
-                                      "an output would begin at the least value of its range, not at 0"));
+                                      "an output would have the minimum of its range as initial value, not 0"));
         }
         variable.range = tree::Range{reader.draft.number(range.low, variable.where),
                                      reader.draft.number(range.high, variable.where)};

@@ -39,7 +39,7 @@ void read_arc(AgrafeReader& reader, pugi::xml_node arc) {
     if (from.partial != to.partial) {
         reader.diagnostics().add(messages::misplaced_link(reader.xml.where(arc),
                                                           "this arc leads from one partial grafcet to another",
-                                                          "links stay within one partial grafcet"));
+                                                          "link steps and transitions of one partial grafcet"));
         return;
     }
     from.out.push_back(*target);
@@ -76,7 +76,7 @@ void check_synchronization(AgrafeReader& reader, std::size_t entity) {
             messages::misplaced_link(reader.xml.where(synchronization.node),
                                      steps ? "this synchronization leads from steps to steps"
                                            : "this synchronization leads from transitions to transitions",
-                                     steps ? "put a transition behind or before it" : "put steps behind or before it"));
+                                     steps ? "add a transition before or after it" : "add steps before or after it"));
     }
 }
 

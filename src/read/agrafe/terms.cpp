@@ -93,7 +93,7 @@ AgrafeTime agrafe_time(AgrafeReader& reader, pugi::xml_node node) {
         if (delay != 0 || reset != 0)
             reader.diagnostics().add(messages::without_effect(
                 reader.xml.where(node, delay != 0 ? "delayTime" : "resetTime"), "a time without `timeConditionType`",
-                "say `timeConditionType=\"timeDependent\"`, or remove the time"));
+                "write `timeConditionType=\"timeDependent\"`, or remove the time"));
         return time;
     }
     if (type == "timeDependent") time.kind = AgrafeTime::Kind::Dependent;

@@ -57,8 +57,7 @@ private:
     Id<st::Expr> of(pugi::xml_node node, std::size_t depth) {
         const Span where = reader_.xml.where(node);
         if (depth > deepest_network) {
-            reader_.draft.refuse(where, "a network that leads back to itself, or is deeper than 200 elements",
-                                 "simplify it");
+            reader_.draft.refuse(where, "a cyclic network, or one with more than 200 levels", "simplify it");
             return {};
         }
         if (is(node, "inVariable")) return variable(node, "negated");
@@ -86,7 +85,7 @@ private:
             reader_.draft.refuse(
                 reader_.xml.where(node, mark),
                 edge ? "an edge in the network of a condition" : "a value stored in the network of a condition",
-                edge ? "keep the value before in a variable of the chart" : "store it in an action");
+                edge ? "store the previous value in a variable of the chart" : "store it in an action");
             return false;
         }
         return true;
@@ -132,7 +131,7 @@ private:
         for (const pugi::xml_node& pin : children(child(node, "inputVariables"), "variable")) {
             if (!passes_on(pin)) return {};
             if (st::capitals(value(pin, "formalParameter")) == "EN")
-                return unsupported(node, "a block that is enabled by a condition of its own");
+                return unsupported(node, "a block with a separate enable condition");
             const Id<st::Expr> one = negated(pin, wired(pin, depth, "an input of this block"));
             if (!one.valid()) return {};
             inputs.push_back(one);
@@ -184,7 +183,7 @@ Id<st::Expr> body_condition(PlcopenReader& reader, pugi::xml_node body, Span whe
         reader.draft.refuse(where, "a network without exactly one coil or variable at its end", "give it one");
         return {};
     }
-    reader.draft.refuse(where, "a condition in another language than Structured Text", "write it in Structured Text");
+    reader.draft.refuse(where, "a condition in a language other than Structured Text", "write it in Structured Text");
     return {};
 }
 

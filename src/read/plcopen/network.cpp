@@ -64,7 +64,7 @@ st::Association association(PlcopenReader& reader, pugi::xml_node action) {
     const pugi::xml_node text = child(child(action, "inline"), "ST");
     if (text) made.body = reader.statements(reader.xml.text(text));
     else
-        reader.draft.refuse(made.where, "an action that is no reference and no Structured Text",
+        reader.draft.refuse(made.where, "an action that is neither a reference nor Structured Text",
                             "write it in Structured Text");
     return made;
 }
@@ -129,7 +129,7 @@ void read_actions(PlcopenReader& reader, const PlcopenNetwork& network, const st
             const auto step = index.find(source.hash_value());
             if (step == index.end()) {
                 reader.diagnostics().add(messages::misplaced_link(
-                    reader.xml.where(element), "this action block hangs on no step", "connect it to a step"));
+                    reader.xml.where(element), "this action block is not connected to a step", "connect it to a step"));
                 continue;
             }
             for (const pugi::xml_node& action : children(element, "action")) {

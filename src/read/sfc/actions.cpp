@@ -70,13 +70,14 @@ public:
         std::vector<std::string> found;
         if (elsewhere(target, where) && told_.insert(target).second)
             found.push_back("several actions assign `" + target +
-                            "`: where two do so in one scan the later one wins, here that is a race");
+                            "`: if two actions do so in one scan, the later one determines the value in the Sequential "
+                            "Function Chart; here it is a race");
         writers_.try_emplace(target, where.begin);
         for (const std::string& read : reads)
             if (elsewhere(read, where) && told_.insert(read + "?").second)
                 found.push_back("`" + read +
-                                "` is read by one action and assigned by another: in one scan they run one after the "
-                                "other, here both see the value before");
+                                "` is read by one action and assigned by another: the Sequential Function Chart runs "
+                                "them sequentially; here both read the previous value");
         return found;
     }
 
@@ -145,7 +146,7 @@ private:
             return refused("the action `" + path + "` of another block", "move it into the block of the chart");
         const SfcVariable& target = variable_of(sfc_, path, one.action.where, SfcKind::Boolean, true);
         if (target.kind != SfcKind::Boolean || target.constant)
-            return refused("an action on `" + path + "`, which is no Boolean variable,", "act on a BOOL");
+            return refused("an action on `" + path + "`, which is not a Boolean variable,", "act on a BOOL");
         if (target.role == tree::VariableKind::Input)
             return refused("an action on the input `" + path + '`', "act on an output");
         Act act{step, target.name, one.qualifier.empty() ? "N" : one.qualifier, one.where};
@@ -170,7 +171,7 @@ private:
         }
         const auto found = duration_of(sfc_, {}, one.time);
         if (found && *found == 0)
-            sfc_.diagnostics().add(messages::bad_value(one.where, "duration", "0", "a time longer than that"));
+            sfc_.diagnostics().add(messages::bad_value(one.where, "duration", "0", "a longer time"));
         return found;
     }
 
@@ -183,8 +184,8 @@ private:
         if (q == "SD" || q == "SL") return outlasting(act);
         if (q == "DS") {
             sfc_.differs(where,
-                         "DS: where the time is over in the scan that leaves the step, the output is set here and not "
-                         "in a Sequential Function Chart");
+                         "DS: if the time expires in the scan that deactivates the step, the output is set here, but "
+                         "not in a Sequential Function Chart");
             return {{on_rise(draft_, act.output, true, timed(draft_, act.milliseconds, 'X' + act.step, where), where)},
                     {}};
         }
@@ -233,8 +234,8 @@ private:
         for (const Act& act : acts) {
             if (act.qualifier != "R") continue;
             if (driven.erase(act.output) != 0)
-                sfc_.differs(act.where, "R of `" + act.output + "`: it wins over every other action on `" + act.output +
-                                            "` as long as its step is active; here it takes back once what is stored");
+                sfc_.differs(act.where, "R of `" + act.output + "`: it overrides every other action on `" + act.output +
+                                            "` while its step is active; here it resets the stored value once");
             for (const char* const suffix : {"_delayed", "_limited"})
                 if (const auto known = latch_of_.find(act.output + suffix); known != latch_of_.end())
                     ends.emplace_back(act.step, on_activation(draft_, known->second, false, act.where));
@@ -299,12 +300,12 @@ private:
         for (const auto& [name, other] : body.effects)
             if (body.reads.contains(name) && depends_on(effect, name)) {
                 refuse(where, "`" + name + "`, which every scan computes from the scan before,",
-                       "use P1 where it is meant once");
+                       "use P1 to execute it once");
                 return {};
             }
         if (!boolean) {
-            refuse(where, "the integer `" + target + "`, which follows others in every scan,",
-                   "use P1 where it is meant once");
+            refuse(where, "the integer `" + target + "`, which is computed from others in every scan,",
+                   "use P1 to execute it once");
             return {};
         }
         std::vector<tree::Action> actions = once(where, target, effect, tree::StoredWhen::Activation);

@@ -50,7 +50,7 @@ private:
         case st::StatementKind::Call: return call(statement, std::move(state), calls);
         case st::StatementKind::For:
         case st::StatementKind::While:
-        case st::StatementKind::Repeat: return refuse(statement.where, "a loop", "write out its passes");
+        case st::StatementKind::Repeat: return refuse(statement.where, "a loop", "write out its iterations");
         case st::StatementKind::Return:
         case st::StatementKind::Exit: return refuse(statement.where, "a jump out of the statements", "use `IF`");
         }
@@ -61,14 +61,14 @@ private:
         const std::string path = path_of(sfc_.file, statement.target);
         const Span where = sfc_.file.exprs[statement.target].where;
         if (path.empty())
-            return refuse(where, "an assignment to a part of an array or pointer", "use a variable of its own");
+            return refuse(where, "an assignment to a part of an array or pointer", "use a separate variable");
         const auto known = sfc_.by_name.find(st::capitals(path));
         SfcTerm value = term(statement.value, state,
                              known == sfc_.by_name.end() ? SfcKind::Boolean : sfc_.variables[known->second].kind);
         if (value.kind == SfcKind::Bad) return {};
         const SfcVariable& target = variable_of(sfc_, path, where, value.kind, true);
         if (target.role == tree::VariableKind::Input) {
-            refuse(where, "an assignment to the input `" + path + '`', "assign a variable of the chart's own");
+            refuse(where, "an assignment to the input `" + path + '`', "assign a variable of the chart");
             return left_out(std::move(state));
         }
         const tree::Expr node = sfc_.draft[value.expr];
@@ -76,7 +76,7 @@ private:
             node.value <= 1)
             value = {sfc_.draft.constant(node.value == 1, node.where), SfcKind::Boolean};
         if (target.kind != value.kind || target.kind == SfcKind::Time)
-            return refuse(where, "an assignment of another type than BOOL and integers", "use variables of one type");
+            return refuse(where, "an assignment of a type other than BOOL and integers", "use variables of one type");
         if (target.kind == SfcKind::Integer) state[target.name] = {{}, {}, value.expr};
         else state[target.name] = {value.expr, sfc_.draft.constant(false, where), {}};
         return state;
@@ -94,7 +94,7 @@ private:
             if (calls >= deepest_call) return refuse(statement.where, "an action that calls itself", "write it out");
             return run(action.body, std::move(state), calls + 1);
         }
-        refuse(statement.where, "a call of a function block", "write what it does with Boolean and integer variables");
+        refuse(statement.where, "a call of a function block", "replace it by Boolean and integer variables");
         return left_out(std::move(state));  // its results are declared elsewhere and become inputs of the chart
     }
 
@@ -181,7 +181,7 @@ private:
                 });
             if (touched)
                 return refuse(statement.where, "an integer that is assigned under a condition",
-                              "assign it in a step of its own");
+                              "assign it in a separate step");
             effect = old->second;
         }
         return result;

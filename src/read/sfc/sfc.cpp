@@ -41,7 +41,7 @@ Id<tree::Expr> unknown_condition(Sfc& sfc, Span where) {
     variable.name = sfc.names.invent("unknown_condition");
     variable.where = where;
     variable.used = true;
-    variable.comment = "stands for a condition that is left out";
+    variable.comment = "replaces an omitted condition";
     sfc.variables.push_back(variable);
     return sfc.draft.variable(variable.name, where);
 }
@@ -139,15 +139,15 @@ std::vector<tree::ChartItem> transitions_of(Sfc& sfc, const st::Network& network
         transition.to = labels_of(sfc, written.to);
         comment(sfc, transition.where, written.comment);
         if (transition.from.empty() || transition.to.empty()) {
-            sfc.diagnostics().add(messages::missing_part(
-                transition.where, "this transition", transition.from.empty() ? "step before it" : "step behind it"));
+            sfc.diagnostics().add(messages::missing_part(transition.where, "this transition",
+                                                         transition.from.empty() ? "step before it" : "step after it"));
             continue;
         }
         for (const st::Name& from : written.from)
             if (std::ranges::find(written.to, from.word, &st::Name::word) != written.to.end())
-                sfc.differs(transition.where,
-                            "this transition leads back to the step `" + std::string(sfc.file.text(from)) +
-                                "`, which stays active here; its times and actions do not begin anew");
+                sfc.differs(transition.where, "this transition leads back to the step `" +
+                                                  std::string(sfc.file.text(from)) +
+                                                  "`, which stays active here; its timers and actions do not restart");
         items.emplace_back(std::move(transition));
     }
     return items;
@@ -178,11 +178,12 @@ void add_ranges(Sfc& sfc, tree::Chart& chart) {
         one.range = tree::Range{sfc.draft.number(range.low, one.where), sfc.draft.number(range.high, one.where)};
         if (!range.exact && variable->wide)
             sfc.diagnostics().add(messages::chosen_range(one.where, sfc.draft.text(one.name), range.low, range.high,
-                                                         "its type holds more than charts do"));
+                                                         "the range of its type exceeds that of charts"));
         if (output && range.low != variable->initial) {
             declared->kind = tree::VariableKind::Internal;
-            sfc.diagnostics().add(messages::chosen_kind(one.where, sfc.draft.text(one.name), "internal variable",
-                                                        "an output would begin at the least value of its range"));
+            sfc.diagnostics().add(
+                messages::chosen_kind(one.where, sfc.draft.text(one.name), "internal variable",
+                                      "an output would have the minimum of its range as initial value"));
         }
         if (declared->kind == tree::VariableKind::Internal) one.value = sfc.draft.number(variable->initial, one.where);
     }
@@ -215,8 +216,8 @@ void convert(const st::File& file, const st::Unit& unit, LegalNames& charts, Dra
     chart.name = draft.name(charts.make(file.text(unit.name), unit.name.where), unit.name.where);
     comment(sfc, chart.where, unit.comment);
     if (!unit.body.empty())
-        draft.refuse(file.statements[unit.body.front()].where, "statements beside the chart",
-                     "put them into an action");
+        draft.refuse(file.statements[unit.body.front()].where, "statements outside the chart",
+                     "move them to an action");
     name_steps(sfc);
     classify_variables(sfc);
     SfcActions actions = actions_of(sfc);
@@ -245,7 +246,7 @@ void convert(const st::File& file, const st::Unit& unit, LegalNames& charts, Dra
     split_mixed_actions(draft, chart);
     draft.group_variables(chart);
     draft.comment(chart.where,
-                  "// A Sequential Function Chart makes one evolution a scan: check it with `--mode every-cycle`.");
+                  "// A Sequential Function Chart makes one evolution per scan: check it with `--mode every-cycle`.");
     draft.declare(std::move(chart));
 }
 

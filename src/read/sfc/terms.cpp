@@ -51,7 +51,8 @@ SfcTerm refused(Sfc& sfc, Span where, std::string_view what,
 /// Value of a variable: a constant, the value assigned earlier in the body, or the variable itself.
 SfcTerm variable_term(Sfc& sfc, const SfcScope& scope, const std::string& path, Span where, SfcKind expected) {
     const SfcVariable& variable = variable_of(sfc, path, where, expected, false);
-    if (variable.kind == SfcKind::Bad) return refused(sfc, where, "`" + path + "`, which is no BOOL, integer or TIME,");
+    if (variable.kind == SfcKind::Bad)
+        return refused(sfc, where, "`" + path + "`, which is not BOOL, integer or TIME,");
     if (variable.constant || variable.kind == SfcKind::Time) {
         if (variable.kind == SfcKind::Time && !variable.constant)
             return refused(sfc, where, "the variable time `" + path + '`', "give it a constant value");
@@ -104,7 +105,7 @@ std::optional<SfcTerm> step_time(Sfc& sfc, const SfcScope& scope, const st::Expr
     if (!time) return SfcTerm{};
     if (std::ranges::find(scope.left, step, &st::Name::word) == scope.left.end())
         return refused(sfc, node.where, "the time of a step that this transition does not leave",
-                       "use it in a transition behind the step");
+                       "use it in a transition after the step");
     const bool from_below = left.valid() ? node.op == st::Op::Greater || node.op == st::Op::GreaterEqual
                                          : node.op == st::Op::Less || node.op == st::Op::LessEqual;
     const bool ordered = node.op != st::Op::Equal && node.op != st::Op::NotEqual;
@@ -239,8 +240,7 @@ Id<tree::Expr> boolean_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr) {
     const SfcTerm term = coerced(sfc, term_of(sfc, scope, expr, SfcKind::Boolean), SfcKind::Boolean);
     if (term.kind == SfcKind::Boolean || term.kind == SfcKind::Bad)
         return term.kind == SfcKind::Bad ? Id<tree::Expr>{} : term.expr;
-    refused(sfc, sfc.file.exprs[expr].where, "an integer or time in the place of a condition",
-            "compare it with a value");
+    refused(sfc, sfc.file.exprs[expr].where, "an integer or time instead of a condition", "compare it with a value");
     return {};
 }
 
@@ -248,7 +248,7 @@ std::optional<std::int64_t> duration_of(Sfc& sfc, const SfcScope& scope, Id<st::
     const SfcTerm term = term_of(sfc, scope, expr, SfcKind::Time);
     if (term.kind == SfcKind::Time) return sfc.draft[term.expr].value;
     if (term.kind != SfcKind::Bad)
-        refused(sfc, sfc.file.exprs[expr].where, "a time that is no duration", "write it as in `T#5s`");
+        refused(sfc, sfc.file.exprs[expr].where, "an invalid duration", "write it as in `T#5s`");
     return {};
 }
 

@@ -130,8 +130,7 @@ void set_role(Sfc& sfc, SfcVariable& variable, const st::Variable& declared, boo
         variable.role = Role::Internal;
         if (output)
             sfc.diagnostics().add(messages::chosen_kind(declared.name.where, sfc.file.text(declared.name),
-                                                        "internal variable",
-                                                        "no output begins with a value of its own"));
+                                                        "internal variable", "outputs have no initial value"));
     }
 }
 

@@ -75,8 +75,8 @@ void print_scans(const Comparison& comparison, std::ostream& out) {
     for (const auto& row : rows) print_row(row, widths, out);
     const Comparison::Answer &a = comparison.answers[0].back(), &b = comparison.answers[1].back();
     if (!a.stop.empty() || !b.stop.empty())
-        out << fmt::format("  in the last scan `{}` stops and the other goes on\n", a.stop.empty() ? "b" : "a");
-    else out << fmt::format("  in the last scan they differ in {}\n", printable(differing(comparison, a, b)));
+        out << fmt::format("  in the last scan, `{}` stops and the other continues\n", a.stop.empty() ? "b" : "a");
+    else out << fmt::format("  in the last scan, they differ in {}\n", printable(differing(comparison, a, b)));
 }
 
 std::string outcome_text(const Comparison& comparison, Colour colour) {
@@ -90,12 +90,12 @@ std::string outcome_text(const Comparison& comparison, Colour colour) {
 
 /// The assumptions of the verdict.
 void print_basis(const Comparison& comparison, std::ostream& out) {
-    out << fmt::format("  a scan is one cycle of a PLC, mode {}", word(comparison.mode));
+    out << fmt::format("  a scan is one PLC cycle, mode {}", word(comparison.mode));
     if (comparison.resolution_ms > 0)
-        out << fmt::format("; scans come at any multiples of {}", duration_text(comparison.resolution_ms));
+        out << fmt::format("; scans occur at arbitrary multiples of {}", duration_text(comparison.resolution_ms));
     out << '\n';
     if (!comparison.from[0].empty())
-        out << fmt::format("  as if a began with {{{}}} and b with {{{}}}\n", printable(comparison.from[0]),
+        out << fmt::format("  a starts in {{{}}} and b in {{{}}}\n", printable(comparison.from[0]),
                            printable(comparison.from[1]));
     if (comparison.constrained) out << "  the constraints of both charts are assumed\n";
 }
@@ -104,14 +104,14 @@ void print_sentence(const Comparison& comparison, std::ostream& out) {
     const std::size_t scans = comparison.scans.size();
     switch (comparison.outcome) {
     case Comparison::Outcome::Equal:
-        out << "  whatever the inputs" << (comparison.resolution_ms > 0 ? ", however long it is between scans" : "")
-            << ": both write the same outputs in every scan, or both stop in the same\n";
+        out << "  for all inputs" << (comparison.resolution_ms > 0 ? " and all times between scans" : "")
+            << ", both write the same outputs in every scan, or both stop in the same scan\n";
         return;
     case Comparison::Outcome::Different:
-        out << fmt::format("  told apart by {} scan{}{}, replayed on the rules of IEC 60848:\n", scans,
-                           scans == 1 ? "" : "s", comparison.shortest ? ", fewer do not" : "");
+        out << fmt::format("  distinguished by {} scan{}{}, replayed on the rules of IEC 60848:\n", scans,
+                           scans == 1 ? "" : "s", comparison.shortest ? ", the minimum" : "");
         return;
-    case Comparison::Outcome::Unknown: out << fmt::format("  not decided: {}\n", printable(comparison.reason)); return;
+    case Comparison::Outcome::Unknown: out << fmt::format("  inconclusive: {}\n", printable(comparison.reason)); return;
     }
 }
 
@@ -165,8 +165,8 @@ void print_answer(const Comparison& comparison, Colour colour, std::ostream& out
 
 void print_comparison(const Comparison& comparison, Colour colour, std::ostream& out) {
     print_answer(comparison, colour, out);
-    out << (comparison.changes.empty() ? "the texts say the same, but for order and layout\n"
-                                       : "what the texts say, from a to b:\n");
+    out << (comparison.changes.empty() ? "the texts differ at most in order and layout\n"
+                                       : "differences of the texts, from a to b:\n");
     print_changes(comparison.changes, out);
 }
 

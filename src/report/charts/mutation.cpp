@@ -70,16 +70,16 @@ void print_scores(const Mutation& mutation, std::ostream& out) {
     const Score specified = of_specification(mutation), tested = of_tests(mutation);
     // A run that was stopped early has not found the properties yet.
     if (mutation.properties.empty() && not_judged(mutation) == 0)
-        out << "no property to notice them: no closed loop has this chart\n";
+        out << "no properties: no closed loop contains this chart\n";
     else
-        out << fmt::format("the specification notices {} of {}{}{}\n", specified.noticed, specified.judged,
+        out << fmt::format("the specification detects {} of {}{}{}\n", specified.noticed, specified.judged,
                            percent(specified), yet);
     if (mutation.test_steps)
-        out << fmt::format("the test sequence, {} steps, catches {} of {}{}{}\n", *mutation.test_steps, tested.noticed,
+        out << fmt::format("the test sequence ({} steps) detects {} of {}{}{}\n", *mutation.test_steps, tested.noticed,
                            tested.judged, percent(tested), yet);
-    else if (!mutation.no_test.empty()) out << fmt::format("no test sequence to catch them [{}]\n", mutation.no_test);
+    else if (!mutation.no_test.empty()) out << fmt::format("no test sequence [{}]\n", mutation.no_test);
     for (const std::string& property : mutation.properties)
-        out << fmt::format("  {} notices {}{}{}\n", printable(property), notices(mutation, property), yet,
+        out << fmt::format("  {} detects {}{}{}\n", printable(property), notices(mutation, property), yet,
                            is_vacuous(mutation, property) ? "; holds vacuously" : "");
 }
 
@@ -91,7 +91,7 @@ void print_mutant(const Mutation& mutation, std::size_t index, const Sources& so
     if (!fate.reason.empty()) out << ": " << printable(fate.reason);
     for (const std::string& property : fate.undecided) out << ", " << printable(property) << " undecided";
     for (const std::string& property : fate.vacuous) out << ", " << printable(property) << " holds vacuously";
-    if (fate.caught) out << (*fate.caught ? "; the test sequence catches it" : "; the test sequence does not catch it");
+    if (fate.caught) out << (*fate.caught ? "; detected by the test sequence" : "; not detected by the test sequence");
     out << fmt::format("\n      {}\n  now {}\n", printable(mutant.before), printable(mutant.after));
 }
 
@@ -131,23 +131,22 @@ nlohmann::ordered_json mutant_json(const Mutant& mutant, const std::optional<Mut
 }  // namespace
 
 void print_mutation(const Mutation& mutation, const Sources& sources, std::ostream& out) {
-    out << fmt::format("`{}`: {} mistakes, one at a time", printable(mutation.chart), mutation.mutants.size());
-    if (mutation.possible > mutation.mutants.size()) out << fmt::format(", of {} there are", mutation.possible);
+    out << fmt::format("`{}`: {} mutants", printable(mutation.chart), mutation.mutants.size());
+    if (mutation.possible > mutation.mutants.size()) out << fmt::format(", of {} possible", mutation.possible);
     out << '\n';
     const auto counted = [&](Fate kind, const char* words) {
         if (const std::size_t count = count_of(mutation, kind)) out << fmt::format("{:>5} {}\n", count, words);
     };
-    counted(Fate::Equivalent, "equivalent: proved that nobody at the outputs sees them");
-    counted(Fate::Noticed, "noticed by a property");
-    counted(Fate::Unnoticed, "told apart from the chart, and noticed by no property");
-    counted(Fate::Refused, "refused when they are read");
-    counted(Fate::Unknown, "not decided");
-    if (const std::size_t count = not_judged(mutation))
-        out << fmt::format("{:>5} not judged: the run was stopped\n", count);
+    counted(Fate::Equivalent, "equivalent: proved to have the same outputs");
+    counted(Fate::Noticed, "killed by a property");
+    counted(Fate::Unnoticed, "survived: different outputs, but killed by no property");
+    counted(Fate::Refused, "invalid: rejected as input");
+    counted(Fate::Unknown, "undecided");
+    if (const std::size_t count = not_judged(mutation)) out << fmt::format("{:>5} not checked: stopped early\n", count);
     print_scores(mutation, out);
-    print_those(mutation, Fate::Unnoticed, "noticed by no property:", sources, out);
-    print_those(mutation, Fate::Unknown, "not decided:", sources, out);
-    print_those(mutation, Fate::Refused, "refused:", sources, out);
+    print_those(mutation, Fate::Unnoticed, "survived:", sources, out);
+    print_those(mutation, Fate::Unknown, "undecided:", sources, out);
+    print_those(mutation, Fate::Refused, "invalid:", sources, out);
 }
 
 std::string mutation_json(const Mutation& mutation, const Sources& sources) {

@@ -137,9 +137,9 @@ void Lexer::report_unexpected(Kind seen, Span where, std::span<const Kind> expec
     if (again) return;
     const std::string_view text = seen_text(where);
     if (seen == Symbols::S_IS && contains(expected, Symbols::S_EQUAL))
-        return diagnostics_->add(messages::single_equals(where, "comparison", "=="));
+        return diagnostics_->add(messages::single_equals(where, "a comparison operator", "=="));
     if (seen == Symbols::S_IS && contains(expected, Symbols::S_ASSIGN))
-        return diagnostics_->add(messages::single_equals(where, "assignment", ":="));
+        return diagnostics_->add(messages::single_equals(where, "an assignment", ":="));
     if (seen == Symbols::S_IDENTIFIER && contains(expected, Symbols::S_AND)) {
         if (text == "AND" || text == "And") return diagnostics_->add(messages::other_spelling(where, text, "&&"));
         if (text == "OR" || text == "Or") return diagnostics_->add(messages::other_spelling(where, text, "||"));

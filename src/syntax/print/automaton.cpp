@@ -52,7 +52,7 @@ Json evolution_json(const Automaton& automaton, const Automaton::Evolution& evol
 }
 
 std::string timer_line(const Automaton& automaton, const Automaton::Input& timer) {
-    std::string text = timer.name + ": the end of a timer; a tester can only wait for it";
+    std::string text = timer.name + ": output of a timer; a tester can only wait for it";
     const std::string what = watched_text(automaton, timer);
     const bool step = timer.timed.valid();
     if (timer.rise_ms != 0)
@@ -128,7 +128,7 @@ void print_automaton(std::ostream& out, const Automaton& automaton, bool details
     out << fmt::format("Location automaton of {}, {}\n", automaton.name, word(automaton.mode));
     if (!automaton.complete)
         out << fmt::format(
-            "not searched to its end: the evolutions of {} locations are known, {} were found and not looked at\n",
+            "incomplete: the evolutions of {} locations are known, {} further locations are unexplored\n",
             automaton.looked_at, count.locations - automaton.looked_at);
     out << fmt::format("{0}{1} locations, INIT included\n{0}{2} evolutions, {3} of them from INIT\n", least,
                        count.locations, count.evolutions, count.evolutions_from_init);

@@ -34,7 +34,7 @@ void Reader::advance() {
     for (const std::string_view comment : {"--", "//", "/*"})
         if (rest.starts_with(comment) && !rest.starts_with("-->"))
             return fail(begin_, begin_ + 2,
-                        fmt::format("`{}` begins a comment, which has no place in a formula", comment));
+                        fmt::format("`{}` starts a comment, which is not allowed in a formula", comment));
     if (is_letter(rest[0])) {
         kind_ = Kind::Name;
         end_ =
@@ -44,7 +44,7 @@ void Reader::advance() {
     if (is_digit(rest[0])) {
         kind_ = Kind::Number;
         end_ = ends(is_digit);
-        if (end_ < text_.size() && is_letter(text_[end_])) fail(begin_, end_ + 1, "numbers are made of digits only");
+        if (end_ < text_.size() && is_letter(text_[end_])) fail(begin_, end_ + 1, "a number has only digits");
         else if (end_ - begin_ > 9) fail_here("a number of more than nine digits");
         return;
     }
@@ -56,13 +56,13 @@ void Reader::advance() {
 
 void Reader::refuse_character() {
     const auto byte = static_cast<unsigned char>(text_[begin_]);
-    if (byte == ';') return fail(begin_, begin_ + 1, "`;` would end it; a property is one formula");
+    if (byte == ';') return fail(begin_, begin_ + 1, "`;` would terminate it; a property is one formula");
     std::size_t end = begin_ + 1;
     while (byte >= 0x80 && end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0U) == 0x80U) ++end;
     const bool printable = byte > 0x20 && byte != 0x7F;
     const std::string shown =
         printable ? fmt::format("`{}`", text_.substr(begin_, end - begin_)) : fmt::format("byte 0x{:02X}", byte);
-    fail(begin_, end, fmt::format("{} has no place in a formula", shown));
+    fail(begin_, end, fmt::format("{} is not allowed in a formula", shown));
 }
 
 bool Reader::accept(std::string_view token) {

@@ -56,11 +56,12 @@ private:
 
     void require(const Part& part, Type type, std::string_view who) {
         if (part.type == Type::Any || part.type == type) return;
-        fail(part.begin, part.end, fmt::format("{} is {}, this is {}", who, described(type), described(part.type)));
+        fail(part.begin, part.end,
+             fmt::format("expected {1} for {0}, found {2}", who, described(type), described(part.type)));
     }
     void require_plain(const Part& part, std::string_view op) {
         if (!part.temporal) return;
-        fail(part.begin, part.end, fmt::format("`{}` takes no operand with an operator of paths in it", op));
+        fail(part.begin, part.end, fmt::format("an operand of `{}` contains a path operator", op));
     }
     void require_alike(const Part& left, const Part& right, std::string_view op) {
         if (left.type == Type::Any || right.type == Type::Any || left.type == right.type) return;
@@ -277,7 +278,7 @@ private:
     Part call() {
         const std::size_t begin = begin_;
         const std::string function(here());
-        if (function == "next" && !ltl_) fail_here("`next` speaks of a step, and CTL of states; LTL may use it");
+        if (function == "next" && !ltl_) fail_here("`next` is allowed only in LTL, not in CTL");
         if (function == "next" && in_next_) fail_here("`next` in `next`");
         advance();
         expect("(");
@@ -313,10 +314,9 @@ private:
         }
         if (!names_ || fault_) return {begin, before_, Type::Any, false};
         const std::optional<FormulaName> known = names_(path);
-        if (!known) fail(begin, before_, fmt::format("the model has nothing called `{}`", path));
+        if (!known) fail(begin, before_, fmt::format("the model does not declare `{}`", path));
         else if (known->of_steps && !ltl_)
-            fail(begin, before_,
-                 fmt::format("`{}` is chosen anew in each step, and CTL speaks of states; LTL may read it", path));
+            fail(begin, before_, fmt::format("`{}` is chosen in each step and allowed only in LTL, not in CTL", path));
         return {begin, before_, known ? known->type : Type::Any, false};
     }
 
@@ -328,11 +328,11 @@ private:
         static constexpr std::array<std::string_view, 11> of_ltl{"X", "Y", "Z", "G", "H", "F", "O", "U", "S", "V", "T"};
         const auto among = [word](const auto& words) { return std::ranges::find(words, word) != words.end(); };
         if (among(ltl_ ? std::span<const std::string_view>(of_ctl) : std::span<const std::string_view>(of_ltl)))
-            return fail_here(fmt::format("`{}` is an operator of {}, and this is a formula of {}", word,
-                                         ltl_ ? "CTL" : "LTL", ltl_ ? "LTL" : "CTL"));
+            return fail_here(fmt::format("`{}` is an operator of {}, but the formula is {}", word, ltl_ ? "CTL" : "LTL",
+                                         ltl_ ? "LTL" : "CTL"));
         if (is_reserved(Target::Nusmv, word)) return expected("an operand");
         if (word.find_first_of("$#-") != std::string_view::npos)
-            fail_here(fmt::format("NuSMV takes `{}` for one name; put a blank before the operator", word));
+            fail_here(fmt::format("NuSMV reads `{}` as one name; insert a blank before the operator", word));
     }
 
     bool ltl_ = false;

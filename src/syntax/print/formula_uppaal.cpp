@@ -30,7 +30,7 @@ public:
         expression();
         if (!of_paths) {
             if (kind_ == Kind::End && !fault_)
-                return fail_here("it begins with `A[]`, `A<>`, `E<>` or `E[]`, or is `p --> q`");
+                return fail_here("it must start with `A[]`, `A<>`, `E<>` or `E[]`, or have the form `p --> q`");
             expect("-->");
             expression();
         }
@@ -49,7 +49,7 @@ private:
 
     void refuse_operator() {
         if (is_one_of({"=", ":=", "++", "+="}))
-            return fail_here(fmt::format("{} changes what it looks at; equal is `==`", shown()));
+            return fail_here(fmt::format("{} is an assignment; write `==` for equality", shown()));
         expected("an operator or the end");
     }
 
@@ -86,7 +86,7 @@ private:
             if (accept(".")) number();
         } else if (accept("true") || accept("false")) {
         } else if (is("deadlock")) {
-            if (!deadlock_) fail_here("`deadlock` stands in `A[]` and `E<>` only");
+            if (!deadlock_) fail_here("`deadlock` is allowed only in `A[]` and `E<>`");
             advance();
         } else if (accept("abs")) {
             expect("(");
@@ -119,7 +119,7 @@ private:
         const bool bound = std::ranges::find(bound_, path) != bound_.end();
         while (accept(".")) path += '.' + word();
         if (names_ && !bound && !fault_ && !names_(path))
-            fail(begin, before_, fmt::format("the model has nothing called `{}`", path));
+            fail(begin, before_, fmt::format("the model does not declare `{}`", path));
     }
 
     /// `forall (i : int[0, 3]) ...`

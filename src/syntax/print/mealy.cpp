@@ -215,7 +215,7 @@ std::string traps_text(const TestSequence& test) {
     for (std::size_t k = 0; k < std::min(found.size(), most); ++k)
         text += (k == 0 ? "" : k + 1 == found.size() ? " and " : ", ") + found[k];
     if (found.size() > most) text += fmt::format(" and {} more", found.size() - most);
-    return text.empty() ? text : "; nothing leads back from " + text;
+    return text.empty() ? text : "; no transition leads back from " + text;
 }
 
 }  // namespace

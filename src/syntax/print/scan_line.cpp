@@ -60,18 +60,16 @@ ScanValues read_scan_line(std::string_view line, std::span<const ScanColumn> col
     const std::vector<std::string_view> words = words_of(line, columns.size());
     if (words.size() != columns.size()) {
         const bool more = words.size() > columns.size();
-        return {
-            {},
-            fmt::format("{}{} value{} where {} {} asked for", more ? "more than " : "",
-                        more ? columns.size() : words.size(), (more ? columns.size() : words.size()) == 1 ? "" : "s",
-                        columns.size(), columns.size() == 1 ? "is" : "are")};
+        return {{},
+                fmt::format("{}{} value{}, expected {}", more ? "more than " : "", more ? columns.size() : words.size(),
+                            (more ? columns.size() : words.size()) == 1 ? "" : "s", columns.size())};
     }
     std::vector<std::int64_t> values;
     values.reserve(words.size());
     for (std::size_t k = 0; k < words.size(); ++k) {
         const std::optional<std::int64_t> value = number(words[k]);
         const Type& type = columns[k].type;
-        if (!value) return {{}, fmt::format("`{}` is no value of `{}`", shown_line(words[k]), columns[k].name)};
+        if (!value) return {{}, fmt::format("`{}` is not a value of `{}`", shown_line(words[k]), columns[k].name)};
         if (*value < type.low || *value > type.high)
             return {{}, fmt::format("`{}` of `{}` is outside {}", *value, columns[k].name, range_text(type))};
         values.push_back(*value);

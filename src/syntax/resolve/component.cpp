@@ -55,7 +55,7 @@ void resolve_constraint(ComponentScope& scope, const tree::Constraint& written) 
         const std::string& name =
             node.op == Op::Variable ? component.variables[{index}].name : component.parameters[{index}].name;
         if (node.op == Op::Variable || component.parameters[{index}].kind == Component::ParameterKind::Input)
-            scope.diagnostics.add(messages::constraint_reads(written.where, name, "output of the component"));
+            scope.diagnostics.add(messages::constraint_reads(written.where, name, "an output of the component"));
     }
     scope.component.constraints.push_back({condition, written.where});
 }

@@ -77,7 +77,7 @@ void resolve_edge(LoopScope& scope, Id<Observer> observer, const tree::ObserverE
 bool reads_inputs_only(LoopScope& scope, Id<Expr> condition, Span where) {
     bool only = true;
     const auto refuse = [&](const std::string& name) {
-        scope.diagnostics.add(messages::constraint_reads(where, name, "input of a controller"));
+        scope.diagnostics.add(messages::constraint_reads(where, name, "an input of a controller"));
         only = false;
     };
     const ClosedLoop& loop = scope.loop;

@@ -188,8 +188,8 @@ ValueKind value_kind(ComponentScope& scope, const tree::Variable& written) {
     case tree::TypeWord::Bool: return ValueKind::Boolean;
     case tree::TypeWord::Int: return ValueKind::Integer;
     case tree::TypeWord::Duration:
-        scope.diagnostics.add(
-            messages::misplaced_type(written.where, "only constants are durations; declare a `clock` to measure time"));
+        scope.diagnostics.add(messages::misplaced_type(
+            written.where, "durations are allowed only for constants; declare a `clock` to measure time"));
         return ValueKind::Boolean;
     }
     unreachable();
@@ -215,7 +215,7 @@ void resolve_range(ComponentScope& scope, const tree::Variable& written, Declare
             scope.diagnostics.add(messages::unbounded_integer(written.where, declared.name));
         if (term.kind == Kind::Duration)
             scope.diagnostics.add(messages::misplaced_type(
-                written.where, "only constants are durations; declare a `clock` to measure time"));
+                written.where, "durations are allowed only for constants; declare a `clock` to measure time"));
         if (term.kind == Kind::Boolean) declared.initial = term.expr;
         return;
     }
@@ -237,14 +237,14 @@ Component::ParameterKind parameter_kind(tree::VariableKind kind) {
 void check_input(ComponentScope& scope, const tree::Variable& written) {
     if (written.range)
         scope.diagnostics.add(messages::misplaced_type(
-            written.where, "an integer input takes the range of what it is bound to; leave out the range"));
+            written.where, "an integer input has the range of its argument; remove the range"));
     if (written.value.valid())
         scope.diagnostics.add(messages::misplaced_value(scope.file.exprs[written.value].where, "input"));
 }
 
 void check_constant(ComponentScope& scope, const tree::Variable& written) {
     if (written.range)
-        scope.diagnostics.add(messages::misplaced_type(written.where, "a constant has no range; leave it out"));
+        scope.diagnostics.add(messages::misplaced_type(written.where, "a constant has no range; remove it"));
 }
 
 }  // namespace

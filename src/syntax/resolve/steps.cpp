@@ -122,8 +122,7 @@ void check_marks(ChartScope& scope, const WrittenStep& written) {
     if (step.exit && kind != Chart::PartialKind::Expansion)
         scope.diagnostics.add(messages::misplaced_mark(step.origin, "exit", "an `expansion`"));
     if (step.activation_link && kind != Chart::PartialKind::Enclosed)
-        scope.diagnostics.add(
-            messages::misplaced_mark(step.origin, "linked", "a partial chart that some step encloses"));
+        scope.diagnostics.add(messages::misplaced_mark(step.origin, "linked", "an enclosed partial chart"));
 }
 
 void check_expansions(ChartScope& scope) {

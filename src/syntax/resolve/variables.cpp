@@ -35,9 +35,8 @@ Type type_of(ChartScope& scope, const tree::Variable& written) {
     switch (written.type) {
     case tree::TypeWord::Bool: return {};
     case tree::TypeWord::Duration:
-        scope.diagnostics.add(messages::misplaced_type(written.where,
-                                                       "a chart has no variables of durations; write time "
-                                                       "conditions, as in `3s/X2`"));
+        scope.diagnostics.add(messages::misplaced_type(
+            written.where, "variables of a chart cannot be durations; write time conditions, as in `3s/X2`"));
         return {};
     case tree::TypeWord::None: {
         if (!written.value.valid()) return {};

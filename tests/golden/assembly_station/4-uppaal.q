@@ -83,59 +83,59 @@ every step; expected: satisfied
 E<> X_14
 
 /*
-PROP_R_2_X1: no step is active for ever: left out; UPPAAL has no query for `always possible` (AG EF)
+PROP_R_2_X1: no step is active for ever: omitted; UPPAAL has no query for `always possible` (AG EF)
 */
 
 /*
-PROP_R_2_X2: left out; UPPAAL has no query for `always possible` (AG EF)
+PROP_R_2_X2: omitted; UPPAAL has no query for `always possible` (AG EF)
 */
 
 /*
-PROP_R_2_X3: left out; UPPAAL has no query for `always possible` (AG EF)
+PROP_R_2_X3: omitted; UPPAAL has no query for `always possible` (AG EF)
 */
 
 /*
-PROP_R_2_X4: left out; UPPAAL has no query for `always possible` (AG EF)
+PROP_R_2_X4: omitted; UPPAAL has no query for `always possible` (AG EF)
 */
 
 /*
-PROP_R_2_X5: left out; UPPAAL has no query for `always possible` (AG EF)
+PROP_R_2_X5: omitted; UPPAAL has no query for `always possible` (AG EF)
 */
 
 /*
-PROP_R_2_X6: left out; UPPAAL has no query for `always possible` (AG EF)
+PROP_R_2_X6: omitted; UPPAAL has no query for `always possible` (AG EF)
 */
 
 /*
-PROP_R_2_X7: left out; UPPAAL has no query for `always possible` (AG EF)
+PROP_R_2_X7: omitted; UPPAAL has no query for `always possible` (AG EF)
 */
 
 /*
-PROP_R_2_X8: left out; UPPAAL has no query for `always possible` (AG EF)
+PROP_R_2_X8: omitted; UPPAAL has no query for `always possible` (AG EF)
 */
 
 /*
-PROP_R_2_X9: left out; UPPAAL has no query for `always possible` (AG EF)
+PROP_R_2_X9: omitted; UPPAAL has no query for `always possible` (AG EF)
 */
 
 /*
-PROP_R_2_X10: left out; UPPAAL has no query for `always possible` (AG EF)
+PROP_R_2_X10: omitted; UPPAAL has no query for `always possible` (AG EF)
 */
 
 /*
-PROP_R_2_X11: left out; UPPAAL has no query for `always possible` (AG EF)
+PROP_R_2_X11: omitted; UPPAAL has no query for `always possible` (AG EF)
 */
 
 /*
-PROP_R_2_X12: left out; UPPAAL has no query for `always possible` (AG EF)
+PROP_R_2_X12: omitted; UPPAAL has no query for `always possible` (AG EF)
 */
 
 /*
-PROP_R_2_X13: left out; UPPAAL has no query for `always possible` (AG EF)
+PROP_R_2_X13: omitted; UPPAAL has no query for `always possible` (AG EF)
 */
 
 /*
-PROP_R_2_X14: left out; UPPAAL has no query for `always possible` (AG EF)
+PROP_R_2_X14: omitted; UPPAAL has no query for `always possible` (AG EF)
 */
 
 /*

@@ -18,7 +18,7 @@ X_4 --> X_0
 
 /*
 warned: light and buzzer are on whenever the door moves
-in settled states; expected: satisfied
+in quiescent states; expected: satisfied
 */
 A[] (PLC.W && stable && !EVOL_PL && !EVOL_TI && !T_X40_5s_P && !T_X42_5s_P && !(Door.still && CLOSE && !OPEN && DOOR < 50) && !(Door.going_out && !CLOSE) && !(Door.still && OPEN && !CLOSE && DOOR > 0) && !(Door.going_in && !OPEN) && !(Door_Sen.in && DOOR >= 2) && !(Door_Sen.between && DOOR < 2) && !(Door_Sen.between && DOOR >= 48) && !(Door_Sen.out && DOOR < 48) && !(Bolt.unlocked && LOCK) && !(Bolt.locked && !LOCK) && !(Warning_Light.dark && LIGHT) && !(Warning_Light.lit && !LIGHT) && !(Warning_Buzzer.silent && BUZZER) && !(Warning_Buzzer.sounding && !BUZZER)) imply not ((OPEN || CLOSE) && !(LIGHT && BUZZER))
 
@@ -29,11 +29,11 @@ expected: satisfied
 A[] not deadlock
 
 /*
-no_timelock: left out; UPPAAL has no query for `no timelock`
+no_timelock: omitted; UPPAAL has no query for `no timelock`
 */
 
 /*
-no_race: no two stored actions give one variable different values
+no_race: no two stored actions assign different values to one variable
 expected: satisfied
 */
 A[] not race

@@ -107,7 +107,7 @@ expected: satisfied
 A[] not (X_16 && !s0)
 
 /*
-serves_again: the machine can always come back to rest: left out; UPPAAL has no query for `always possible` (AG EF)
+serves_again: the machine can always come back to rest: omitted; UPPAAL has no query for `always possible` (AG EF)
 */
 
 /*

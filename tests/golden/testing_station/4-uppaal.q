@@ -17,5 +17,5 @@ expected: satisfied
 A[] not deadlock
 
 /*
-no_timelock: left out; UPPAAL has no query for `no timelock`
+no_timelock: omitted; UPPAAL has no query for `no timelock`
 */

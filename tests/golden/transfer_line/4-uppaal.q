@@ -35,5 +35,5 @@ expected: satisfied
 A[] not (PUT_3 && !CLAMP_IN_3)
 
 /*
-no_timelock: left out; UPPAAL has no query for `no timelock`
+no_timelock: omitted; UPPAAL has no query for `no timelock`
 */

@@ -207,8 +207,8 @@ TEST(Analyse, TwoOrdersThatExcludeEachOtherAreShownTogether) {
     const Finding* const twice = find(found, "forced-twice");
     ASSERT_NE(twice, nullptr);
     ASSERT_TRUE(twice->evidence.has_value());
-    EXPECT_EQ(twice->evidence->rows.back().what, "orders that exclude each other");
-    EXPECT_EQ(found.notes.size(), 2U) << "what is said never to happen does not happen without them";
+    EXPECT_EQ(twice->evidence->rows.back().what, "contradictory forcing orders");
+    EXPECT_EQ(found.notes.size(), 2U) << "elements reported as dead are dead up to these errors";
     const std::string exclusive = std::string(two_orders) + "constraint !(a && b);";
     EXPECT_EQ(find(analysed(exclusive), "forced-twice"), nullptr);
 }
@@ -319,8 +319,7 @@ TEST(Analyse, AnOutputThatIsSetAndResetInOneInstantNeverGetsOut) {
     )");
     const Finding* const conflict = find(found, "action-conflict", "O");
     ASSERT_NE(conflict, nullptr);
-    EXPECT_EQ(conflict->message,
-              "`O` can be set and reset in one instant, so that the first of the two never gets out");
+    EXPECT_EQ(conflict->message, "`O` can be set and reset in one instant, so the first value is never written");
     ASSERT_TRUE(conflict->evidence.has_value());
     EXPECT_EQ(cleared(*conflict->evidence), (std::vector<std::vector<std::string>>{{"t0"}, {"t1"}, {"t2"}}));
     EXPECT_EQ(find(found, "action-race"), nullptr);
@@ -344,9 +343,8 @@ TEST(Analyse, AnAcceptedFindingIsNotOpen) {
     ASSERT_NE(both, nullptr);
     EXPECT_EQ(both->accepted, "never pressed together");
     EXPECT_FALSE(is_open(*both));
-    EXPECT_TRUE(std::ranges::any_of(found.notes, [](const std::string& note) {
-        return note == "there is nothing that `accept total-instability` accepts";
-    }));
+    EXPECT_TRUE(std::ranges::any_of(
+        found.notes, [](const std::string& note) { return note == "no finding matches `accept total-instability`"; }));
 }
 
 // -- time -------------------------------------------------------------------------------------------------------------
@@ -549,8 +547,8 @@ TEST(Analyse, EachAbsorbingRegionIsReportedWithAPathIntoIt) {
     EXPECT_EQ(stopped.level, Finding::Level::Warning);
     EXPECT_EQ(stopped.lost, (std::vector<std::string>{"X0", "X1", "t0", "t1", "t9", "n"}));
     EXPECT_EQ(stopped.message,
-              "the chart can come to where `X0` and `X1` are never active again, `t0`, `t1` and `t9` are never "
-              "cleared again, `n` is never changed again; `X9` stays active");
+              "the chart can reach a situation from which `X0` and `X1` are never active again, `t0`, `t1` and `t9` "
+              "are never cleared again, `n` is never changed again; `X9` stays active");
     EXPECT_EQ(cleared(*stopped.evidence), (std::vector<std::vector<std::string>>{{"t9"}}));
     EXPECT_EQ(stopped.evidence->rows.size(), 4U) << "power-on, t10, t0, t9";
     EXPECT_EQ(counted.lost, (std::vector<std::string>{"X1", "X9", "t0", "t1", "t9", "n"}));
@@ -681,8 +679,9 @@ TEST(Analyse, AValueThatTheFirstEvolutionGivesMayChangeOnceMore) {
     )");
     const Finding* once = find(found, "comes-once");
     ASSERT_NE(once, nullptr);
-    EXPECT_NE(once->message.find("and `n` changes once at most behind the first evolution, and then never again"),
-              std::string::npos)
+    EXPECT_NE(
+        once->message.find("and `n` changes at most once after the first evolution: only in a start-up or final phase"),
+        std::string::npos)
         << once->message;
 }
 

@@ -58,8 +58,8 @@ TEST(Findings, AsTextHaveLocationRunAndAcceptedFindings) {
     print_findings(made.analysis, made.sources, Colour::Plain, out);
     EXPECT_NE(out.str().find("two buttons.grafcet:9:5: warning: `t0` and `t1` leave one step"), std::string::npos)
         << out.str();
-    EXPECT_NE(out.str().find("a shortest way: both are cleared in the last instant"), std::string::npos) << out.str();
-    EXPECT_NE(out.str().find("accepted: nothing depends on the input `spare` [input-never-read]: later"),
+    EXPECT_NE(out.str().find("shortest trace: both are cleared in the last instant"), std::string::npos) << out.str();
+    EXPECT_NE(out.str().find("accepted: the chart does not depend on the input `spare` [input-never-read]: later"),
               std::string::npos);
     EXPECT_NE(out.str().find("two_buttons: 1 warning, 1 accepted"), std::string::npos) << out.str();
 }
@@ -85,17 +85,17 @@ TEST(Findings, AsJsonHaveAllTheirParts) {
 TEST(Findings, StateHowFarOpenQueriesWereSearched) {
     Analysed made = analysed(std::string(two_buttons));
     made.analysis.questions = 9;
-    made.analysis.obstacle = "stopped before the end";
+    made.analysis.obstacle = "stopped before completion";
     made.analysis.open = {{"action-race", "O", 3, 0},        {"action-race", "P", 3, 0},
                           {"step-never-active", "X1", 1, 0}, {"step-never-active", "X2", 0, 0},
                           {"total-instability", "", 4, 7},   {"out-of-range", "n", 0, 5}};
     std::ostringstream text, sarif;
     print_findings(made.analysis, made.sources, Colour::Plain, text);
-    EXPECT_NE(text.str().find("not decided: 6 of 9 questions; stopped before the end\n"
+    EXPECT_NE(text.str().find("inconclusive: 6 of 9 checks; stopped before completion\n"
                               "    action-race of `O`, `P`: none in the first 3 instants\n"
                               "    out-of-range of `n`: none in 5 evolutions\n"
-                              "    step-never-active of `X2`: nothing is known\n"
-                              "    step-never-active of `X1`: so it is in the first instant\n"
+                              "    step-never-active of `X2`: not explored\n"
+                              "    step-never-active of `X1`: true in the first instant\n"
                               "    total-instability: none in the first 4 instants, none in 7 evolutions\n"),
               std::string::npos)
         << text.str();
@@ -106,7 +106,7 @@ TEST(Findings, StateHowFarOpenQueriesWereSearched) {
     EXPECT_EQ(invocation["executionSuccessful"], false);
     ASSERT_EQ(invocation["toolExecutionNotifications"].size(), 6U);
     EXPECT_EQ(invocation["toolExecutionNotifications"][2]["message"]["text"],
-              "not decided (stopped before the end): step-never-active of `X1`: so it is in the first instant");
+              "inconclusive (stopped before completion): step-never-active of `X1`: true in the first instant");
 }
 
 /// The requirements of the SARIF 2.1.0 schema for a log of this kind.
@@ -150,9 +150,8 @@ TEST(Findings, AsSarifAreAValidLog) {
     const auto& results = log["runs"][0]["results"];
     ASSERT_EQ(results.size(), 2U);
     EXPECT_EQ(results[0]["message"]["text"],
-              "`t0` and `t1` leave one step and can be cleared at once; make their conditions exclude each other. "
-              "Inputs: a, b "
-              "at 0 s: both are cleared in the last instant");
+              "`t0` and `t1` leave one step and can be cleared simultaneously; make their conditions exclusive. "
+              "Inputs: a, b at 0 s: both are cleared in the last instant");
     EXPECT_EQ(results[1]["suppressions"][0]["justification"], "later");
 }
 

@@ -37,7 +37,7 @@ std::vector<std::string> verdicts(const Json& report) {
 TEST(Bench, PassesAControllerWithStabilitySearch) {
     const Result result = tested(this_program + " plc " + tanks_chart + " --mode stability-search");
     EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;
-    EXPECT_TRUE(result.out.ends_with("passes the whole test: 3 passed, 0 failed, 0 not run\n")) << result.out;
+    EXPECT_TRUE(result.out.ends_with("passes the complete test: 3 passed, 0 failed, 0 not run\n")) << result.out;
 }
 
 TEST(Bench, FailsAControllerWithoutStabilitySearchAtTheSecondStep) {
@@ -60,18 +60,18 @@ TEST(Bench, GivesAVerdictOnControllersThatMisbehaveAndEndsThem) {
     };
     const auto start = std::chrono::steady_clock::now();
     for (const Case& c : {
-             Case{"exit 7", "ended", "no answer: it ended with exit code 7"},
-             Case{"kill -SEGV $$", "ended", "no answer: it was ended by signal 11"},
-             Case{"echo oops >&2; exit 1", "ended", "it said: oops"},
-             Case{"sleep 60", "silent", "no answer within 300ms"},
-             Case{"sleep 60 & sleep 60", "silent", "no answer within 300ms"},
-             Case{"echo", "not-understood", "0 values where 4 are asked for"},
-             Case{"echo 0,1,1", "not-understood", "3 values where 4 are asked for"},
-             Case{"echo 0,1,1,maybe", "not-understood", "`maybe` is no value of `W2`"},
+             Case{"exit 7", "ended", "no response: the controller exited with code 7"},
+             Case{"kill -SEGV $$", "ended", "no response: the controller was terminated by signal 11"},
+             Case{"echo oops >&2; exit 1", "ended", "its error output: oops"},
+             Case{"sleep 60", "silent", "no response within 300ms"},
+             Case{"sleep 60 & sleep 60", "silent", "no response within 300ms"},
+             Case{"echo", "not-understood", "0 values, expected 4"},
+             Case{"echo 0,1,1", "not-understood", "3 values, expected 4"},
+             Case{"echo 0,1,1,maybe", "not-understood", "`maybe` is not a value of `W2`"},
              Case{"echo 0,1,1,7", "not-understood", "`7` of `W2` is outside 0 and 1"},
              Case{"head -c 3000 /dev/urandom; echo", "", ""},
              Case{"yes 0,1,1,0", "flood", "more than one line for one scan"},
-             Case{"tr '\\0' 1 < /dev/zero", "flood", "one without end: `1111"},
+             Case{"tr '\\0' 1 < /dev/zero", "flood", "unterminated line: `1111"},
          }) {
         SCOPED_TRACE(c.what);
         const Result result = tested(faulty(c.what), {"--format", "json", "--timeout", "300ms"});
@@ -170,17 +170,18 @@ TEST(Bench, RejectsTablesThatAreNotATest) {
              Case{"s,h1,h2,l1,V1,V2,W1,W2\n", "no column for the input `l2`"},
              Case{"s,h1,h2,l1,l2,V1,V2,W1\n", "no column for the output `W2`"},
              Case{"s,h1,h2,l1,l2,V1,V2,W1,W2,W3\n", "`W3` is neither an input nor an output of `tanks`"},
-             Case{"s,s,h1,h2,l1,l2,V1,V2,W1,W2\n", "there is a column `s` already"},
-             Case{"s,h1,h2,l1,l2,V1,V2,W1,W2\n0,0,0,0,0,0,0,0\n", "this row has 8 fields, the first row has 9"},
+             Case{"s,s,h1,h2,l1,l2,V1,V2,W1,W2\n", "the column `s` occurs twice; remove one"},
+             Case{"s,h1,h2,l1,l2,V1,V2,W1,W2\n0,0,0,0,0,0,0,0\n",
+                  "this row has 8 fields, but the first row has 9; add or remove fields"},
              Case{"s,h1,h2,l1,l2,V1,V2,W1,W2\n0,0,0,0,0,0,0,0,2\n", "`2` of `W2` is outside 0 and 1"},
-             Case{"s,h1,h2,l1,l2,V1,V2,W1,W2\n0,0,0,0,,0,0,0,1\n", "0 values where 1 is asked for"},
-             Case{"s,h1,h2,l1,l2,V1,V2,W1,W2,cycles\n0,0,0,0,0,0,0,0,0,0\n", "`0` is no number of cycles"},
-             Case{"s,h1,h2,l1,l2,V1,V2,W1,W2,wait\n0,0,0,0,0,0,0,0,0,soon\n", "`soon` is no time to wait"},
+             Case{"s,h1,h2,l1,l2,V1,V2,W1,W2\n0,0,0,0,,0,0,0,1\n", "0 values, expected 1"},
+             Case{"s,h1,h2,l1,l2,V1,V2,W1,W2,cycles\n0,0,0,0,0,0,0,0,0,0\n", "`0` is not a number of cycles"},
+             Case{"s,h1,h2,l1,l2,V1,V2,W1,W2,wait\n0,0,0,0,0,0,0,0,0,soon\n", "`soon` is not a duration"},
              Case{"s,h1,h2,l1,l2,V1,V2,W1,W2,wait\n0,0,0,0,0,0,0,0,0,3s\n", "the first step of a sequence cannot wait"},
              Case{"s,h1,h2,l1,l2,V1,V2,W1,W2,wait\n0,0,0,0,0,0,0,0,0,\n1,0,0,0,0,0,0,0,0,3s\n",
-                  "a step that waits changes no input"},
+                  "a step with `wait` changes an input"},
              Case{"s,h1,h2,l1,l2,V1,V2,W1,W2,step\n0,0,0,0,0,0,0,0,0,1\n0,0,0,0,0,0,0,0,0,0\n",
-                  "step 0 is the scan that activates the initial steps"},
+                  "step 0 is misplaced or has other values than the scan that activates the initial steps"},
          }) {
         SCOPED_TRACE(c.table);
         const Folder folder;
@@ -218,7 +219,7 @@ TEST(Bench, ReadsTablesWithSemicolons) {
 TEST(Bench, RequiresAControllerAndOneFailurePolicy) {
     EXPECT_NE(grafverif({"test", tanks_chart, "--sequence", table2}).err.find("`--against PROGRAM` is missing"),
               std::string::npos);
-    EXPECT_NE(tested("x", {"--go-on", "--stop-on-failure"}).err.find("exclude each other"), std::string::npos);
+    EXPECT_NE(tested("x", {"--go-on", "--stop-on-failure"}).err.find("are mutually exclusive"), std::string::npos);
     EXPECT_EQ(tested("x", {"--clock", "wall"}).code, ExitCode::Input);
 }
 

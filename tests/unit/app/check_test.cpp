@@ -109,10 +109,10 @@ TEST(Check, DecidesAFragmentOfALineAndNamesTheOmittedParts) {
     EXPECT_EQ(properties[0]["verdict"], "holds");
     EXPECT_EQ(properties[0]["cells"],
               Json::parse(R"({"searched": ["cell_2"], "left_out": ["cell_1", "cell_3", "Buffer_1", "Buffer_2"],
-                              "because": "is taken to do anything at any moment, which takes no run away"})"));
+                              "because": "may do anything at any time, which is an over-approximation"})"));
     EXPECT_EQ(properties[0]["declared"], true);
-    EXPECT_TRUE(
-        std::string(properties[0]["notes"].at(0)).starts_with("time-locks were looked for in the first 131072 states"));
+    EXPECT_TRUE(std::string(properties[0]["notes"].at(0))
+                    .starts_with("timelocks were searched only in the first 131072 states"));
     EXPECT_EQ(properties[1]["verdict"], "unknown");
     EXPECT_EQ(properties[1]["declared"], false);
     std::vector<std::string> whole = command;
@@ -126,16 +126,15 @@ TEST(Check, StatesOmittedSubsystemsWithTheReason) {
     std::string text = grafverif({"check", file}).out;
     for (std::size_t at = 0; (at = text.find("\n        ")) != std::string::npos;) text.replace(at, 9, " ");
     for (const char* words :
-         {"sub-loop `left` alone; left out: `right`, which shares only time with it and can let time pass for ever\n",
-          "sub-loop `left` alone; left out: `right`, which shares only time with it, never locks time and never goes "
-          "on "
-          "for ever within one instant\n",
-          "sub-loops `left`, `right`, each by itself\n"})
+         {"sub-loop `left` alone; omitted: `right`, which shares only time with it and can let time pass forever\n",
+          "sub-loop `left` alone; omitted: `right`, which shares only time with it, has no timelock and cannot move "
+          "forever within one instant\n",
+          "sub-loops `left`, `right`, each separately\n"})
         EXPECT_NE(text.find(words), std::string::npos) << text;
     const Json apart = Json::parse(grafverif({"check", file, "--format", "json"}).out)["properties"];
     const Json whole = Json::parse(grafverif({"check", file, "--format", "json", "--whole"}).out)["properties"];
     EXPECT_EQ(apart[0]["sub_loops"], Json::parse(R"({"searched": ["left"], "left_out": ["right"],
-                              "because": "shares only time with it and can let time pass for ever"})"));
+                              "because": "shares only time with it and can let time pass forever"})"));
     EXPECT_FALSE(apart[2].contains("sub_loops"));
     for (std::size_t i = 0; i < whole.size(); ++i) {
         EXPECT_EQ(apart[i]["verdict"], whole[i]["verdict"]) << whole[i]["name"];
@@ -165,7 +164,7 @@ TEST(Check, ReportsAValueOutOfRangeWithATrace) {
     const Result result = grafverif({"check", file, "--junit", folder.file("report.xml")});
     EXPECT_EQ(result.code, ExitCode::Verdict);
     EXPECT_TRUE(result.out.starts_with(
-        "the model breaks off: `N` would leave its range 0..2, in an evolution of `counter` [out-of-range]\n"))
+        "model error: `N` would leave its range 0..2, in an evolution of `counter` [out-of-range]\n"))
         << result.out;
     EXPECT_NE(result.out.find("counter: N 1 -> 2"), std::string::npos);
     EXPECT_NE(result.out.find("a                           unknown"), std::string::npos) << result.out;
@@ -181,9 +180,9 @@ TEST(Check, ReportsARaceOfStoredActions) {
     text.replace(text.find("0 -> 1 when"), 11, "0 -> 1, 2 when");
     const Result result = grafverif({"check", folder.write("race.grafcet", text)});
     EXPECT_EQ(result.code, ExitCode::Verdict);
-    EXPECT_NE(
-        result.out.find("two stored actions give `N` different values, in an evolution of `counter` [action-race]"),
-        std::string::npos)
+    EXPECT_NE(result.out.find(
+                  "two stored actions assign different values to `N`, in an evolution of `counter` [action-race]"),
+              std::string::npos)
         << result.out;
 }
 
@@ -207,7 +206,7 @@ TEST(Check, ReportsThatThereIsNoTraceToWrite) {
     const Result result = grafverif({"check", folder.write("counter.grafcet", counter("property b: always N <= 2;")),
                                      "--trace-svg", folder.file("a.svg")});
     EXPECT_EQ(result.code, ExitCode::Done);
-    EXPECT_EQ(result.err, "note: no verdict has a trace; none was written\n");
+    EXPECT_EQ(result.err, "note: no verdict has a trace, so no trace file was written\n");
     EXPECT_EQ(folder.entries(), 1u);
 }
 
@@ -242,7 +241,7 @@ TEST(Check, NamesTheEmbeddedEngineIfVerifytaIsNotInstalled) {
     const Result result = grafverif({"check", sample("blinker/blinker.grafcet"), "--engine", "verifyta"});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_EQ(result.err,
-              "error: `verifyta` is not on the PATH; the embedded engine needs nothing installed: `--engine timed` "
+              "error: `verifyta` is not on the PATH; install it, or use the embedded engine: `--engine timed` "
               "[missing-program]\n");
 }
 
@@ -254,12 +253,14 @@ TEST(Check, PrintsProofCoresOnRequest) {
     const Result text = grafverif({"check", file, "--why"});
     EXPECT_EQ(text.code, ExitCode::Done) << text.err;
     EXPECT_TRUE(text.out.ends_with(
-        "\nwhy it holds, by 10 more searches:\n"
-        "small, off: it fails without `N < 2` of t0; whatever the plant and the timers do, it holds\n"
-        "seen: it fails where t0 is never cleared, or where step 1 does nothing\n"
-        "no property about all states rests on Go\n"
-        "\ncovered by these properties, all together:\n"
-        "transitions: 1 of 2; no property fails where t1 is never cleared\n"
+        "\n"
+        "proof dependencies (10 additional searches):\n"
+        "small, off: fails without `N < 2` of t0; holds for all behaviour of the plant and the timers\n"
+        "seen: fails if t0 is never cleared, or if step 1 has no effect\n"
+        "no property of all states depends on Go\n"
+        "\n"
+        "proof coverage of these properties:\n"
+        "transitions: 1 of 2; no property fails if t1 is never cleared\n"
         "steps with actions: 1 of 1\n"
         "terms of conditions: 1 of 3; no property fails without `GO` of t0 or `!GO` of t1\n"
         "edges of the plant: 1 of 1\n"))
@@ -287,8 +288,8 @@ TEST(Check, WhyCoversPropertiesWithDurationsAndScopes) {
         "property soon: X1 leads to X2 within 3s; property apart: never X0 && X2 after X1; }\n");
     const Result text = grafverif({"check", file, "--why"});
     EXPECT_EQ(text.code, ExitCode::Done) << text.out << text.err;
-    EXPECT_NE(text.out.find("soon: it fails where t1 is never cleared"), std::string::npos) << text.out;
-    EXPECT_NE(text.out.find("apart: no transition, step or term"), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find("soon: fails if t1 is never cleared"), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find("apart: no single transition, step or term"), std::string::npos) << text.out;
     EXPECT_NE(text.out.find("transitions: 1 of 3"), std::string::npos) << text.out;
     const Json why = Json::parse(grafverif({"check", file, "--why", "--format", "json"}).out)["why"];
     EXPECT_EQ(why["properties"][0]["transitions"], Json({"t1"}));
@@ -317,19 +318,21 @@ TEST(Check, ReadsTheVerdictsOfVerifyta) {
     const Result result = grafverif({"check", file, "--engine", "verifyta"});
     EXPECT_EQ(result.err, "");
     EXPECT_EQ(result.code, ExitCode::Verdict);
-    EXPECT_EQ(
-        result.out,
-        fmt::format("station, checked with: verifyta engine; stability-search, phased grain; time unit 1 s, cycle time "
-                    "taken as zero\n"
-                    "\n{0}:60: no_deadlock: violated\n"
-                    "\n{0}:61: no_timelock: unknown\n    why: UPPAAL has no query for `no timelock`\n"
-                    "\nproperty     verdict   stands at{1}  says\n"
-                    "P14          holds     {0}:58  the station always comes back to rest\n"
-                    "P15          holds     {0}:59  no horizontal move unless the cup is up\n"
-                    "no_deadlock  violated  {0}:60\n"
-                    "no_timelock  unknown   {0}:61\n"
-                    "station: 2 hold, 1 violated, 1 unknown; 1 against expectation\n",
-                    file, std::string(file.size() + 3 - 9, ' ')));
+    EXPECT_EQ(result.out, fmt::format("station, checked with: verifyta engine; stability-search, phased grain; time "
+                                      "unit 1 s, cycle time taken as zero\n"
+                                      "\n"
+                                      "{0}:60: no_deadlock: violated\n"
+                                      "\n"
+                                      "{0}:61: no_timelock: unknown\n"
+                                      "    why: UPPAAL has no query for `no timelock`\n"
+                                      "\n"
+                                      "property     verdict   location{1}  description\n"
+                                      "P14          holds     {0}:58  the station always comes back to rest\n"
+                                      "P15          holds     {0}:59  no horizontal move unless the cup is up\n"
+                                      "no_deadlock  violated  {0}:60\n"
+                                      "no_timelock  unknown   {0}:61\n"
+                                      "station: 2 hold, 1 violated, 1 unknown; 1 unexpected\n",
+                                      file, std::string(file.size() + 3 - 8, ' ')));
     const Json document = Json::parse(grafverif({"check", sample("oven_door/oven_door.grafcet"), "--engine", "verifyta",
                                                  "--property", "warned", "--format", "json"})
                                           .out);
@@ -352,7 +355,7 @@ TEST(Check, TheTimedEngineNeedsAClosedLoop) {
     const Result chart = grafverif({"check", "--engine", "timed", "--chart", "testing_station", station});
     EXPECT_EQ(chart.code, ExitCode::Input);
     EXPECT_EQ(chart.out, "");
-    EXPECT_NE(chart.err.find("a chart alone (`--chart`) is checked untimed"), std::string::npos) << chart.err;
+    EXPECT_NE(chart.err.find("to check the chart (`--chart`) untimed"), std::string::npos) << chart.err;
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ TEST(Constants, AreNotSetForAChartAloneWhichReadsNone) {
     for (const char* verb : {"check", "nusmv", "aiger", "btor2", "simulate", "report"}) {
         const Result result = grafverif({verb, file, "--chart", "filling", "--set", "N=3"});
         EXPECT_EQ(result.code, ExitCode::Input) << verb;
-        EXPECT_NE(result.err.find("a chart alone, which reads none"), std::string::npos) << verb << result.err;
+        EXPECT_NE(result.err.find("a chart alone, which has none"), std::string::npos) << verb << result.err;
         EXPECT_TRUE(result.out.empty()) << verb;
     }
     // The mutated chart is one of the loop.

@@ -45,11 +45,11 @@ TEST(Dialogue, EndOfTheProgramIsExplained) {
         const char* text;
     };
     for (const Case& c : {
-             Case{"exit 3", "it ended with exit code 3"},
-             Case{"read x; exit 0", "it ended with exit code 0"},
-             Case{"echo why >&2; exit 1", "it ended with exit code 1; it said: why"},
-             Case{"kill -SEGV $$", "it was ended by signal 11 (Segmentation fault)"},
-             Case{"printf 1,0; exit 2", "it ended with exit code 2, in the midst of the line `1,0`"},
+             Case{"exit 3", "the controller exited with code 3"},
+             Case{"read x; exit 0", "the controller exited with code 0"},
+             Case{"echo why >&2; exit 1", "the controller exited with code 1; its error output: why"},
+             Case{"kill -SEGV $$", "the controller was terminated by signal 11 (Segmentation fault)"},
+             Case{"printf 1,0; exit 2", "the controller exited with code 2, after the incomplete line `1,0`"},
          }) {
         SCOPED_TRACE(c.command);
         {
@@ -67,7 +67,7 @@ TEST(Dialogue, AProgramThatClosesItsOutputIsNotWaitedFor) {
     {
         Dialogue dialogue("exec >&-; sleep 60", {});
         EXPECT_EQ(dialogue.ask("a").kind, Kind::Ended);
-        EXPECT_EQ(dialogue.end_text(), "it closed its output");
+        EXPECT_EQ(dialogue.end_text(), "the controller closed its output");
     }
     EXPECT_LT(steady_clock::now() - start, std::chrono::seconds(20));
     EXPECT_TRUE(no_child());
@@ -117,7 +117,7 @@ TEST(Dialogue, AFloodIsCut) {
 TEST(Dialogue, AFloodOfErrorsIsCutToo) {
     Dialogue dialogue("head -c 3000000 /dev/zero | tr '\\0' x >&2; echo >&2; echo last words >&2; exit 1", {});
     EXPECT_EQ(dialogue.ask("a").kind, Kind::Ended);
-    EXPECT_EQ(dialogue.end_text(), "it ended with exit code 1; it said: last words");
+    EXPECT_EQ(dialogue.end_text(), "the controller exited with code 1; its error output: last words");
 }
 
 TEST(Dialogue, StopsWaitingWhenAsked) {

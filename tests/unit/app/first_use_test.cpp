@@ -25,13 +25,14 @@ TEST(FirstUse, ImportRejectsUnknownFormatsWithHint) {
         std::string text, message;
     };
     for (const Case& c :
-         {Case{"hello this is junk\n",
-               "error: the file begins with no chart that is known here; read are AGRAFE GRAFCET"},
-          Case{"", "error: the file begins with no chart that is known here"},
-          Case{std::string("\x01\x02\x03\xFF\x00\x01", 6), "error: the file begins with no chart that is known here"},
-          Case{std::string("g\0r\0a\0f\0", 8), "error: the file begins with no chart that is known here"},
-          Case{"<?xml version=\"1.0\"?>\n<html/>\n", "error: `html` begins no chart that is known here"},
-          Case{lone, "error: the file is in our own language, which every verb reads; `grafverif fmt` prints it"}}) {
+         {Case{"hello this is junk\n", "error: unknown file format; supported formats are AGRAFE GRAFCET"},
+          Case{"", "error: unknown file format; supported"},
+          Case{std::string("\x01\x02\x03\xFF\x00\x01", 6), "error: unknown file format; supported"},
+          Case{std::string("g\0r\0a\0f\0", 8), "error: unknown file format; supported"},
+          Case{"<?xml version=\"1.0\"?>\n<html/>\n", "error: unknown file format, starting with `html`"},
+          Case{
+              lone,
+              "error: the file is in grafverif's own language and needs no import; pass it to any command directly"}}) {
         SCOPED_TRACE(c.text);
         const Result result = grafverif({"import", folder.write("file", c.text)});
         EXPECT_EQ(result.code, ExitCode::Input);
@@ -55,7 +56,7 @@ TEST(FirstUse, ImportWritesOnlyChartsThatCommandsAccept) {
 )");
     const Result result = grafverif({"import", file, "-o", folder.file("out.grafcet")});
     EXPECT_EQ(result.code, ExitCode::Input);
-    EXPECT_TRUE(says(result, "flawed.xmi:5:2: error: `x` is assigned on an event that can hold without an edge"))
+    EXPECT_TRUE(says(result, "flawed.xmi:5:2: error: `x` is assigned on an event that can be true without an edge"))
         << result.err;
     EXPECT_EQ(folder.entries(), 1U);
 }
@@ -66,9 +67,8 @@ TEST(FirstUse, ChartWithoutLoopGetsAHintToSuitableCommands) {
     for (const char* verb : {"build", "uppaal"}) {
         const Result result = grafverif({verb, chart});
         EXPECT_EQ(result.code, ExitCode::Input);
-        EXPECT_TRUE(says(result,
-                         "A chart alone is run by `grafverif plc`, checked by `grafverif check`, and written as a "
-                         "model by `grafverif nusmv`"))
+        EXPECT_TRUE(
+            says(result, "or use a command for charts: `plc` runs one, `check` checks it, `nusmv` writes a model"))
             << result.err;
     }
     EXPECT_EQ(grafverif({"simulate", chart}, "quit\n").code, ExitCode::Done);
@@ -83,21 +83,21 @@ TEST(FirstUse, HelpComesInEveryOrderOfWords) {
     EXPECT_EQ(grafverif({"help", "check"}).out, help);
     EXPECT_EQ(grafverif({"--help", "check"}).out, help);
     EXPECT_EQ(grafverif({"help"}).out, grafverif({"--help"}).out);
-    EXPECT_TRUE(says(grafverif({"chek", "file"}), "there is no verb `chek`; did you mean `check`?"));
-    EXPECT_TRUE(says(grafverif({"help", "chek"}), "there is no verb `chek`; did you mean `check`?"));
-    EXPECT_TRUE(
-        says(grafverif({"--timeout", "3s", "check"}), "a verb comes first, options behind it; not `--timeout`"));
+    EXPECT_TRUE(says(grafverif({"chek", "file"}), "unknown command `chek`; did you mean `check`?"));
+    EXPECT_TRUE(says(grafverif({"help", "chek"}), "unknown command `chek`; did you mean `check`?"));
+    EXPECT_TRUE(says(grafverif({"--timeout", "3s", "check"}),
+                     "expected a command before `--timeout`; write options after the command"));
 }
 
 TEST(FirstUse, MisspeltOptionOrNameGetsASuggestion) {
     EXPECT_TRUE(says(grafverif({"check", station, "--proprty", "P14"}),
-                     "there is no option `--proprty`; did you mean `--property`?"));
-    EXPECT_TRUE(says(grafverif({"check", station, "--colour", "never"}),
-                     "there is no option `--colour`; did you mean `--color`?"));
-    EXPECT_TRUE(says(grafverif({"check", station, "--frobnicate"}), "there is no option `--frobnicate`; see"));
+                     "unknown option `--proprty`; did you mean `--property`?"));
+    EXPECT_TRUE(
+        says(grafverif({"check", station, "--colour", "never"}), "unknown option `--colour`; did you mean `--color`?"));
+    EXPECT_TRUE(says(grafverif({"check", station, "--frobnicate"}), "unknown option `--frobnicate`; see"));
     EXPECT_TRUE(says(grafverif({"check", station, "--property", "P41"}), "no property `P41`; did you mean `P14`?"));
     EXPECT_TRUE(says(grafverif({"check", station, "--property", "cup"}),
-                     "no property `cup`; it has `P14`, `P15`, `no_deadlock`, `no_timelock`"));
+                     "no property `cup`; choose one of `P14`, `P15`, `no_deadlock`, `no_timelock`"));
     EXPECT_TRUE(
         says(grafverif({"check", station, "--loop", "staton"}), "no closed loop `staton`; did you mean `station`?"));
     EXPECT_TRUE(
@@ -114,11 +114,12 @@ TEST(FirstUse, NumberWithoutUnitIsRejectedWithASuggestion) {
              std::pair(std::vector<std::string>{"draw", station, "--max-memory", "500"},
                        "`--max-memory 500` has no unit; write `500M`"),
              std::pair(std::vector<std::string>{"check", station, "--max-memory", "1X"},
-                       "`--max-memory` takes a whole number with a unit, one of `M`, `K`, `G`; not `1X`"),
-             std::pair(std::vector<std::string>{"check", station, "--timeout", "s"},
-                       "`--timeout` takes a whole number with a unit, one of `s`, `ms`, `min`, `h`; not `s`"),
+                       "invalid value `1X` of `--max-memory`; use a whole number with one of the units `M`, `K`, `G`"),
+             std::pair(
+                 std::vector<std::string>{"check", station, "--timeout", "s"},
+                 "invalid value `s` of `--timeout`; use a whole number with one of the units `s`, `ms`, `min`, `h`"),
              std::pair(std::vector<std::string>{"check", station, "--max-states", "5k"},
-                       "`--max-states` takes a whole number; not `5k`"),
+                       "invalid value `5k` of `--max-states`; use a whole number"),
          }) {
         const Result result = grafverif(arguments);
         EXPECT_EQ(result.code, ExitCode::Input);
@@ -132,7 +133,7 @@ TEST(FirstUse, ACommandIsTakenAsASeparateWordOnly) {
     for (const auto& [verb, option] : {std::pair("check", "--engine-command"), std::pair("test", "--against")}) {
         const Result result = grafverif({verb, station, option + ("=touch " + ran)});
         EXPECT_EQ(result.code, ExitCode::Input);
-        EXPECT_TRUE(says(result, "is not accepted, because a file may have this name; write `" + std::string(option)))
+        EXPECT_TRUE(says(result, "is ambiguous, because a file may have this name; write `" + std::string(option)))
             << result.err;
         EXPECT_FALSE(fs::exists(ran));
     }
@@ -148,20 +149,23 @@ TEST(FirstUse, OptionWithoutEffectIsRejected) {
     };
     for (const Case& each : std::vector<Case>{
              {{"check", file, "--from", "3"}, "`--from` needs `--trace-svg`"},
-             {{"check", file, "--max-steps", "3"}, "`--max-steps` bounds the search of `--engine bmc`"},
+             {{"check", file, "--max-steps", "3"}, "`--max-steps` applies only to `--engine bmc`"},
              {{"check", file, "--engine-command", ""}, "the value of `--engine-command` is empty"},
-             {{"check", file, "--chart", "c", "--loop", "l"}, "`--chart` and `--loop` exclude each other"},
-             {{"simulate", file, "--chart", "c", "--grain", "atomic"}, "`--chart` and `--grain` exclude each other"},
+             {{"check", file, "--chart", "c", "--loop", "l"},
+              "`--chart` and `--loop` are mutually exclusive; remove one"},
+             {{"simulate", file, "--chart", "c", "--grain", "atomic"},
+              "`--chart` and `--grain` are mutually exclusive; remove one"},
              {{"simulate", file, "--steps", "3"}, "`--steps` needs `--random`"},
-             {{"simulate", file, "--junit", "r.xml"}, "`--junit` needs `--script`"},
-             {{"simulate", file, "--script", "s", "--random", "1"}, "`--script` and `--random` exclude each other"},
+             {{"simulate", file, "--junit", "r.xml"}, "`--junit` requires `--script`; add it"},
+             {{"simulate", file, "--script", "s", "--random", "1"},
+              "`--script` and `--random` are mutually exclusive; remove one"},
              {{"test", file, "--against", "x", "--sequence", "s", "--cover", "locations"},
-              "`--sequence` and `--cover` exclude each other"},
+              "`--sequence` and `--cover` are mutually exclusive; remove one"},
              {{"mutate", file, "--seed", "3"}, "`--seed` needs `--limit`"},
-             {{"mutate", file, "--limit", "0"}, "`--limit` takes a number from 1 on"},
+             {{"mutate", file, "--limit", "0"}, "invalid value of `--limit`; use a number from 1"},
              {{"supervise", file, "--marked", ""}, "the value of `--marked` is empty"},
-             {{"watch", "chekc", file}, "there is no verb `chekc`; did you mean `check`?"},
-             {{"manual", "chekc"}, "there is no verb `chekc`; did you mean `check`?"},
+             {{"watch", "chekc", file}, "unknown command `chekc`; did you mean `check`?"},
+             {{"manual", "chekc"}, "unknown command `chekc`; did you mean `check`?"},
          }) {
         const Result result = grafverif(each.arguments);
         EXPECT_EQ(result.code, ExitCode::Input) << each.complaint;
@@ -186,7 +190,7 @@ TEST(FirstUse, StepOfAPropertyIsSelectedByTheNameOfItsVerdict) {
 TEST(FirstUse, AFolderIsNotWrittenToStandardOutput) {
     const Result result = grafverif({"build", station, "-o", "-"});
     EXPECT_EQ(result.code, ExitCode::Input);
-    EXPECT_TRUE(says(result, "`build` writes a folder, which `-` is not")) << result.err;
+    EXPECT_TRUE(says(result, "`build` writes a directory, which `-` is not")) << result.err;
 }
 
 TEST(FirstUse, ColoursAreUsedOnTerminalsByDefault) {
@@ -232,28 +236,29 @@ TEST(FirstUse, ReasonNamesTheCauseOfTheStop) {
     EXPECT_EQ(with_who_stopped("stopped", false, options), "stopped at the time limit of 1.5 s");
     EXPECT_EQ(with_who_stopped("verifyta was stopped at the time limit", false, options),
               "verifyta was stopped at the time limit of 1.5 s");
-    EXPECT_EQ(with_who_stopped("the memory allowed is used up", true, options), "the memory allowed is used up");
+    EXPECT_EQ(with_who_stopped("memory limit of 16 MiB reached", true, options), "memory limit of 16 MiB reached");
 }
 
 TEST(FirstUse, EveryCommandThatTimesOutNamesTheTimeLimit) {
     EXPECT_NE(grafverif({"check", station, "--timeout", "0s"}).out.find("why: stopped at the time limit of 0 s"),
               std::string::npos);
-    EXPECT_NE(
-        grafverif({"analyse", station, "--timeout", "0s"}).out.find("stopped at the time limit of 0 s before the end"),
-        std::string::npos);
+    EXPECT_NE(grafverif({"analyse", station, "--timeout", "0s"})
+                  .out.find("stopped at the time limit of 0 s before completion"),
+              std::string::npos);
     const Result automaton = grafverif({"automaton", station, "--timeout", "0s"});
-    EXPECT_TRUE(says(automaton, "stopped before the end by the time limit, which `--timeout` sets")) << automaton.err;
+    EXPECT_TRUE(says(automaton, "stopped at the time limit (`--timeout`)")) << automaton.err;
 }
 
 TEST(FirstUse, ALoopWithAScheduleIsSentToItsUntimedModel) {
     const Result timed = grafverif({"check", pick_and_place});
     EXPECT_EQ(timed.code, ExitCode::Verdict);
-    EXPECT_TRUE(
-        says(timed, "note: `pick_and_place` names a `schedule`, which untimed models alone obey; `grafverif check " +
-                        pick_and_place + " --untimed --plant automata` checks that one"))
+    EXPECT_TRUE(says(timed,
+                     "note: `pick_and_place` declares a `schedule`, which applies only to untimed models; to check "
+                     "one, run `grafverif check " +
+                         pick_and_place + " --untimed --plant automata`"))
         << timed.err;
     EXPECT_FALSE(says(grafverif({"check", pick_and_place, "--quiet"}), "note: "));
-    EXPECT_FALSE(says(grafverif({"check", station, "--timeout", "0s"}), "names a `schedule`"));
+    EXPECT_FALSE(says(grafverif({"check", station, "--timeout", "0s"}), "declares a `schedule`"));
 }
 
 TEST(FirstUse, AConstraintThatIsProvedIsShown) {

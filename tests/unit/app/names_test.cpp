@@ -167,7 +167,8 @@ void can_be_named(const Names& names) {
     EXPECT_EQ(grafverif({"check", file, "--list"}).err, "");
     const Result simulated = grafverif({"simulate", file, "--script", folder.write("s.txt", script)});
     EXPECT_EQ(simulated.code, ExitCode::Verdict) << simulated.err;  // not all hold, but all names are known
-    for (const char* refusal : {"! there is no step", "could be"})  // rejections by the interpreter are irrelevant here
+    for (const char* refusal :
+         {"! unknown step", "is ambiguous between"})  // rejections by the interpreter are irrelevant
         EXPECT_EQ(grafverif({"simulate", file}, forced).out.find(refusal), std::string::npos);
 }
 
@@ -222,12 +223,12 @@ TEST(Names, SimulationListsTheCandidatesOfAnAmbiguousName) {
     const Result result = grafverif({"simulate", file},
                                     "expect X0\nexpect G2.X0\nexpect N = 0\nexpect Gate_H = 0\nexpect upper.X0\n"
                                     "force 0 on\nexpect Gat.H = 0\ndo Gate opne\nH = 2\nGate.H = 9\n");
-    for (const char* told :
-         {"! `X0` could be `upper.X0` or `upper.G2.X0`; write which",
-          "! `N` could be `upper.N` or `lower.N`; write which", "! `0` could be `upper.0` or `upper.G2.0`; write which",
-          "! there is no variable or step `Gat.H`; did you mean `Gate.H`?",
-          "! there is no location of `Gate` `opne`; did you mean `open`?", "! there is no input `H`",
-          "! `Gate.H` takes 0 to 3; not 9"})
+    for (const char* told : {"! `X0` is ambiguous between `upper.X0` and `upper.G2.X0`; write the qualified name",
+                             "! `N` is ambiguous between `upper.N` and `lower.N`; write the qualified name",
+                             "! `0` is ambiguous between `upper.0` and `upper.G2.0`; write the qualified name",
+                             "! unknown variable or step `Gat.H`; did you mean `Gate.H`?",
+                             "! unknown location of `Gate` `opne`; did you mean `open`?", "! unknown input `H`",
+                             "! `Gate.H` takes 0 to 3; not 9"})
         EXPECT_NE(result.out.find(told), std::string::npos) << told << '\n' << result.out;
     EXPECT_EQ(result.out.find("`G2.X0`"), std::string::npos) << "one alone is called so";
     EXPECT_EQ(result.out.find("Gate_H"), std::string::npos) << "as models call it, and so may anybody";

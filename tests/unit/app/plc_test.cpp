@@ -67,15 +67,15 @@ TEST(Plc, AnswersAnInvalidLineAndContinues) {
         const char* problem;
     };
     for (const Case& c : {
-             Case{"1,1", "more than 1 value where 1 is asked for"},
-             Case{"", "0 values where 1 is asked for"},
+             Case{"1,1", "more than 1 value, expected 1"},
+             Case{"", "0 values, expected 1"},
              Case{"2", "`2` of `go` is outside 0 and 1"},
-             Case{"on", "`on` is no value of `go`"},
-             Case{"\x01\x80", "`??` is no value of `go`"},
-             Case{"99999999999999999999", "`99999999999999999999` is no value of `go`"},
-             Case{"wait", "`wait` takes a duration"},
-             Case{"wait -3s", "`wait` takes a duration"},
-             Case{"waiting", "`wait` takes a duration"},
+             Case{"on", "`on` is not a value of `go`"},
+             Case{"\x01\x80", "`??` is not a value of `go`"},
+             Case{"99999999999999999999", "`99999999999999999999` is not a value of `go`"},
+             Case{"wait", "`wait` requires a duration"},
+             Case{"wait -3s", "`wait` requires a duration"},
+             Case{"waiting", "`wait` requires a duration"},
          }) {
         SCOPED_TRACE(c.line);
         const Result result = played(pulse, std::string(c.line) + "\n1\n");
@@ -88,7 +88,9 @@ TEST(Plc, AnswersAnInvalidLineAndContinues) {
 
 TEST(Plc, ReadsHugeLinesWithoutKeepingThem) {
     const Result result = played(pulse, std::string(50'000'000, '1') + "\n1\n");
-    EXPECT_EQ(result.out, "error: the line is longer than 4096 bytes\n1\n");
+    EXPECT_EQ(result.out,
+              "error: the line is longer than 4096 bytes; shorten it\n"
+              "1\n");
 }
 
 TEST(Plc, AcceptsIntegersWithinTheirRange) {
@@ -103,21 +105,20 @@ TEST(Plc, StopsWithAReasonIfTheChartCannotContinue) {
         const char* reason;
     };
     for (const Case& c : {
-             Case{
-                 "input a; output L; initial step 0; step 1 { L; }\n"
-                 "transition t: 0 -> 1 when a; transition u: 1 -> 0 when a;",
-                 "with these inputs the situation never becomes stable: {1} -> {0} -> {1}, for ever within one instant "
-                 "[total-instability]"},
+             Case{"input a; output L; initial step 0; step 1 { L; }\n"
+                  "transition t: 0 -> 1 when a; transition u: 1 -> 0 when a;",
+                  "with these inputs, the situation never becomes stable: {1} -> {0} -> {1}, forever within one "
+                  "instant [total-instability]"},
              Case{"input a; output L; partial G2 { initial step 0; step 1 { L; }\n"
                   "transition t: 0 -> 1 when a; transition u: 1 -> 0 when a; }",
-                  "with these inputs the situation never becomes stable: {G2.1} -> {G2.0} -> {G2.1}, for ever"},
+                  "with these inputs, the situation never becomes stable: {G2.1} -> {G2.0} -> {G2.1}, forever"},
              Case{"input a; output L; internal N: int 0..3 = 0; initial step 0; step 1 { N := 1 on activation; L; }\n"
                   "step 2 { N := 2 on activation; } transition t: 0 -> 1, 2 when a;",
-                  "two stored actions give `N` different values in one evolution [action-race]"},
+                  "two stored actions assign different values to `N` in one evolution [action-race]"},
              Case{"input a; output L; internal N: int 0..3 = 0; initial step 0; step 1 { N := N + 4 on activation; L; "
                   "}\n"
                   "transition t: 0 -> 1 when a;",
-                  "`N` would leave its range 0..3 with the value 4 [out-of-range]"},
+                  "the value 4 of `N` is outside its range 0..3 [out-of-range]"},
          }) {
         SCOPED_TRACE(c.reason);
         const Result result = played(c.chart, "0\n1\n0\n");

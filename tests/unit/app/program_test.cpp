@@ -16,7 +16,7 @@ TEST(Program, PrintsItsDescriptionAndVersion) {
     EXPECT_EQ(grafverif({"--version"}).out, "grafverif " GRAFVERIF_VERSION "\n");
     const Result help = grafverif({"--help"});
     EXPECT_EQ(help.code, ExitCode::Done);
-    EXPECT_NE(help.out.find("Usage: grafverif VERB"), std::string::npos);
+    EXPECT_NE(help.out.find("Usage: grafverif COMMAND"), std::string::npos);
 }
 
 TEST(Program, RejectsWrongUsageWithExitCodeTwo) {
@@ -25,16 +25,17 @@ TEST(Program, RejectsWrongUsageWithExitCodeTwo) {
         std::string complaint;
     };
     for (const Case& c : std::vector<Case>{
-             {{}, "no verb given"},
-             {{"frobnicate"}, "there is no verb `frobnicate`"},
+             {{}, "missing command"},
+             {{"frobnicate"}, "unknown command `frobnicate`"},
              {{"build"}, "`FILE...` is missing"},
-             {{"uppaal", station, "second"}, "one argument too many: `second`"},
-             {{"build", station, "--grain", "coarse"}, "`--grain` takes one of `phased`, `atomic`; not `coarse`"},
-             {{"equations", station, "--format", "pdf"}, "not `pdf`"},
-             {{"nusmv", station, "--plant", "none", "--fairness"}, "`--fairness` needs `--plant automata`"},
+             {{"uppaal", station, "second"}, "unexpected argument `second`; remove it"},
+             {{"build", station, "--grain", "coarse"},
+              "invalid value `coarse` of `--grain`; use one of `phased`, `atomic`"},
+             {{"equations", station, "--format", "pdf"}, "invalid value `pdf` of `--format`"},
+             {{"nusmv", station, "--plant", "none", "--fairness"}, "`--fairness` requires `--plant automata`; add it"},
              {{"nusmv", station, "--time", "discrete", "--schedule", "sequenced"},
-              "`--time discrete` needs `--schedule interleaved`"},
-             {{"build", station, "--frob"}, "there is no option `--frob`"},
+              "`--time discrete` requires `--schedule interleaved`; remove the other schedule"},
+             {{"build", station, "--frob"}, "unknown option `--frob`"},
              {{"uppaal", station, "-o"}, "the required argument for option '--output' is missing"},
          }) {
         SCOPED_TRACE(c.complaint);
@@ -61,9 +62,9 @@ TEST(Build, WritesTheProjectItsQueriesAndTheNusmvModel) {
 TEST(Build, WarnsOfPropertiesThatATargetCannotExpress) {
     const Folder folder;
     const Result result = grafverif({"build", station, "-o", folder.file("out"), "--create"});
-    EXPECT_NE(result.err.find("property `no_timelock` is left out of the UPPAAL model"), std::string::npos)
+    EXPECT_NE(result.err.find("property `no_timelock` is omitted from the UPPAAL model"), std::string::npos)
         << result.err;
-    EXPECT_NE(result.err.find("property `no_deadlock` is left out of the NuSMV model"), std::string::npos)
+    EXPECT_NE(result.err.find("property `no_deadlock` is omitted from the NuSMV model"), std::string::npos)
         << result.err;
     EXPECT_NE(result.err.find("[not-expressible]"), std::string::npos);
     EXPECT_EQ(grafverif({"build", station, "-o", folder.file("out"), "--create", "--quiet"}).err, "");
@@ -142,7 +143,7 @@ TEST(Include, ReachesBelowTheMainFileOnly) {
               ExitCode::Done);
     const Result result = grafverif({"nusmv", folder.write("main/out.grafcet", "include \"../outside.grafcet\";\n")});
     EXPECT_EQ(result.code, ExitCode::Input);
-    EXPECT_NE(result.err.find("neither below the folder of the main file"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("outside the directory of the main file"), std::string::npos) << result.err;
 }
 
 TEST(Diagnostics, ComeAsJsonWhenAsked) {

@@ -36,7 +36,7 @@ TEST(Report, ComponentOfMoreThanSixtyLocationsIsShownAsTables) {
     const std::string small = lamp(60), large = lamp(61);
     EXPECT_NE(small.find("class=\"drawing automaton\""), std::string::npos);
     EXPECT_EQ(large.find("class=\"drawing automaton\""), std::string::npos);
-    EXPECT_NE(large.find("Its 61 locations are more than a drawing shows; these tables tell them."), std::string::npos);
+    EXPECT_NE(large.find("An automaton with 61 locations is too large to draw; see the tables."), std::string::npos);
     EXPECT_NE(large.find("<details open=\"\"><summary>The same as tables"), std::string::npos);
 }
 
@@ -82,8 +82,8 @@ TEST(Report, SummaryIsPositiveOnlyIfEverythingIsAsExpected) {
         "closed_loop shop { controller lamp; environment Button = push_button(OUT = B, GAP = 1s);\n";
     const std::string both =
         folder.write("both.grafcet", lamp + "property lit: reachable L; property dark: never L; }\n");
-    EXPECT_EQ(glance({"report", both}), "bad: 1 verdict is against expectation.");
-    EXPECT_EQ(glance({"report", both, "--property", "lit"}), "ok: Every property asked for holds.");
+    EXPECT_EQ(glance({"report", both}), "bad: 1 verdict is unexpected.");
+    EXPECT_EQ(glance({"report", both, "--property", "lit"}), "ok: Every property selected holds.");
     const std::string one = folder.write("one.grafcet", lamp + "property lit: reachable L; }\n");
     EXPECT_EQ(glance({"report", one}), "ok: Every property holds.");
     EXPECT_EQ(glance({"report", one, "--max-states", "3"}).substr(0, 8), "unknown:") << "the rest is not looked at";
@@ -91,12 +91,12 @@ TEST(Report, SummaryIsPositiveOnlyIfEverythingIsAsExpected) {
         folder.write("observed.grafcet", lamp +
                                              "observer Eye { initial location 10; location 11; 10 -> 11 when L; }\n"
                                              "property lit: reachable L; property blind: never Eye.11; }\n");
-    EXPECT_EQ(glance({"report", observed}), "unknown: 1 property is not decided.") << "left out of timed models";
+    EXPECT_EQ(glance({"report", observed}), "unknown: 1 verdict is unknown.") << "left out of timed models";
     EXPECT_NE(grafverif({"report", observed}).out.find("id=\"property-blind\""), std::string::npos);
     const std::string idle = folder.write("idle.grafcet", lamp + "property r: X0 && X1 leads to L; }\n");
     EXPECT_EQ(glance({"report", idle}), "unknown: Every property holds, 1 vacuously.");
     EXPECT_EQ(glance({"report", (root / "samples/tanks/tanks.grafcet").string()}),
-              "unknown: Every property holds; by itself the chart has 1 error (see Findings).");
+              "unknown: Every property holds; the chart analysis found 1 error (see Findings).");
 }
 
 TEST(Report, ListsTheAssumptionsOfTheVerdicts) {
@@ -112,18 +112,18 @@ closed_loop shop {
     property p: reachable L;
 }
 )");
-    const std::string free_inputs = "There is no plant in this model: every input may change at any time.";
+    const std::string free_inputs = "This model has no plant: every input can change at any time.";
     const auto says = [&](const std::vector<std::string>& more, const std::string& words) {
         std::vector<std::string> arguments = {"report", file};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return grafverif(arguments).out.find(words) != std::string::npos;
     };
-    EXPECT_TRUE(says({}, "Environment, free to act"));
-    EXPECT_FALSE(says({}, "inputs always keep")) << "with a plant a constraint is proven, not assumed";
+    EXPECT_TRUE(says({}, "Environment, with any behaviour"));
+    EXPECT_FALSE(says({}, "inputs always satisfy")) << "with a plant a constraint is proven, not assumed";
     EXPECT_TRUE(says({"--untimed"}, free_inputs));
-    EXPECT_FALSE(says({"--untimed"}, "inputs always keep"));
-    EXPECT_TRUE(says({"--untimed", "--plant", "constraints"}, "But the inputs always keep"));
-    EXPECT_TRUE(says({"--chart", "pair"}, "assumed by the findings, not by the verdicts"));
+    EXPECT_FALSE(says({"--untimed"}, "inputs always satisfy"));
+    EXPECT_TRUE(says({"--untimed", "--plant", "constraints"}, "The inputs always satisfy"));
+    EXPECT_TRUE(says({"--chart", "pair"}, "assumed by the findings, but not by the verdicts"));
 }
 
 TEST(Report, DrawsEveryElementThatItsPlayerLights) {

@@ -42,7 +42,7 @@ TEST(Reports, OfJunitHaveTheLocationAndTheBeginningOfTheTrace) {
     EXPECT_EQ(p.attribute("file").value(), file);
     EXPECT_EQ(p.attribute("line").as_int(), 5);
     const std::string message = p.child("failure").attribute("message").value();
-    EXPECT_TRUE(message.starts_with("violated (" + file + ":5)\n  time  what happened")) << message;
+    EXPECT_TRUE(message.starts_with("violated (" + file + ":5)\n  time  event")) << message;
     EXPECT_NE(std::string(p.child("failure").text().get()).find("t        1"), std::string::npos);
     EXPECT_EQ(suite.find_child_by_attribute("testcase", "name", "q").attribute("line").as_int(), 6);
     EXPECT_EQ(suite.find_child_by_attribute("testcase", "name", "no_timelock").attribute("line").as_int(), 4)
@@ -157,7 +157,7 @@ TEST(Reports, OfSeveralFilesAreOne) {
     }
     EXPECT_EQ(verdicts, "violated holds holds violated holds holds error holds holds holds ");
     EXPECT_EQ(objects_in(result.out)[0]["as_expected"], false);
-    EXPECT_TRUE(objects_in(result.out)[0]["story"][0].get<std::string>().starts_with("  time  what happened"));
+    EXPECT_TRUE(objects_in(result.out)[0]["story"][0].get<std::string>().starts_with("  time  event"));
 }
 
 TEST(Reports, OfAnEarlierRunAreRemoved) {
@@ -230,9 +230,9 @@ TEST(Reports, StateThatTheirRunDidNotFinish) {
     Job job{.options = {.operands = {file}, .junit = folder.file("r.xml"), .sarif = folder.file("r.sarif")},
             .reports = &reports};
     begin_reports(false, job);  // here the machine stops
-    EXPECT_NE(folder.read("r.xml").find("the run did not come to its end"), std::string::npos);
+    EXPECT_NE(folder.read("r.xml").find("the command did not complete"), std::string::npos);
     EXPECT_EQ(checked(folder.read("r.sarif")).size(), 0u);
-    EXPECT_NE(folder.read("r.sarif").find("the run did not come to its end"), std::string::npos);
+    EXPECT_NE(folder.read("r.sarif").find("the command did not complete"), std::string::npos);
 }
 
 TEST(Reports, TakeTheirPlaceFromNoOtherFile) {

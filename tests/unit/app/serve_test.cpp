@@ -153,7 +153,8 @@ TEST(ServeBench, ReportsVerdictsAndErrorsAndFollowsTheFile) {
     folder.write("lamp.grafcet", lamp_text + "nonsense");
     const Json broken = bystander.wait_for([](const Json& state) { return state["readable"] == false; });
     EXPECT_NE(broken["complaints"].get<std::string>().find("^"), std::string::npos) << "a caret";
-    EXPECT_EQ(bystander.play({{"chart", "lamp"}})["complaint"], "the file has errors; nothing can be simulated");
+    EXPECT_EQ(bystander.play({{"chart", "lamp"}})["complaint"],
+              "the file has errors and cannot be simulated; correct them");
 
     fs::remove(file);
     bystander.wait_for([](const Json& state) {
@@ -305,13 +306,13 @@ TEST(Trial, AStepIsForcedByHandAndAllThatFollowsIsCalledATrial) {
         EXPECT_EQ(forced["rows"].back()["outputs"], "LAMP");
         EXPECT_EQ(forced["rows"][0]["trial"], false);
         EXPECT_EQ(forced["rows"][1]["trial"], true);
-        EXPECT_EQ(forced["rows"][1]["what"], "TRIAL: step 1 activated by hand; not a run of the model from here on");
+        EXPECT_EQ(forced["rows"][1]["what"], "WHAT-IF: step 1 forced active; no longer a run of the model");
         EXPECT_EQ(situation(moves({"force 1 on", "force 0 off", "wait 2s"})), "1");
         EXPECT_EQ(situation(moves({"force 1 on", "force 0 off", "wait 3s"})), "0")
             << "its time counts from the trial on";
-        EXPECT_EQ(moves({"force 1 on", "force 1 on"})["problem"], "step `1` is active already");
+        EXPECT_EQ(moves({"force 1 on", "force 1 on"})["problem"], "step `1` is already active");
         EXPECT_EQ(moves({"force 1 off"})["problem"], "step `1` is not active");
-        EXPECT_EQ(moves({"force 7 on"})["problem"], "there is no step `7`");
+        EXPECT_EQ(moves({"force 7 on"})["problem"], "unknown step `7`");
     }
 }
 
@@ -342,7 +343,7 @@ TEST(Trial, TheRulesOfHierarchyHaveTheLastWord) {
         const Json answer = bystander.play({{"chart", c.element}, {"moves", c.moves}});
         std::string forced;  // followed by the interpreter's result
         for (const Json& row : answer["rows"])
-            if (row["what"].get<std::string>().starts_with("TRIAL")) forced = row["situation"];
+            if (row["what"].get<std::string>().starts_with("WHAT-IF")) forced = row["situation"];
         EXPECT_EQ(forced, c.situation);
         EXPECT_EQ(answer["problem"], c.problem);
     }
@@ -404,8 +405,8 @@ TEST(Play, AnswersAnyRequest) {
     EXPECT_NE(complaint({{"chart", "lamp"}, {"random", most_random_moves + 1}}), "");
     const Json stopped = bystander.play({{"chart", "lamp"}, {"moves", {"ON = true", "ON = 7", "OFF = true"}}});
     EXPECT_EQ(stopped["moves"], Json({"ON = true", "ON = 7"}));
-    EXPECT_EQ(stopped["problem"], "`ON` is true or false; not 7");
-    EXPECT_EQ(bystander.play({{"chart", "lamp"}, {"moves", {"back"}}})["problem"], "`back` is no move");
+    EXPECT_EQ(stopped["problem"], "`ON` is Boolean and cannot be 7; use true or false");
+    EXPECT_EQ(bystander.play({{"chart", "lamp"}, {"moves", {"back"}}})["problem"], "`back` is not a valid move");
     EXPECT_NE(Json::parse(play(Workpiece(), Options(), std::string(100'000, '['))).value("complaint", ""), "");
 }
 

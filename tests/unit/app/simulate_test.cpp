@@ -32,8 +32,8 @@ TEST(Commands, AreReadLineByLine) {
              {"LEVEL = -3", SetCommand{{{"LEVEL", -3}}}},
              {"A = true, N = 3", SetCommand{{{"A", 1}, {"N", 3}}}},
              {"A = true,B=false", SetCommand{{{"A", 1}, {"B", 0}}}},
-             {"A = true B = false", BadCommand{"write `NAME = VALUE`"}},
-             {"A = true,", BadCommand{"write `NAME = VALUE`"}},
+             {"A = true B = false", BadCommand{"the assignment is incomplete; write `NAME = VALUE`"}},
+             {"A = true,", BadCommand{"the assignment is incomplete; write `NAME = VALUE`"}},
              {"wait 3s", WaitCommand{3000}},
              {"wait 250 ms", WaitCommand{250}},
              {"wait 2min # long", WaitCommand{120'000}},
@@ -42,8 +42,8 @@ TEST(Commands, AreReadLineByLine) {
              {"do Start", DoCommand{"Start", ""}},
              {"force G1.3 on", ForceCommand{"G1.3", true}},
              {"force 3 off // for trial", ForceCommand{"3", false}},
-             {"force 3", BadCommand{"write `force STEP on` or `force STEP off`"}},
-             {"force 3 true", BadCommand{"write `force STEP on` or `force STEP off`"}},
+             {"force 3", BadCommand{"`force` is incomplete; write `force STEP on` or `force STEP off`"}},
+             {"force 3 true", BadCommand{"`force` is incomplete; write `force STEP on` or `force STEP off`"}},
              {" 12 ", ChooseCommand{12}},
              {"back", BackCommand{}},
              {"undo", BackCommand{}},
@@ -61,23 +61,24 @@ TEST(Commands, AreReadLineByLine) {
                   {}}},
              {"repeat 3 {", RepeatCommand{3}},
              {"}", EndCommand{}},
-             {"repeat 0 {", BadCommand{"write `repeat 3 {`, and `}` on a line of its own behind what is repeated"}},
-             {"expect", BadCommand{"write what is to hold, such as `X3`, `not LAMP` or `LEVEL >= 3`"}},
-             {"expect X3 X4", BadCommand{"`X4` does not belong to a claim such as `X3 and LEVEL >= 3`"}},
-             {"expect N >=",
-              BadCommand{"behind `N >=` stands a whole number, `true` or `false`, and no `not` before it"}},
+             {"repeat 0 {",
+              BadCommand{"invalid `repeat`; write `repeat 3 {`, and `}` on a separate line after the repeated lines"}},
+             {"expect", BadCommand{"the claim is missing; write for example `X3`, `not LAMP` or `LEVEL >= 3`"}},
+             {"expect X3 X4", BadCommand{"unexpected `X4` in a claim; write for example `X3 and LEVEL >= 3`"}},
+             {"expect N >=", BadCommand{"invalid operand of `N >=`; write a whole number, `true` or `false`, without "
+                                        "`not` before the comparison"}},
              {"expect within X3",
-              BadCommand{"`expect within` takes a duration such as `3s`, `250ms` or `2min`, then a claim"}},
+              BadCommand{"`expect within` requires a duration and a claim; write for example `expect within 3s X3`"}},
              {"q", QuitCommand{}},
              {"?", HelpCommand{}},
              {"", NoCommand{}},
              {"// nothing", NoCommand{}},
-             {"wait 3", BadCommand{"`wait` takes a duration such as `3s`, `250ms` or `2min`"}},
-             {"wait 0s", BadCommand{"`wait` takes a duration such as `3s`, `250ms` or `2min`"}},
-             {"START = maybe", BadCommand{"`maybe` is no value; write `true`, `false` or a whole number"}},
-             {"START =", BadCommand{"write `NAME = VALUE`"}},
-             {"0", BadCommand{"`0` is no command; `help` lists them"}},
-             {"press START", BadCommand{"`press` is no command; `help` lists them"}},
+             {"wait 3", BadCommand{"`wait` requires a duration; write `3s`, `250ms` or `2min`, for example"}},
+             {"wait 0s", BadCommand{"`wait` requires a duration; write `3s`, `250ms` or `2min`, for example"}},
+             {"START = maybe", BadCommand{"invalid value `maybe`; write `true`, `false` or a whole number"}},
+             {"START =", BadCommand{"the assignment is incomplete; write `NAME = VALUE`"}},
+             {"0", BadCommand{"unknown command `0`; list the commands with `help`"}},
+             {"press START", BadCommand{"unknown command `press`; list the commands with `help`"}},
          }) {
         SCOPED_TRACE(c.line);
         EXPECT_EQ(command_of(c.line), c.command);
@@ -91,7 +92,7 @@ TEST(Simulate, FollowsAScriptAndPrintsTheSituationAsATraceDoes) {
     const Result result = grafverif({"simulate", blinker, "--script", script});
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
     EXPECT_EQ(squeezed(result.out),
-              "time what happened inputs cleared situation outputs\n"
+              "time event inputs cleared situation outputs\n"
               "0 s blinker: power on none 0 none\n"
               "1 s 1 s passes 0 none\n"
               "1 s Button BUTTON\n"
@@ -115,7 +116,7 @@ TEST(Simulate, MarksATrialInItsRowsAndInItsTraces) {
         command.insert(command.end(), of.begin(), of.end());
         const Result result = grafverif(command);
         EXPECT_EQ(result.code, ExitCode::Done) << result.err;
-        EXPECT_NE(squeezed(result.out).find("TRIAL: step 0 deactivated by"), std::string::npos) << result.out;
+        EXPECT_NE(squeezed(result.out).find("WHAT-IF: step 0 forced"), std::string::npos) << result.out;
         for (const char* file : {"t.svg", "t.vcd"})
             EXPECT_NE(folder.read(file).find("not a run of the model"), std::string::npos) << file;
     }
@@ -132,14 +133,15 @@ TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeObeyed) {
         const char* complaint;
     };
     for (const Case& c : std::vector<Case>{
-             {"BUTTON = true\n", ":1: error: nothing can make `BUTTON` true now\n"},
+             {"BUTTON = true\n", ":1: error: no move can make `BUTTON` true now\n"},
              {"wait 1s\n\nBUTTON = false\n", ":3: error: `BUTTON` is false already\n"},
-             {"LAMP = true\n", ":1: error: there is no input `LAMP`\n"},
-             {"wait 500ms\n", ":1: error: the time unit of this loop is 1 s; wait a multiple of it\n"},
-             {"do Nobody\n", ":1: error: there is no instance `Nobody`\n"},
-             {"do Lamp lit\n", ":1: error: `Lamp` to `lit` cannot happen now\n"},
-             {"7\n", ":1: error: there is no choice now; let time pass with `wait`\n"},
-             {"wait 1s\nback\nback\n", ":3: error: there is nothing to undo\n"},
+             {"LAMP = true\n", ":1: error: unknown input `LAMP`\n"},
+             {"wait 500ms\n",
+              ":1: error: the duration is not a multiple of the time unit 1 s; wait for a multiple of it\n"},
+             {"do Nobody\n", ":1: error: unknown instance `Nobody`\n"},
+             {"do Lamp lit\n", ":1: error: `Lamp` to `lit` is not possible now\n"},
+             {"7\n", ":1: error: no choice is available; let time pass with `wait`\n"},
+             {"wait 1s\nback\nback\n", ":3: error: there is no command to undo\n"},
              {"wait\nwait\n", ":2: error: nothing changes as time passes; give `wait` a duration\n"},
          }) {
         SCOPED_TRACE(c.script);
@@ -183,7 +185,7 @@ TEST(Simulate, ResolvesPortsAsPropertiesDo) {
     EXPECT_EQ(unmet.code, ExitCode::Verdict);
     EXPECT_NE(unmet.err.find("expected `Lamp.ON`, but `LAMP` is false"), std::string::npos) << unmet.err;
     const Result wrong = run("expect Lamp.OF\n");
-    EXPECT_NE(wrong.err.find("there is no variable or step `Lamp.OF`"), std::string::npos) << wrong.err;
+    EXPECT_NE(wrong.err.find("unknown variable or step `Lamp.OF`"), std::string::npos) << wrong.err;
 }
 
 TEST(Simulate, ReportsUnmetExpectationsAndContinues) {
@@ -207,13 +209,13 @@ TEST(Simulate, ReadsAScriptWholeBeforeItMoves) {
     const Result result = grafverif({"simulate", blinker, "--script", script});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_EQ(result.out, "");
-    EXPECT_EQ(result.err, script + ":3: error: `press` is no command; `help` lists them\n" + script +
-                              ":5: error: this `}` ends no `repeat`\n" + script +
-                              ":6: error: `repeat` without its `}`\n");
+    EXPECT_EQ(result.err, script + ":3: error: unknown command `press`; list the commands with `help`\n" + script +
+                              ":5: error: this `}` closes no `repeat`; remove it\n" + script +
+                              ":6: error: `repeat` is not closed; add `}`\n");
     const Result unknown = grafverif(
         {"simulate", blinker, "--script", folder.write("u.txt", "expect NOBODY\n"), "--junit", folder.file("r.xml")});
     EXPECT_EQ(unknown.code, ExitCode::Input);
-    EXPECT_NE(unknown.err.find("error: there is no variable or step `NOBODY`"), std::string::npos);
+    EXPECT_NE(unknown.err.find("error: unknown variable or step `NOBODY`"), std::string::npos);
     EXPECT_NE(folder.read("r.xml").find("errors=\"1\""), std::string::npos);
 }
 
@@ -235,7 +237,7 @@ TEST(Simulate, AsksForAChoiceIfThePlantHasOne) {
     const Result stopped = grafverif({"simulate", station, "--script", folder.write("a.txt", to_the_test)});
     EXPECT_EQ(stopped.code, ExitCode::Input);
     EXPECT_NE(stopped.err.find(
-                  "time cannot pass before one of these happens: `Tester: passed, TEST_OK`, `Tester: failed, TEST_KO`"),
+                  "time cannot pass before one of these moves: `Tester: passed, TEST_OK`, `Tester: failed, TEST_KO`"),
               std::string::npos)
         << stopped.err;
     const Result failed = grafverif({"simulate", station, "--script",
@@ -249,9 +251,9 @@ TEST(Simulate, TalksWithAPerson) {
         grafverif({"simulate", blinker}, "help\nwait 1s\n1\nback\nnonsense\nBUTTON = true\nquit\nwait 1s\n");
     EXPECT_EQ(result.code, ExitCode::Done);
     const std::string out = squeezed(result.out);
-    EXPECT_NE(out.find("1 Button: BUTTON\nwait as long as you like\n> "), std::string::npos) << out;
+    EXPECT_NE(out.find("1 Button: BUTTON\nwait any time\n> "), std::string::npos) << out;
     EXPECT_NE(out.find("> back to:\n1 s 1 s passes 0 none\n"), std::string::npos) << out;
-    EXPECT_NE(out.find("! `nonsense` is no command"), std::string::npos);
+    EXPECT_NE(out.find("! unknown command `nonsense`"), std::string::npos);
     EXPECT_NE(out.find("wait up to 2 s\n> "), std::string::npos);
     EXPECT_EQ(result.err, "");
 }
@@ -272,16 +274,17 @@ TEST(Simulate, SavesASessionAsAScriptWithExpectations) {
                                    "wait 1s\n1   // by its number\nwait 5min\nundo\nwait until X2\nundo\nwait 2s\n"
                                    "expect X0\nexpect X2\nnonsense\nBUTTON = false\nundo\nsave " +
                                        saved + "\n");
-    EXPECT_NE(typed.out.find("saved; `--script "), std::string::npos) << typed.out;
+    EXPECT_NE(typed.out.find("saved; replay it with `--script "), std::string::npos) << typed.out;
     const std::string script = folder.read("saved.txt");
     EXPECT_EQ(script.substr(script.find('\n') + 1),
               "wait 1s\ndo Button idle\nexpect X1, not X0, LAMP\nwait 2s\nexpect X2, not X1, not LAMP\nexpect X2\n");
     const Result again = grafverif({"simulate", blinker, "--script", saved, "--junit", folder.file("r.xml")});
     EXPECT_EQ(again.code, ExitCode::Done) << again.err;
     EXPECT_NE(folder.read("r.xml").find("tests=\"3\" failures=\"0\""), std::string::npos);
-    EXPECT_NE(grafverif({"simulate", blinker}, "save " + blinker + "\n").out.find("is there already"),
+    EXPECT_NE(grafverif({"simulate", blinker}, "save " + blinker + "\n").out.find("exists and is not a saved session"),
               std::string::npos);
-    EXPECT_NE(grafverif({"simulate", blinker}, "save\n").out.find("! write `save FILE`"), std::string::npos);
+    EXPECT_NE(grafverif({"simulate", blinker}, "save\n").out.find("! the file name is missing; write `save FILE`"),
+              std::string::npos);
     EXPECT_EQ(grafverif({"simulate", blinker, "--script", folder.write("s.txt", "save x\n")}).code, ExitCode::Input);
 }
 
@@ -313,7 +316,7 @@ TEST(Simulate, UndoesACommandThatMadeSeveralMovesAsOne) {
     const Result result = grafverif(
         {"simulate", blinker}, "wait 1s\nBUTTON = true\nwait until X2\nundo\nexpect X1\nundo\nexpect X0\nundo\nundo\n");
     EXPECT_EQ(result.out.find("! expected"), std::string::npos) << result.out;
-    EXPECT_NE(result.out.find("! there is nothing to undo"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("! there is no command to undo"), std::string::npos) << result.out;
 }
 
 TEST(Simulate, NoticesAChartThatNeverStabilises) {
@@ -325,7 +328,7 @@ TEST(Simulate, NoticesAChartThatNeverStabilises) {
         "closed_loop one { controller endless with stability_search; environment Go = free(OUT = GO); }\n");
     const Result result = grafverif({"simulate", file, "--script", folder.write("go.txt", "GO = true\n")});
     EXPECT_EQ(result.code, ExitCode::Input);
-    EXPECT_NE(result.err.find("with these inputs the situation never becomes stable: {1} -> {2} -> {1}, for ever"),
+    EXPECT_NE(result.err.find("with these inputs, the situation never becomes stable: {1} -> {2} -> {1}, forever"),
               std::string::npos)
         << result.err;
 }
@@ -365,7 +368,7 @@ TEST(SimulateChart, RunsOnTheRulesWithItsInputsSetByHand) {
          folder.write("a.txt", "UP = true\nGO = true\nwait 5s\nUP = false, DOWN = true, GO = false\nN = 7\n")});
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
     EXPECT_EQ(squeezed(result.out),
-              "time what happened inputs cleared situation outputs\n"
+              "time event inputs cleared situation outputs\n"
               "0 s press: power on none 0 none\n"
               "inputs change UP 0 none\n"
               "inputs change GO\n"
@@ -420,7 +423,7 @@ TEST(SimulateChart, ReportsTheViolatedConstraintAndContinues) {
     const Result result =
         grafverif({"simulate", file, "--script", folder.write("a.txt", "UP = true\nDOWN = true\nN = 1\nUP = false\n")});
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
-    const std::string told = "! these inputs break the constraint `!(UP && DOWN)`\n";
+    const std::string told = "! these inputs violate the constraint `!(UP && DOWN)`\n";
     ASSERT_NE(result.out.find(told), std::string::npos) << result.out;
     EXPECT_EQ(result.out.find(told, result.out.find(told) + 1), std::string::npos) << "told once";
     const Result talk = grafverif({"simulate", file}, "UP = true\nquit\n");
@@ -436,13 +439,14 @@ TEST(SimulateChart, RejectsInvalidInputsAndUndoesTheLastCommand) {
         const char* complaint;
     };
     for (const Case& c : std::vector<Case>{
-             {"LOCK = true\n", ":1: error: there is no input `LOCK`\n"},
+             {"LOCK = true\n", ":1: error: unknown input `LOCK`\n"},
              {"N = 10\n", ":1: error: `N` takes 0 to 9; not 10\n"},
-             {"UP = false\n", ":1: error: `UP` is so already\n"},
-             {"do Press\n", ":1: error: there is no plant here, so no `Press`; inputs are set by `NAME = VALUE`\n"},
-             {"back\n", ":1: error: there is nothing to undo\n"},
+             {"UP = false\n", ":1: error: `UP` already has this value\n"},
+             {"do Press\n",
+              ":1: error: a chart alone has no plant, so `Press` is not available; set inputs with `NAME = VALUE`\n"},
+             {"back\n", ":1: error: there is no command to undo\n"},
              {"wait\n", ":1: error: nothing changes as time passes; give `wait` a duration\n"},
-             {"UP = true\nGO = true\nback\nGO = false\n", ":4: error: `GO` is so already\n"},
+             {"UP = true\nGO = true\nback\nGO = false\n", ":4: error: `GO` already has this value\n"},
          }) {
         SCOPED_TRACE(c.script);
         const std::string script = folder.write("script.txt", c.script);
@@ -462,12 +466,12 @@ TEST(SimulateChart, DetectsInstabilityInBothModes) {
         const Result result = grafverif(
             {"simulate", file, "--mode", mode, "--script", folder.write("go.txt", "GO = true\nGO = false\n")});
         EXPECT_EQ(result.code, ExitCode::Input);
-        EXPECT_NE(result.err.find("go.txt:1: error: with these inputs the situation never becomes stable: "),
+        EXPECT_NE(result.err.find("go.txt:1: error: with these inputs, the situation never becomes stable: "),
                   std::string::npos)
             << mode << result.err;
     }
     const Result talk = grafverif({"simulate", file}, "GO = true\nGO = false\nback\nwait 1s\n");
-    EXPECT_NE(talk.out.find("! nothing more can happen; `back` undoes the last command"), std::string::npos);
+    EXPECT_NE(talk.out.find("! no further event is possible; undo the last command with `back`"), std::string::npos);
     EXPECT_NE(talk.out.find("back to:"), std::string::npos);
 }
 

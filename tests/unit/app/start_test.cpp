@@ -130,14 +130,14 @@ TEST(Untimely, RunThatNoClockProducesIsMarked) {
             std::string("grafcet g { input a; initial step 0; step 1; transition t0: 0 -> 1 when ") + condition +
                 "; }\nclosed_loop w { controller g; environment A = push_button(OUT = a); property p: never X1; }\n");
     };
-    const std::string note = "note: no plant gives this run: 5s/X0 is over in it, and 3s/X0 is not";
+    const std::string note = "note: no plant has this run: 5s/X0 has expired in it, but 3s/X0 has not";
     for (const Words& model :
          {Words{"--untimed"}, {"--untimed", "--plant", "automata"}, {"--untimed", "--schedule", "synchronous"}}) {
         const Result early = grafverif(Words{"check", file("5s/X0 && !(3s/X0)")} + model);
         EXPECT_EQ(early.code, ExitCode::Verdict) << early.err;
         EXPECT_NE(early.out.find(note), std::string::npos) << early.out;
         const Result late = grafverif(Words{"check", file("5s/X0 && 3s/X0")} + model);
-        EXPECT_EQ(late.out.find("no plant gives"), std::string::npos) << late.out;
+        EXPECT_EQ(late.out.find("no plant has"), std::string::npos) << late.out;
     }
     EXPECT_EQ(grafverif({"check", file("5s/X0 && !(3s/X0)"), "--time", "discrete", "--untimed"}).code, ExitCode::Done);
 }
@@ -190,7 +190,7 @@ TEST(CheckOfAChart, ReportsTotalInstabilityAsAnalyseDoes) {
     const nlohmann::json found = nlohmann::json::parse(result.out)["properties"].back();
     EXPECT_EQ(found["name"], "stabilises");
     EXPECT_EQ(found["verdict"], "violated");
-    EXPECT_NE(std::string(found["notes"][0]).find("2 situations follow each other for ever"), std::string::npos);
+    EXPECT_NE(std::string(found["notes"][0]).find("2 situations follow each other forever"), std::string::npos);
     EXPECT_TRUE(found["trace"]["loop_from"].is_number());
     EXPECT_NE(grafverif({"analyse", chart("")}).out.find("[total-instability]"), std::string::npos);
 

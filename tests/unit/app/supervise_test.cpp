@@ -33,7 +33,7 @@ TEST(Supervise, TheTextWithTheConditionsIsCanonicalAndItsPropertiesHold) {
         EXPECT_EQ(grafverif({"fmt", "--check", safe}).code, ExitCode::Done);
         EXPECT_EQ(grafverif({"check", safe, "--grain", "atomic"}).code, ExitCode::Done);
         const Result again = grafverif({"supervise", safe});
-        EXPECT_TRUE(says(again.out, "nothing need be forbidden")) << again.out << again.err;
+        EXPECT_TRUE(says(again.out, "to enforce hold without conditions")) << again.out << again.err;
     }
 }
 
@@ -43,7 +43,7 @@ TEST(Supervise, UnavoidableViolationIsShownAsARun) {
         changed(crossing_text(), "urgent home -> out when GO && !BACK", "timed home -> out when true");
     const Result none = grafverif({"supervise", folder.write("rolls.grafcet", text)});
     EXPECT_EQ(none.code, ExitCode::Verdict) << none.err;
-    EXPECT_TRUE(says(none.out, "There are no such conditions: whatever the chart forbids, the plant can break"))
+    EXPECT_TRUE(says(none.out, "No such conditions exist: for all conditions on the chart, the plant can violate"))
         << none.out;
     EXPECT_TRUE(says(none.out, "Cart_1: out")) << none.out;
     EXPECT_FALSE(says(none.out, "may_")) << none.out;
@@ -65,10 +65,10 @@ TEST(Supervise, JsonIsComplete) {
 TEST(Supervise, MarkedTermStaysReachable) {
     const Result made = grafverif({"supervise", crossing, "--marked", "second.X2 && HOME_1"});
     EXPECT_EQ(made.code, ExitCode::Done) << made.err;
-    EXPECT_TRUE(says(made.out, "to stay within reach: second.X2 && HOME_1")) << made.out;
+    EXPECT_TRUE(says(made.out, "to keep reachable: second.X2 && HOME_1")) << made.out;
     const Result never = grafverif({"supervise", crossing, "--marked", "!HOME_1 && !HOME_2"});
     EXPECT_EQ(never.code, ExitCode::Verdict) << never.err;
-    EXPECT_TRUE(says(never.out, "the plant can come to where nothing marked can be")) << never.out;
+    EXPECT_TRUE(says(never.out, "the plant can reach a state from which no marked state")) << never.out;
 }
 
 const std::string heater =
@@ -99,15 +99,15 @@ TEST(Supervise, PropertiesThatItDoesNotConsiderAreNamed) {
     const Folder folder;
     const std::string file = folder.write("heater.grafcet", heater);
     const Result made = grafverif({"supervise", file});
-    EXPECT_TRUE(says(made.out, "not considered, not about all states: cools\n")) << made.out;
-    EXPECT_TRUE(says(made.out, "not considered, expected violated: burns\n")) << made.out;
+    EXPECT_TRUE(says(made.out, "ignored, not a property of all states: cools\n")) << made.out;
+    EXPECT_TRUE(says(made.out, "ignored, expected violated: burns\n")) << made.out;
     const std::string cold = changed(heater, "timed hot -> burnt when ON", "timed burnt -> idle when ON");
     const std::string safe =
         folder.write("safe.grafcet", changed(cold, "safe: never Oven in burnt", "safe: never X1 && X5"));
     const Result holds = grafverif({"supervise", safe});
     EXPECT_EQ(holds.code, ExitCode::Done) << holds.out << holds.err;
-    EXPECT_TRUE(says(holds.out, "The properties to be kept hold without conditions")) << holds.out;
-    EXPECT_TRUE(says(holds.out, "not considered, not about all states: cools\n")) << holds.out;
+    EXPECT_TRUE(says(holds.out, "The properties to enforce hold without conditions")) << holds.out;
+    EXPECT_TRUE(says(holds.out, "ignored, not a property of all states: cools\n")) << holds.out;
     for (const std::string chosen : {"", "safe"}) {
         std::vector<std::string> words{"supervise", file, "--format", "json"};
         if (!chosen.empty()) words.insert(words.end(), {"--property", chosen});
@@ -115,7 +115,7 @@ TEST(Supervise, PropertiesThatItDoesNotConsiderAreNamed) {
         const auto ignored = nlohmann::json::parse(json.out)["ignored"];
         ASSERT_EQ(ignored.size(), 2U) << json.out;
         EXPECT_EQ(ignored[0]["property"], "cools");
-        EXPECT_EQ(ignored[0]["reason"], chosen.empty() ? "not about all states" : "not selected");
+        EXPECT_EQ(ignored[0]["reason"], chosen.empty() ? "not a property of all states" : "not selected");
     }
 }
 

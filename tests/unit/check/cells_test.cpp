@@ -124,7 +124,7 @@ TEST(Cells, InvariantOfANeighbourExcludesItsViolation) {
     const Scope scope = verdict(found, "never_z").scope;
     EXPECT_EQ(scope.searched, std::vector<std::string>{"B"});
     EXPECT_EQ(scope.because,
-              "is taken to do anything at any moment that breaks none of as_one, which holds; that takes no run away");
+              "may do anything at any time that satisfies as_one, which holds; this is an over-approximation");
 }
 
 TEST(Cells, NoVerdictIfAnotherFragmentMayHaveAModelError) {
@@ -186,7 +186,7 @@ TEST(Cells, RaceVerdictNamesTheSearchedFragmentsAndTheReason) {
         EXPECT_EQ(found.scope.searched, by_b ? std::vector<std::string>{"B"} : std::vector<std::string>{});
         EXPECT_EQ(found.scope.left_out,
                   by_b ? (std::vector<std::string>{"A", "C"}) : (std::vector<std::string>{"A", "B", "C"}));
-        EXPECT_EQ(found.scope.because, "has nothing in it that could race");
+        EXPECT_EQ(found.scope.because, "cannot have a model error");
         EXPECT_EQ(found.states.empty(), !by_b) << found.states;
     }
 }
@@ -196,11 +196,11 @@ TEST(Cells, VerdictsNoteHowFarTimelocksWereSearched) {
         const std::vector<std::string>& notes = verdict(result, property).notes;
         return notes.empty() ? "" : notes.back();
     };
-    const std::string looked = "time-locks were looked for in the first ";
+    const std::string looked = "timelocks were searched only in the first ";
     TimedResult found = by_cells(line(), {.properties = {"held_2"}});
     EXPECT_EQ(told(found, "no_timelock"), "unknown (bound)");
-    EXPECT_EQ(note(found, "held_2"), looked + verdict(found, "no_timelock").states +
-                                         " states only; ask for `no timelock` to have all looked at");
+    EXPECT_EQ(note(found, "held_2"),
+              looked + verdict(found, "no_timelock").states + " states; declare `no timelock` to search all states");
     found = by_cells(read_sample("testing_station/testing_station.grafcet").network);
     for (const Verdict& each : found.verdicts)
         for (const std::string& said : each.notes) EXPECT_FALSE(said.starts_with(looked)) << each.property;

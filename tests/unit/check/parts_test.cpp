@@ -96,9 +96,8 @@ TEST(Parts, EachVerdictNamesItsOmittedParts) {
     const Scope& scope = verdict(result, "on").scope;
     EXPECT_EQ(scope.searched, std::vector<std::string>{"lamp"});
     EXPECT_EQ(scope.left_out, (std::vector<std::string>{"other", "third"}));
-    EXPECT_EQ(scope.because,
-              "shares only time with it, never locks time and never goes on for ever within one instant");
-    EXPECT_EQ(verdict(result, "seen").scope.because, "shares only time with it and can let time pass for ever");
+    EXPECT_EQ(scope.because, "shares only time with it, has no timelock and cannot move forever within one instant");
+    EXPECT_EQ(verdict(result, "seen").scope.because, "shares only time with it and can let time pass forever");
     EXPECT_EQ(verdict(result, "one").scope.because, "shares only time with it and adds no state");
     EXPECT_EQ(verdict(result, "no_timelock").scope.searched, (std::vector<std::string>{"lamp", "other", "third"}));
 }
@@ -123,7 +122,7 @@ TEST(Parts, InfiniteInstantOfOnePartStarvesOthers) {
     EXPECT_EQ(told(result, "on"), "violated");
     EXPECT_FALSE(apart(result, "on"));
     EXPECT_EQ(verdict(result, "on").notes,
-              std::vector<std::string>{"the whole loop was searched: `free` may go on for ever within one instant"});
+              std::vector<std::string>{"the complete loop was explored: `free` can move forever within one instant"});
     EXPECT_TRUE(apart(result, "seen") && apart(result, "dark") && apart(result, "one"));
 }
 
@@ -276,7 +275,7 @@ TEST(Parts, ARunInWhichOthersMoveTooOftenIsNotShown) {
     EXPECT_EQ(told(result, "never"), "violated");
     EXPECT_FALSE(verdict(result, "never").run);
     EXPECT_EQ(verdict(result, "never").notes,
-              std::vector<std::string>{"no run is shown: with the other sub-loops it has too many moves"});
+              std::vector<std::string>{"no trace is given: with the other sub-loops, it has too many moves"});
 }
 
 /// One part stops time, and another one counts for very long within that instant.
@@ -297,7 +296,7 @@ TEST(Parts, FiniteRunNextToAVeryLongOneIsNotShown) {
     EXPECT_EQ(told(result, "ends"), "violated");
     EXPECT_FALSE(verdict(result, "ends").run);
     EXPECT_EQ(verdict(result, "ends").notes,
-              std::vector<std::string>{"no run is shown: with the other sub-loops it has too many moves"});
+              std::vector<std::string>{"no trace is given: with the other sub-loops, it has too many moves"});
 }
 
 TEST(Parts, BoundOfOneSearchIsReportedAsThatOfTheCompleteSearch) {

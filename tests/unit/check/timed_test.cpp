@@ -338,7 +338,7 @@ TEST(TimedEngine, NamesTheBoundThatEndedTheSearch) {
     EXPECT_EQ(told(checked(s.network, {.max_memory = 1U << 20U}), "end"), "unknown (memory)");
     const TimedResult late = checked(s.network, {.deadline = std::chrono::steady_clock::now()});
     EXPECT_EQ(told(late, "end"), "unknown (stopped)");
-    EXPECT_EQ(verdict(late, "end").reason, "stopped before its search began");
+    EXPECT_EQ(verdict(late, "end").reason, "stopped before the exploration");
     EXPECT_FALSE(late.profile) << "one state explains nothing";
     const std::atomic<bool> stop = true;
     EXPECT_EQ(told(checked(s.network, {.stop = &stop}), "end"), "unknown (stopped)");

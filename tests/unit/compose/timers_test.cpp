@@ -54,7 +54,7 @@ TEST(Timers, ThePulseChartFiresOncePerFiveSecondsInBothGrainsAndModes) {
 TEST(Timers, PublishedPulseChartFiresForeverInOneInstant) {
     const Network network = composed(pulse(), {.ablations = {.timers_as_published = true}});
     const History result = run(network, 6, 1000);
-    EXPECT_LE(result.units, 2) << "time stands still after the first five seconds";
+    EXPECT_LE(result.units, 2) << "time does not pass after the first five seconds";
     EXPECT_GT(result.pulses, 50);
 }
 

@@ -201,33 +201,34 @@ TEST(LocationAutomaton, TimersOfOneStepExpireInOrderOfDuration) {
 
 TEST(LocationAutomaton, RejectsChartsThatCannotBeTested) {
     EXPECT_EQ(refusal("output O; initial step 1 { O; }"),
-              "[nothing-to-test] `chart` has no inputs; a test drives inputs and compares outputs");
+              "[nothing-to-test] `chart` has no inputs and cannot be tested; declare at least one");
     EXPECT_EQ(refusal("input a; initial step 1; step 2; transition t0: 1 -> 2 when a;"),
-              "[nothing-to-test] `chart` has no outputs; a test drives inputs and compares outputs");
+              "[nothing-to-test] `chart` has no outputs and cannot be tested; declare at least one");
     EXPECT_EQ(refusal("input a; output O; constraint a; constraint !a; initial step 1 { O; }"),
-              "[excludes-every-input] no combination of inputs is left by this constraint and those before it; weaken "
+              "[excludes-every-input] no combination of inputs satisfies this constraint and those before it; weaken "
               "one of them");
-    EXPECT_EQ(refusal("input a; output O; initial step 1 { O; } step 2; transition t0: 1 -> 2 when true; transition "
-                      "t1: 2 -> 1 when true;"),
-              "[never-stable] from the initial situation no combination of inputs leads to a stable one; with not a "
-              "the situations "
-              "{1} -> {2} -> {1} follow each other for ever");
+    EXPECT_EQ(
+        refusal("input a; output O; initial step 1 { O; } step 2; transition t0: 1 -> 2 when true; transition "
+                "t1: 2 -> 1 when true;"),
+        "[never-stable] no combination of inputs leads from the initial situation to a stable one: with not a, the "
+        "chart cycles forever through the situations {1} -> {2} -> {1}; add a condition that breaks the cycle");
 }
 
 TEST(LocationAutomaton, StopsAtRacesAndValuesThatDoNotFit) {
     EXPECT_EQ(refusal("input a, b; output L; initial step 1; step 2 { L := true on activation; } initial step 3; step "
                       "4 { L := false on "
                       "activation; } transition t0: 1 -> 2 when a; transition t1: 3 -> 4 when b;"),
-              "[action-race] two actions store different values in `L` at once: in {1,3} with a, b; make their "
-              "conditions exclusive, or "
-              "exclude these inputs by a `constraint`");
+              "[action-race] two actions store different values in `L` in the same evolution, in {1,3} with a, b; make "
+              "their conditions exclusive, or exclude these inputs with a `constraint`");
     EXPECT_EQ(
         refusal("input a; output O; internal N: int 0..1 = 0; initial step 1; step 2 { O; N := N + 1 on activation; }"
                 "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when !a;"),
-        "[out-of-range] `N` would get the value 2, which is outside its range, in {1} with a");
+        "[out-of-range] `N` is assigned 2, which is outside its range, in {1} with a; extend the range or guard the "
+        "assignment");
     EXPECT_EQ(refusal("input level: int 0..2; output O; initial step 1; step 2 { O; } transition t0: 1 -> 2 when 2 / "
                       "level == 1;"),
-              "[no-value] this has no value in {1} with level = 0: division by zero, or a number too large");
+              "[no-value] the value is undefined in {1} with level = 0: division by zero or overflow; guard the "
+              "operation with a condition");
     EXPECT_EQ(refusal("input level: int 0..2; output O; constraint level > 0; initial step 1; step 2 { O; }"
                       "transition t0: 1 -> 2 when 2 / level == 1;"),
               "no error");
@@ -236,11 +237,13 @@ TEST(LocationAutomaton, StopsAtRacesAndValuesThatDoNotFit) {
 TEST(LocationAutomaton, OfTwoValuesStoredAtOnceBothMustExist) {
     EXPECT_EQ(refusal("input a; output O; internal N: int 0..3 = 0; internal M: int 0..3 = 0;"
                       "initial step 1 { O; N := 0 on activation; N := 1 % M on activation; }"),
-              "[no-value] this has no value in {1} with not a: division by zero, or a number too large");
+              "[no-value] the value is undefined in {1} with not a: division by zero or overflow; guard the operation "
+              "with a condition");
     EXPECT_EQ(refusal("input a; output O; internal N: int 0..3 = 0; internal M: int 0..3 = 0;"
                       "initial step 1; step 2 { O; N := 0 on activation; N := 1 % M on activation; } transition t0: 1 "
                       "-> 2 when a;"),
-              "[no-value] this has no value in {1} with a: division by zero, or a number too large");
+              "[no-value] the value is undefined in {1} with a: division by zero or overflow; guard the operation with "
+              "a condition");
 }
 
 TEST(LocationAutomaton, EndsAtItsLimits) {

@@ -183,24 +183,25 @@ TEST(Derive, AnInternalNeverWrittenHasNoEquation) {
 }
 
 TEST(Refused, OutputsThatReadEachOther) {
-    EXPECT_EQ(refusals("output A, B, C; initial step 1 { A if B; B if C; C if !B; }"),
-              (std::vector<std::string>{
-                  "[output-cycle] the output `B` depends on itself (`B` reads `C` reads `B`); an assignation "
-                  "condition means the equation of each output it reads"}));
+    EXPECT_EQ(
+        refusals("output A, B, C; initial step 1 { A if B; B if C; C if !B; }"),
+        (std::vector<std::string>{
+            "[output-cycle] the output `B` depends on itself (`B` reads `C` reads `B`); remove one of these outputs "
+            "from an assignation condition, which is expanded with the equation of each output that it reads"}));
     EXPECT_EQ(refusals("output A; initial step 1 { A if !A; }").size(), 1U);
 }
 
 TEST(Refused, EdgesInContextsWithoutAnInstant) {
-    EXPECT_EQ(refusals("input a; output O; initial step 1 { O if fall(a); }"),
-              std::vector<std::string>{"[edge-in-assignation] the condition of `O` has an edge, which is no state that "
-                                       "lasts; store the output `on event`, or write the variable without its edge"});
-    EXPECT_EQ(refusals("input a; initial step 1; transition t0: 1 -> 1 when 3s/(a && rise(a));"),
-              std::vector<std::string>{"[edge-under-time] an edge lasts for one evolution and has no duration; write "
-                                       "the variable itself under the time"});
     EXPECT_EQ(
-        refusals("input a; initial step 1; transition t0: 1 -> 1 when rise(a && !fall(a));"),
-        std::vector<std::string>{"[edge-of-edge] an edge lasts for one evolution and has no edges of its own; write "
-                                 "the variable itself"});
+        refusals("input a; output O; initial step 1 { O if fall(a); }"),
+        std::vector<std::string>{"[edge-in-assignation] the assignation condition of `O` contains an edge, which is "
+                                 "not a lasting state; store the output `on event`, or remove the edge operator"});
+    EXPECT_EQ(refusals("input a; initial step 1; transition t0: 1 -> 1 when 3s/(a && rise(a));"),
+              std::vector<std::string>{"[edge-under-time] an edge lasts for one evolution and has no duration; apply "
+                                       "the time condition to the variable itself"});
+    EXPECT_EQ(refusals("input a; initial step 1; transition t0: 1 -> 1 when rise(a && !fall(a));"),
+              std::vector<std::string>{
+                  "[edge-of-edge] an edge operator is applied to an edge; apply it to the variable itself"});
     for (const char* event : {"a", "a || rise(a)", "!rise(a)", "3s/X1"})
         EXPECT_EQ(
             refusals(std::string("input a; internal M = false; initial step 1 { M := true on event ") + event + "; }")

@@ -66,11 +66,11 @@ TEST(Explain, ViolationsBeforeTheFirstOutputsAreDistinguished) {
         lamps,
         "property one: exactly one of {green, red}; property lit: always green or red;"
         "property never_red: always green; property later: never red; property settled: always green at stable;");
-    const std::string trap = "it is false at power-on, before the first outputs are written and the loop has settled";
-    const std::string cure = trap + "; in every settled state it holds: say `at stable` behind it\n";
+    const std::string trap = "violated at power-on, before the first outputs are written";
+    const std::string cure = trap + "; holds in every quiescent state: append `at stable` to check only those\n";
     EXPECT_EQ(notes(report, "one"), cure);
     EXPECT_EQ(notes(report, "lit"), cure);
-    EXPECT_EQ(notes(report, "never_red"), trap + "; `at stable` it is violated as well\n");
+    EXPECT_EQ(notes(report, "never_red"), trap + "; also violated with `at stable`\n");
     EXPECT_EQ(notes(report, "later"), "");
     EXPECT_EQ(notes(report, "settled"), "");
     const Report cured = report_of(lamps, "property one: exactly one of {green, red} at stable;");
@@ -91,9 +91,8 @@ TEST(Explain, UnstableChartIsExplainedByItsSituations) {
                                     "");
     EXPECT_EQ(answer(report, "no_timelock").verdict.outcome, Outcome::Violated);
     EXPECT_EQ(notes(report, "no_timelock"),
-              "with these inputs `c` never becomes stable: its situation goes 1 -> 2 -> 1, for ever within one "
-              "instant; let a "
-              "transition of the loop wait for an input to change\n");
+              "with these inputs, `c` never becomes stable: its situation cycles 1 -> 2 -> 1, forever within one "
+              "instant; make a transition of the cycle wait for an input change\n");
 }
 
 TEST(Explain, PropertiesLeftOpenByAModelErrorNameItsPlaceInTheChart) {
@@ -108,7 +107,7 @@ TEST(Explain, PropertiesLeftOpenByAModelErrorNameItsPlaceInTheChart) {
 })",
                                     "property small: always N < 4;");
     ASSERT_EQ(report.breakdowns.size(), 1U);
-    EXPECT_EQ(answer(report, "small").verdict.reason, "the model breaks off: " + report.breakdowns[0].message);
+    EXPECT_EQ(answer(report, "small").verdict.reason, "model error: " + report.breakdowns[0].message);
     EXPECT_EQ(report.breakdowns[0].message, "`N` would leave its range 0..1, in an evolution of `c`");
 }
 
@@ -116,7 +115,7 @@ TEST(Explain, TheValuesThatMakeAPropertyFailAreMarkedWithTheMoveThatCouldHaveBee
     const Report report = report_of(lamps, "property dark: never red && X1;");
     const std::string text = text_of(report);
     const std::string end =
-        " *      c                      t0       1          red\n"
+        " *      c                    t0       1          red\n"
         "    * causes: at 1 s: red, X1\n"
         "    without A (a) at 1 s the property holds along the run\n";
     EXPECT_NE(text.find(end), std::string::npos) << text;
@@ -157,19 +156,18 @@ TEST(Explain, DeadTransitionsAfterThePointOfNoReturnAreNamed) {
     EXPECT_EQ(answer(report, "again").verdict.outcome, Outcome::Violated);
     // At its end `trap` is about to be cleared, and step 0 is still active.
     EXPECT_EQ(notes(report, "again"),
-              "from the end of this run on these transitions are never cleared again: go, back (X1 stays false), on "
-              "(X1 stays "
+              "after this trace, these transitions are never cleared again: go, back (X1 stays false), on (X1 stays "
               "false), wait (armed stays false)\n");
     EXPECT_EQ(notes(report, "other").find("never cleared"), std::string::npos);
     const std::string atomic = notes(report_of(trap, "property again: always possible X1;", Grain::Atomic), "again");
     EXPECT_EQ(atomic,
-              "from the end of this run on these transitions are never cleared again: go (X0 stays false), back (X1 "
-              "stays false), on (X1 stays false), trap (X0 stays false), wait (armed stays false)\n");
+              "after this trace, these transitions are never cleared again: go (X0 stays false), back (X1 stays "
+              "false), on (X1 stays false), trap (X0 stays false), wait (armed stays false)\n");
     const std::string untimed = notes(untimed_report_of(trap, "property again: always possible X1;"), "again");
     EXPECT_EQ(untimed,
-              "from the last state of the trace on it is impossible\n"
-              "from the end of this run on these transitions are never cleared again: go, back (X1 stays false), on "
-              "(X1 stays false), wait (armed stays false)\n");
+              "impossible from the last state of the trace\n"
+              "after this trace, these transitions are never cleared again: go, back (X1 stays false), on (X1 stays "
+              "false), wait (armed stays false)\n");
 }
 
 TEST(Explain, FreeInputChangesOfTheShortestChangeAreNamedOneByOne) {
@@ -414,7 +412,7 @@ TEST(Explain, UntriedElementsAreOmittedAtTheTimeLimit) {
     }
     EXPECT_TRUE(why.unneeded_parts.empty());
     EXPECT_EQ(why.searches, 0U);
-    EXPECT_EQ(why.ended, "the time allowed was over");
+    EXPECT_EQ(why.ended, "time limit reached");
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
     };
     const Case cases[] = {
         {"no main module", [](Small& s) { s.system.main = {}; }},
-        {"`a` has no name of its own", [](Small& s) { s.inner().symbols[s.define].name = "a"; }},
+        {"`a` does not have a unique name", [](Small& s) { s.inner().symbols[s.define].name = "a"; }},
         {"`x` has not one name for each value",
          [](Small& s) {
              s.inner().symbols[s.state].values = {"off", "on"};
@@ -87,11 +87,11 @@ TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
          [](Small& s) { std::get<System::StateSymbol>(s.inner().symbols[s.state].kind).initial = s.leaf(s.define); }},
         {"is a parameter out of place", [](Small& s) { s.main().symbols[s.input].kind = System::ParameterSymbol{}; }},
         {"another number of arguments", [](Small& s) { s.system.instances[s.instance].arguments.clear(); }},
-        {"no symbol of main of its parameter's type",
+        {"not a symbol of main with the type of its parameter",
          [](Small& s) { s.system.instances[s.instance].arguments = {{7}}; }},
         {"no module that can be instantiated", [](Small& s) { s.system.instances[s.instance].module = s.system.main; }},
         {"`P` has the wrong number of operands", [](Small& s) { s.system.properties[{0}].pattern = Pattern::LeadsTo; }},
-        {"`P` is none of a transition system",
+        {"`P` is not an operator of transition systems",
          [](Small& s) {
              s.system.properties[{0}].pattern = Pattern::NoDeadlock;
              s.system.properties[{0}].operands.clear();

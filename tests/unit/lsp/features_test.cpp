@@ -154,10 +154,10 @@ TEST(LspNames, AreNotRenamedIfTheMeaningWouldChange) {
     };
     const std::string start = with(press, "input START", "input STA@RT");
     EXPECT_EQ(obstacle(start, "GO"), "none");
-    EXPECT_EQ(obstacle(start, "DOWN"), "`DOWN` has a meaning where `START` stands; choose another name");
-    EXPECT_EQ(obstacle(start, "X1"), "`X1` has a meaning where `START` stands; choose another name");
-    EXPECT_EQ(obstacle(start, "when"), "`when` is no name here");
-    EXPECT_EQ(obstacle(start, "1"), "`1` is no name here");
+    EXPECT_EQ(obstacle(start, "DOWN"), "`DOWN` is already declared in the scope of `START`; choose another name");
+    EXPECT_EQ(obstacle(start, "X1"), "`X1` is already declared in the scope of `START`; choose another name");
+    EXPECT_EQ(obstacle(start, "when"), "`when` is not a valid name here");
+    EXPECT_EQ(obstacle(start, "1"), "`1` is not a valid name here");
     EXPECT_NE(obstacle(start + "grafcet", "GO").find("has syntax errors"), std::string::npos);
 }
 

@@ -42,7 +42,7 @@ std::string hex_of_base64(const std::string& text) {
 
 TEST(Page, ShowsTheVerdictTheAssumptionsAndTheFormulas) {
     const Made made = page_of_text(press);
-    EXPECT_NE(made.page.find("1 verdict is against expectation."), std::string::npos);
+    EXPECT_NE(made.page.find("1 verdict is unexpected."), std::string::npos);
     EXPECT_NE(made.page.find("3 hold, 1 violated"), std::string::npos);
     EXPECT_NE(made.page.find("<code>never MOTOR</code>"), std::string::npos);
     EXPECT_NE(made.page.find("a PLC cycle takes no time"), std::string::npos);
@@ -139,7 +139,7 @@ TEST(Page, ShowsEachComponentDrawnAndAsTables) {
 
 TEST(Page, OfAChartAloneStatesThatItsInputsAreFree) {
     const Made made = page_of_text(press.substr(0, press.find("closed_loop")));
-    EXPECT_NE(made.page.find("There is no plant: every input may change at any time."), std::string::npos);
+    EXPECT_NE(made.page.find("There is no plant: every input can change at any time."), std::string::npos);
     EXPECT_NE(made.page.find("property-reachable.X2"), std::string::npos);
     EXPECT_EQ(made.page.find("id=\"plant\""), std::string::npos);
 }
@@ -154,7 +154,7 @@ TEST(Page, StatesTheLengthOfARunThatIsTooLongToPlay) {
     ChartRun& run = *content.report.answers.front().trace;
     run.moments.resize(1'000'000, run.moments.back());
     const std::string page = page_of(content);
-    EXPECT_NE(page.find("The counterexample has 1000000 moments"), std::string::npos);
+    EXPECT_NE(page.find("The counterexample has 1000000 steps"), std::string::npos);
     EXPECT_EQ(page.find("data-run=\"idle\""), std::string::npos);
     EXPECT_LT(page.size(), 1'000'000U);
     for (Answer& answer : content.report.answers)
@@ -170,12 +170,11 @@ TEST(Page, SummaryIsPositiveOnlyIfTheChartHasNoErrors) {
     content.report = *check(model, {0}, {}, {.properties = {"sound"}}, diagnostics);
     content.charts.push_back({.chart = {0}, .equations = *equations_of(model, {0}, diagnostics)});
     const auto glance = [&] { return between(page_of(content), "<p class=\"glance ", "</strong>"); };
-    EXPECT_EQ(glance(), "ok\"><strong>Every property asked for holds.");
+    EXPECT_EQ(glance(), "ok\"><strong>Every property selected holds.");
     content.charts[0].analysis.open.push_back({.code = "total-instability"});
     content.charts[0].analysis.obstacle = "stopped at the time limit";
     EXPECT_EQ(glance(),
-              "unknown\"><strong>Every property asked for holds; whether the chart by itself has errors is not decided "
-              "(see Findings).");
+              "unknown\"><strong>Every property selected holds; the chart analysis is incomplete (see Findings).");
 }
 
 TEST(Page, CountsUsedStepsAndTransitions) {

@@ -277,7 +277,7 @@ TEST(Plant, BothWritersAreNamed) {
     EXPECT_FALSE(station.build());
     ASSERT_FALSE(station.diagnostics.all().empty());
     EXPECT_EQ(station.diagnostics.all()[0].message,
-              "`H` is assigned by `H_Act` and by `V_Act`; each shared variable has one writer");
+              "`H` is assigned by `H_Act` and by `V_Act`; assign each shared variable in one place only");
 }
 
 TEST(Plant, AStepThatCanJumpOverARangeIsWarnedOf) {

@@ -92,7 +92,7 @@ TEST(Import, ReadsTextInUtf16AndLatin1AsItsUtf8) {
 TEST(Import, RejectsUtf16WithHalfACharacter) {
     for (const std::string& text : {std::string("grafcet g { initial step 0; }"), std::string("<project/>")}) {
         const Imported result = imported(utf16(text) + "}");
-        EXPECT_NE(result.said.find("UTF-16 with half a character at its end"), std::string::npos) << result.said;
+        EXPECT_NE(result.said.find("UTF-16 and ends within a character"), std::string::npos) << result.said;
     }
     EXPECT_EQ(imported(utf16("grafcet g { initial step 0; }")).said, "");
 }
@@ -115,7 +115,8 @@ TEST(Import, ImportsInternalVariablesOfContinuousActionsAsOutputs) {
     std::string wanted = fixtures::agrafe_text;
     wanted.replace(wanted.find("fall(G1.X1)"), 11, "fall(M)");
     EXPECT_EQ(result.text, wanted) << result.said;
-    EXPECT_NE(result.said.find("`M` becomes an output: continuous actions drive it"), std::string::npos) << result.said;
+    EXPECT_NE(result.said.find("`M` becomes an output: it is driven by continuous actions"), std::string::npos)
+        << result.said;
 }
 
 TEST(Import, ImportsVariablesWithoutAKindAsOutputsIfActionsDriveThem) {
@@ -216,7 +217,7 @@ TEST(Import, RejectsNetworksWithMemoryOrMissingWires) {
     };
     const Case cases[] = {{block("AND", "edge=\"rising\"", "", ""), "an edge in the network"},
                           {block("AND", "", "", "storage=\"set\""), "a value stored in the network"},
-                          {block("AND", "formalParameter=\"EN\"", "", ""), "enabled by a condition of its own"},
+                          {block("AND", "formalParameter=\"EN\"", "", ""), "with a separate enable condition"},
                           {block("SUB", "", "", ""), "arithmetic on anything but integers"},
                           {block("NOT", "", "", ""), "number of inputs of this block"},
                           {contact("edge=\"falling\""), "an edge in the network"},
@@ -264,7 +265,7 @@ TEST(Import, OmitsElementsOnlyOnRequest) {
     EXPECT_NE(imported(text).said.find("[cannot-import]"), std::string::npos);
     const Imported lossy = imported(text, true);
     EXPECT_NE(lossy.said.find("[left-out]"), std::string::npos);
-    EXPECT_NE(lossy.text.find("// left out: "), std::string::npos);
+    EXPECT_NE(lossy.text.find("// omitted: "), std::string::npos);
     EXPECT_NE(lossy.text.find("when unknown_condition"), std::string::npos) << lossy.text;
 }
 

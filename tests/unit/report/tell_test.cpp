@@ -91,7 +91,7 @@ TEST(Tell, TraceOfTheBlinkerUsesTheNamesOfItsChart) {
     drive.exhaust("T_X2_1s");
     drive.exhaust("PLC");
     EXPECT_EQ(table(told(loop.network, drive.run())),
-              "  time  what happened           inputs  cleared  situation  outputs\n"
+              "  time  event                   inputs  cleared  situation  outputs\n"
               "   0 s  blinker: power on       none             0          none\n"
               "   1 s  Button                  BUTTON\n"
               "        blinker                         t0       1          LAMP\n"
@@ -137,7 +137,7 @@ TEST(Tell, SplitsACycleIfThePlantMovesDuringIt) {
     drive.fire("Go");  // between the evolution and the outputs
     drive.exhaust("PLC");
     EXPECT_EQ(table(told(loop.network, drive.run())),
-              "  time  what happened                   inputs  cleared  situation  outputs\n"
+              "  time  event                           inputs  cleared  situation  outputs\n"
               "   0 s  watch: power on                 none             0          none\n"
               "        Go                              GO\n"
               "        watch: inputs sampled\n"
@@ -156,7 +156,7 @@ TEST(Tell, MarksTheLoop) {
     drive.wait(1);
     const ChartRun trace = told(loop.network, drive.run());
     ASSERT_EQ(trace.loop_from, 2u);
-    EXPECT_EQ(trace.rows[2].what, "time passes, for ever");
+    EXPECT_EQ(trace.rows[2].what, "time passes, forever");
 }
 
 TEST(Tell, LoopWithoutVisibleEventsHasARow) {
@@ -169,7 +169,7 @@ TEST(Tell, LoopWithoutVisibleEventsHasARow) {
     const ChartRun trace = told(loop.network, drive.run());
     EXPECT_EQ(verify(trace), std::vector<std::string>{});
     ASSERT_EQ(trace.loop_from, trace.rows.size() - 1);
-    EXPECT_EQ(trace.rows.back().what, "cycles go on for ever, no time passes, nothing changes");
+    EXPECT_EQ(trace.rows.back().what, "cycles repeat forever, no time passes, nothing changes");
 }
 
 TEST(Tell, HidesInternalEventsByDefault) {

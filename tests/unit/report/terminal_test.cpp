@@ -64,7 +64,7 @@ TEST(Terminal, FoldsRowsThatAreRepeatedInEqualTime) {
     }
     add("on", 7000, 1);
     EXPECT_EQ(table(run),
-              "   time  what happened   inputs  cleared  situation  outputs\n"
+              "   time  event           inputs  cleared  situation  outputs\n"
               "    0 s  lamp: power on  none             0          none\n"
               "  0.5 s  lamp: on                         1\n"
               "    1 s  lamp: off                        0\n"
@@ -76,11 +76,11 @@ TEST(Terminal, FoldsRowsThatAreRepeatedInEqualTime) {
 
 TEST(Terminal, PrintsATraceAsATableWithItsLoopMarked) {
     EXPECT_EQ(table(sample_run()),
-              "   time  what happened               inputs     cleared     situation  outputs\n"
+              "   time  event                       inputs     cleared     situation  outputs\n"
               "    0 s  press: power on             LEVEL = 2              0, 2       none\n"
               "         Start                       START\n"
               "         press: COUNT 0 -> -1                   t1; t2, t3  1, 2       GO\n"
-              "+-- from here on, for ever:\n"
+              "+-- repeated forever from here:\n"
               "| 1.5 s  1.5 s pass\n"
               "|        Slide: going_out, X 0 -> 4  LEVEL = 3              1, 2       GO\n");
     ChartRun finite = sample_run();
@@ -119,13 +119,15 @@ TEST(Terminal, PrintsSharedAssumptionsOnce) {
     EXPECT_EQ(told.find("12 states\n"), told.rfind("12 states\n")) << told;
     EXPECT_EQ(told.find("P1 \"all"), std::string::npos) << "what holds is told by the table alone";
     EXPECT_TRUE(
-        told.ends_with("\nP3: unknown\n    why: 12 states are not enough\n"
+        told.ends_with("\n"
+                       "P3: unknown\n"
+                       "    why: 12 states are not enough\n"
                        "\n"
-                       "property  verdict   says\n"
+                       "property  verdict   description\n"
                        "P1        holds     all is well\n"
                        "P2        violated  a <dangerous> & \"quoted\" text\n"
                        "P3        unknown\n"
-                       "station: 1 holds, 1 violated, 1 unknown; 1 against expectation\n"))
+                       "station: 1 holds, 1 violated, 1 unknown; 1 unexpected\n"))
         << told;
 }
 
@@ -140,19 +142,22 @@ TEST(Terminal, PrintsTheSeparateAssumptionsOfEachGroup) {
     const std::string told = text(report);
     EXPECT_TRUE(told.starts_with(
         "station, checked with: timed engine; every-cycle, atomic grain; time unit 1 s, cycle time taken as zero\n"
-        "    A, B, T.X2: 7 states; sub-loop `left` alone; left out: `right`, which has no say\n"
+        "    A, B, T.X2: 7 states; sub-loop `left` alone; omitted: `right`, which has no say\n"
         "    S, T.X1: 9 states\n"))
         << told;
 }
 
 TEST(Terminal, UndecidedPropertiesHaveNoImplications) {
     Report report{"tanks", {"symbolic", "every-cycle", "", 0, "no plant"}, {}, {}};
-    report.answers = {{{.property = "A", .outcome = Outcome::Holds, .states = "9"}, "", {}, "so with every plant", ""},
-                      {{.property = "B", .reason = "it is about time"}, "", {}, "", ""}};
+    report.answers = {
+        {{.property = "A", .outcome = Outcome::Holds, .states = "9"}, "", {}, "valid for every plant", ""},
+        {{.property = "B", .reason = "it is about time"}, "", {}, "", ""}};
     EXPECT_TRUE(
         text(report).starts_with("tanks, checked with: symbolic, untimed: no plant; every-cycle; 9 states\n"
-                                 "    A: so with every plant\n"
-                                 "\nB: unknown\n    why: it is about time\n"))
+                                 "    A: valid for every plant\n"
+                                 "\n"
+                                 "B: unknown\n"
+                                 "    why: it is about time\n"))
         << text(report);
 }
 
@@ -169,12 +174,13 @@ TEST(Terminal, PrintsReachedStepsInOneLineAndTheOthersSeparately) {
                                   "a.grafcet:7"});
     EXPECT_TRUE(
         text(report).ends_with("; 3 states\n"
-                               "\na.grafcet:7: S.X1 \"all are of use\": violated\n"
                                "\n"
-                               "property          verdict   stands at    says\n"
+                               "a.grafcet:7: S.X1 \"all are of use\": violated\n"
+                               "\n"
+                               "property          verdict   location     description\n"
                                "S (2 of 3 steps)  holds     a.grafcet:7  all are of use\n"
                                "S.X1              violated  a.grafcet:7  all are of use\n"
-                               "line: 2 hold, 1 violated; 1 against expectation\n"))
+                               "line: 2 hold, 1 violated; 1 unexpected\n"))
         << text(report);
     report.answers[1].verdict.outcome = Outcome::Holds;
     EXPECT_NE(text(report).find("S (3 steps)  holds"), std::string::npos) << text(report);
@@ -219,12 +225,12 @@ TEST(Terminal, FitsTheClosingTableIntoTheTerminalAsFarAsItsTextGoes) {
         return out.str().substr(out.str().find("\n\n") + 2);
     };
     EXPECT_EQ(last_rows(0),
-              "property  verdict  stands at    says\n"
+              "property  verdict  location     description\n"
               "P1        holds    a.grafcet:7  字字字字字字字字字字字字\nstation: 1 holds\n");
     EXPECT_EQ(last_rows(52),
-              "property  verdict  stands at    says\n"
+              "property  verdict  location     description\n"
               "P1        holds    a.grafcet:7  字字字字字字字字字…\nstation: 1 holds\n");
-    EXPECT_EQ(last_rows(51), "property  verdict  stands at\nP1        holds    a.grafcet:7\nstation: 1 holds\n")
+    EXPECT_EQ(last_rows(51), "property  verdict  location\nP1        holds    a.grafcet:7\nstation: 1 holds\n")
         << "a place is never cut";
 }
 
@@ -243,15 +249,18 @@ TEST(Terminal, PrintsTheSharedReasonOfUnknownVerdictsOnce) {
         report.answers.push_back({{.property = name,
                                    .outcome = Outcome::Unknown,
                                    .obstacle = Obstacle::Bound,
-                                   .reason = "the bound is reached: 7 states"},
+                                   .reason = "state limit reached: 7 states"},
                                   "",
                                   {},
                                   "",
                                   ""});
     const std::string told = text(report);
-    const std::string once = "\nQ1, Q2: unknown\n    why: the bound is reached: 7 states\n";
+    const std::string once =
+        "\n"
+        "Q1, Q2: unknown\n"
+        "    why: state limit reached: 7 states\n";
     EXPECT_NE(told.find(once), std::string::npos) << told;
-    EXPECT_EQ(told.find("the bound is reached"), told.rfind("the bound is reached")) << told;
+    EXPECT_EQ(told.find("state limit reached"), told.rfind("state limit reached")) << told;
     EXPECT_NE(told.find("\nP3: unknown\n    why: 12 states are not enough\n"), std::string::npos)
         << "a reason of its own stays where it is";
 }
@@ -265,17 +274,15 @@ TEST(Terminal, PrintsTheStateProfile) {
     profile.finest = StateProfile::Finest{1010, 10, 100, {30, 12}, {}, "a.grafcet:7"};
     report.profile = profile;
     const std::string told = text(report);
-    EXPECT_NE(
-        told.find(
-            "what multiplies in the first 30 of 40 states (x N: N times fewer were left if it alone did not "
-            "count):\n"
-            "    x 6.0     controller PLC, 12 or more combinations of its own (a.grafcet:3)\n"
-            "    x 3.0     the clock t of Start alone, 13 values, compared with 12 at most\n"
-            "    33 % of these states lie inside a cycle; `--grain atomic` makes each cycle one step, and keeps 20 "
-            "of them at most\n"
-            "    the duration 1.01 s (a.grafcet:7) makes the time unit 0.01 s; without it, it is 0.1 s "
-            "(x 2.5: clocks that count in it tell so many times fewer of these states apart)\n"),
-        std::string::npos)
+    EXPECT_NE(told.find("state space factors of the first 30 of 40 states (x N: N times fewer states would remain "
+                        "without this element):\n"
+                        "    x 6.0     controller PLC, 12 or more combinations of its variables (a.grafcet:3)\n"
+                        "    x 3.0     the clock t of Start alone, 13 values, compared with 12 at most\n"
+                        "    33 % of these states are within a cycle; `--grain atomic` makes each cycle one step and "
+                        "keeps at most 20 of them\n"
+                        "    the duration 1.01 s (a.grafcet:7) makes the time unit 0.01 s; without it, it is 0.1 s (x "
+                        "2.5: with it, this many times fewer states would remain)\n"),
+              std::string::npos)
         << told;
 }
 
@@ -289,9 +296,9 @@ TEST(Terminal, ShowsWitnessesOnlyOnRequest) {
 TEST(Terminal, ShowsModelErrorsFirst) {
     Report report = sample_report();
     report.breakdowns = {{"out-of-range", "`X` would leave its range 0..20", sample_run()}};
-    EXPECT_TRUE(text(report).starts_with("the model breaks off: `X` would leave its range 0..20 [out-of-range]\n"))
+    EXPECT_TRUE(text(report).starts_with("model error: `X` would leave its range 0..20 [out-of-range]\n"))
         << text(report);
-    EXPECT_NE(text(report).find("1 place where the model breaks off"), std::string::npos);
+    EXPECT_NE(text(report).find("1 model error"), std::string::npos);
 }
 
 TEST(Terminal, WrapsBetweenCharactersAndCountsTheirColumns) {

@@ -77,8 +77,9 @@ TEST(ScheduleControllers, OmitsPropertiesThatNeedThePlantWithAReason) {
     const Case cases[] = {
         {"property P: never level == 3;", "`level` is a variable of the plant"},
         {"property P: never X0 && lamp_1.on;", "`lamp_1.on` is a location of the plant"},
-        {"property P: no deadlock;", "this model is total, and cannot say whether the closed loop is"},
-        {"property P: no timelock;", "there is no time in this model"},
+        {"property P: no deadlock;",
+         "the transition relation of this model is total, whether or not that of the closed loop is"},
+        {"property P: no timelock;", "this model has no time"},
         {"property P: uppaal \"A[] true\";", "it is a formula for UPPAAL"},
     };
     for (const Case& one : cases) {
@@ -87,7 +88,7 @@ TEST(ScheduleControllers, OmitsPropertiesThatNeedThePlantWithAReason) {
         EXPECT_TRUE(system.properties.empty());
         ASSERT_EQ(system.omitted.size(), 1U);
         EXPECT_EQ(system.omitted[0].reason, one.reason);
-        expect_line(emitted(system), std::string("-- left out: ") + one.reason);
+        expect_line(emitted(system), std::string("-- omitted: ") + one.reason);
     }
 }
 

@@ -61,43 +61,43 @@ TEST(Formula, ReportsTheLocationOfAnError) {
         const char *text, *fault;
     };
     for (const FormulaCase& one : {
-             FormulaCase{Ctl, "TRUE; INVAR FALSE", "4-5: `;` would end it; a property is one formula"},
-             {Ltl, "G a;", "3-4: `;` would end it; a property is one formula"},
-             {Uppaal, "A[] a; E<> b", "5-6: `;` would end it; a property is one formula"},
+             FormulaCase{Ctl, "TRUE; INVAR FALSE", "4-5: `;` would terminate it; a property is one formula"},
+             {Ltl, "G a;", "3-4: `;` would terminate it; a property is one formula"},
+             {Uppaal, "A[] a; E<> b", "5-6: `;` would terminate it; a property is one formula"},
              {Ctl, "TRUE INVAR FALSE", "5-10: expected an operator or the end, got `INVAR`"},
              {Ctl, "TRUE IN press", "5-7: expected an operator or the end, got `IN`"},
              {Ctl, "MODULE", "0-6: expected an operand, got `MODULE`"},
              {Ctl, "", "0-0: expected an operand, got the end"},
              {Ctl, "AG", "2-2: expected an operand, got the end"},
-             {Ctl, "a -- b", "2-4: `--` begins a comment, which has no place in a formula"},
-             {Ctl, "a--b", "0-4: NuSMV takes `a--b` for one name; put a blank before the operator"},
-             {Ctl, "x->y", "0-2: NuSMV takes `x-` for one name; put a blank before the operator"},
-             {Ctl, "/* a", "0-2: `/*` begins a comment, which has no place in a formula"},
-             {Uppaal, "A[] a // b", "6-8: `//` begins a comment, which has no place in a formula"},
-             {Uppaal, "A[] a /* b", "6-8: `/*` begins a comment, which has no place in a formula"},
+             {Ctl, "a -- b", "2-4: `--` starts a comment, which is not allowed in a formula"},
+             {Ctl, "a--b", "0-4: NuSMV reads `a--b` as one name; insert a blank before the operator"},
+             {Ctl, "x->y", "0-2: NuSMV reads `x-` as one name; insert a blank before the operator"},
+             {Ctl, "/* a", "0-2: `/*` starts a comment, which is not allowed in a formula"},
+             {Uppaal, "A[] a // b", "6-8: `//` starts a comment, which is not allowed in a formula"},
+             {Uppaal, "A[] a /* b", "6-8: `/*` starts a comment, which is not allowed in a formula"},
              {Ctl, "AG (a & b", "9-9: expected `)`, got the end"},
              {Ctl, "AG a)", "4-5: expected an operator or the end, got `)`"},
              {Ctl, "A [a U b", "8-8: expected `]`, got the end"},
              {Ctl, "A [a ? b : c U d]", "5-6: expected `U`, got `?`"},
-             {Ctl, "F a", "0-1: `F` is an operator of LTL, and this is a formula of CTL"},
-             {Ltl, "AG a", "0-2: `AG` is an operator of CTL, and this is a formula of LTL"},
-             {Ctl, "next(a)", "0-4: `next` speaks of a step, and CTL of states; LTL may use it"},
+             {Ctl, "F a", "0-1: `F` is an operator of LTL, but the formula is CTL"},
+             {Ltl, "AG a", "0-2: `AG` is an operator of CTL, but the formula is LTL"},
+             {Ctl, "next(a)", "0-4: `next` is allowed only in LTL, not in CTL"},
              {Ltl, "next(next(a))", "5-9: `next` in `next`"},
-             {Ctl, "(AX a) = b", "0-6: `=` takes no operand with an operator of paths in it"},
-             {Ctl, "3", "0-1: a formula is a condition, this is a number"},
-             {Ctl, "AG (n + 1)", "3-10: an operand of `AG` is a condition, this is a number"},
-             {Ctl, "TRUE + 1 = 2", "0-4: an operand of `+` is a number, this is a condition"},
+             {Ctl, "(AX a) = b", "0-6: an operand of `=` contains a path operator"},
+             {Ctl, "3", "0-1: expected a condition for a formula, found a number"},
+             {Ctl, "AG (n + 1)", "3-10: expected a condition for an operand of `AG`, found a number"},
+             {Ctl, "TRUE + 1 = 2", "0-4: expected a number for an operand of `+`, found a condition"},
              {Ctl, "1 = TRUE", "4-8: `=` has a number on one side and a condition on the other"},
              {Ctl, "min(1) = 1", "0-6: `min` takes two operands"},
-             {Ctl, "0ub_1 = n", "0-2: numbers are made of digits only"},
+             {Ctl, "0ub_1 = n", "0-2: a number has only digits"},
              {Ctl, "n = 12345678901", "4-15: a number of more than nine digits"},
-             {Ctl, "a\rb", "1-2: byte 0x0D has no place in a formula"},
-             {Ctl, "a \xC3\xA9", "2-4: `\xC3\xA9` has no place in a formula"},
+             {Ctl, "a\rb", "1-2: byte 0x0D is not allowed in a formula"},
+             {Ctl, "a \xC3\xA9", "2-4: `\xC3\xA9` is not allowed in a formula"},
              {Ctl, "case a : b", "0-4: expected an operand, got `case`"},
-             {Uppaal, "a", "1-1: it begins with `A[]`, `A<>`, `E<>` or `E[]`, or is `p --> q`"},
-             {Uppaal, "A[] x = 3", "6-7: `=` changes what it looks at; equal is `==`"},
-             {Uppaal, "A[] x++", "5-7: `++` changes what it looks at; equal is `==`"},
-             {Uppaal, "E[] deadlock", "4-12: `deadlock` stands in `A[]` and `E<>` only"},
+             {Uppaal, "a", "1-1: it must start with `A[]`, `A<>`, `E<>` or `E[]`, or have the form `p --> q`"},
+             {Uppaal, "A[] x = 3", "6-7: `=` is an assignment; write `==` for equality"},
+             {Uppaal, "A[] x++", "5-7: `++` is an assignment; write `==` for equality"},
+             {Uppaal, "E[] deadlock", "4-12: `deadlock` is allowed only in `A[]` and `E<>`"},
              {Uppaal, "sup: x", "0-3: expected an operand, got `sup`"},
              {Uppaal, "A[] a --> b", "6-9: expected an operator or the end, got `-->`"},
              {Uppaal, "A[] </formula>", "4-5: expected an operand, got `<`"},
@@ -132,16 +132,17 @@ TEST(Formula, NamesAndTheirTypesAreThoseOfTheModel) {
     };
     EXPECT_EQ(fault_of(Ctl, "AG (press.X_0 -> EF (n = 3 & press.loc = out))", names), "");
     EXPECT_EQ(fault_of(Ltl, "G F move", names), "");
-    EXPECT_EQ(fault_of(Ctl, "AG press.X_1", names), "3-12: the model has nothing called `press.X_1`");
+    EXPECT_EQ(fault_of(Ctl, "AG press.X_1", names), "3-12: the model does not declare `press.X_1`");
     EXPECT_EQ(fault_of(Ctl, "AG move", names),
-              "3-7: `move` is chosen anew in each step, and CTL speaks of states; LTL may read it");
-    EXPECT_EQ(fault_of(Ctl, "AG n", names), "3-4: an operand of `AG` is a condition, this is a number");
+              "3-7: `move` is chosen in each step and allowed only in LTL, not in CTL");
+    EXPECT_EQ(fault_of(Ctl, "AG n", names), "3-4: expected a condition for an operand of `AG`, found a number");
     EXPECT_EQ(fault_of(Ctl, "AG press.loc = n", names),
               "15-16: `=` has a named value on one side and a number on the other");
-    EXPECT_EQ(fault_of(Ctl, "press.loc > 1", names), "0-9: an operand of `>` is a number, this is a named value");
+    EXPECT_EQ(fault_of(Ctl, "press.loc > 1", names),
+              "0-9: expected a number for an operand of `>`, found a named value");
     EXPECT_EQ(fault_of(Uppaal, "A[] forall (i : int[0, n]) i < n && press.X_0", names), "");
-    EXPECT_EQ(fault_of(Uppaal, "A[] forall (i : int[0, n]) i < m", names), "31-32: the model has nothing called `m`");
-    EXPECT_EQ(fault_of(Uppaal, "E<> i", names), "4-5: the model has nothing called `i`");
+    EXPECT_EQ(fault_of(Uppaal, "A[] forall (i : int[0, n]) i < m", names), "31-32: the model does not declare `m`");
+    EXPECT_EQ(fault_of(Uppaal, "E<> i", names), "4-5: the model does not declare `i`");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ struct Part {
 
 const std::vector<Part>& parts() {
     static const std::vector<Part> all = {
-        {"NAME.grafcet", "the closed loop and its properties: begin here",
+        {"NAME.grafcet", "the closed loop and its properties: start here",
          R"(// NAME in its closed loop: what the controller is connected to, and what has to hold.
 
 include "NAME_controller.grafcet";
@@ -64,7 +64,7 @@ grafcet NAME_controller {
     transition t3: 3 -> 0 when AT_BACK;
 }
 )"},
-        {"NAME_slide.grafcet", "a component of your own: `grafverif components` lists those of the library",
+        {"NAME_slide.grafcet", "a custom component (library: `grafverif components`)",
          R"(// A slide: driven it goes to the front, else a spring takes it back.
 //
 // Interface
@@ -89,7 +89,7 @@ component NAME_slide(input FORWARD; output AT_FRONT, AT_BACK = true; TRAVEL = 2s
     urgent coming -> going when FORWARD do t := 0;
 }
 )"},
-        {"CMakeLists.txt", "models made and properties checked by CMake and ctest",
+        {"CMakeLists.txt", "builds the models and checks the properties with CMake and ctest",
          R"(# cmake -B build && cmake --build build && ctest --test-dir build
 cmake_minimum_required(VERSION 3.25)
 project(NAME LANGUAGES NONE)
@@ -144,16 +144,18 @@ ExitCode init(Job& job, const Streams& streams) {
     std::error_code failure;
     const std::string name = here ? fs::current_path().filename().string() : job.options.operands[0];
     if (!is_name(name))
-        return refused(streams,
-                       fmt::format("`{}`{} cannot be the name of a chart: that takes letters, digits and `_`, and "
-                                   "is no word of the language; name the project: `grafverif init NAME`",
-                                   name, here ? ", the folder's name," : ""));
+        return refused(streams, fmt::format("`{}`{} cannot be the name of a chart (letters, digits and `_`, not a "
+                                            "keyword); pass a project name: `grafverif init NAME`",
+                                            name, here ? ", the name of the directory," : ""));
     std::vector<OutputFile> files;
     std::string told = "wrote\n";
     for (const Part& part : parts()) {
         const fs::path path = (here ? fs::path() : fs::path(name)) / named(part.path, name);
         if (fs::exists(fs::symlink_status(path, failure)))
-            return refused(streams, fmt::format("`{}` is there already; nothing was written", path.string()));
+            return refused(
+                streams,
+                fmt::format("`{}` already exists, so nothing was written; remove it or choose another directory",
+                            path.string()));
         files.push_back({path, named(part.text, name)});
         told += fmt::format("  {}\n{}", path.string(), part.use.empty() ? "" : "      " + part.use + "\n");
     }

@@ -50,7 +50,8 @@ Command command_of(const std::vector<std::string>& words) {
     if (found == verbs.end()) return command.complaint = no_such_verb(words[0]), command;
     command.verb = *found;
     if (!accepts(command.verb, Accepts::File) || std::ranges::find(endless, words[0]) != endless.end())
-        return command.complaint = fmt::format("`watch` takes a verb that reads a file and ends; not `{}`", words[0]),
+        return command.complaint =
+                   fmt::format("`watch` cannot run `{}`; use a command that reads a file and terminates", words[0]),
                command;
     const ParsedOptions parsed = parse_options(command.verb, std::span(words).subspan(1));
     command.complaint = parsed.complaint;
@@ -60,7 +61,7 @@ Command command_of(const std::vector<std::string>& words) {
     for (const NamedPath& one : named_paths(command.options))
         if (one.use == PathUse::Read) files.push_back(one.path);
     for (const std::string& file : files)
-        if (names_input(file)) command.complaint = "standard input cannot be watched: name a file";
+        if (names_input(file)) command.complaint = "standard input cannot be watched; pass a file name";
     return command;
 }
 
@@ -129,8 +130,8 @@ ExitCode watch(Job& job, const Streams& streams) {
         const auto end = run_once(command, seen, interrupt.asked());
         if (end && !end->by_signal && end->status == closed_pipe) return ExitCode::Done;  // the reader has gone
         if (end)
-            tell(fmt::format("{} {}; looking at {} file{}, Ctrl-C ends",
-                             end->by_signal ? "ended by signal" : "exit code", end->status, seen.size(),
+            tell(fmt::format("{} {}; watching {} file{}, press Ctrl-C to stop",
+                             end->by_signal ? "terminated by signal" : "exit code", end->status, seen.size(),
                              seen.size() == 1 ? "" : "s"));
         wait_for_change(seen, interrupt.asked());
         if (interrupt.asked()) return ExitCode::Done;
@@ -142,15 +143,15 @@ ExitCode watch(Job& job, const Streams& streams) {
 Verb watch_usage() {
     return {
         "watch",
-        "VERB ARGUMENT...",
+        "COMMAND ARGUMENT...",
         2,
         any_number - 1,
         "rerun a command whenever a file that it reads changes",
-        "Runs `grafverif VERB ARGUMENT...`, and reruns it when a file that it reads changes: FILE, included files, "
+        "Runs `grafverif COMMAND ARGUMENT...`, and reruns it when a file that it reads changes: FILE, included files, "
         "tables. A\n"
-        "change during a run terminates the run. VERB must terminate, so `serve`, `lsp` and `simulate` are not "
+        "change during a run terminates the run. COMMAND must terminate, so `serve`, `lsp` and `simulate` are not "
         "supported.\n"
-        "Options of `watch` precede VERB; `-q` omits its status lines on standard error. Ctrl-C stops it, with exit "
+        "Options of `watch` precede COMMAND; `-q` omits its status lines on standard error. Ctrl-C stops it, with exit "
         "code 0.",
         {"grafverif watch check station.grafcet", "grafverif watch check station.grafcet --property safe --junit r.xml",
          "grafverif watch -q draw station.grafcet -o station.svg"},

@@ -84,7 +84,7 @@ ExitCode compare(Job& job, const Streams& streams) {
     ExitCode code = ExitCode::Done;
     for (const Comparison& found : all) {
         for (const std::string& failure : found.failures)
-            streams.err << "grafverif: internal failure: " << failure << '\n';
+            streams.err << "grafverif: internal error: " << failure << '\n';
         code = worse(code, exit_code(found));
     }
     return code;

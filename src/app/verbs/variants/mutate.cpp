@@ -238,7 +238,7 @@ private:
         ++done_;
         if (limits_.progress)
             limits_.progress(
-                {[this] { return fmt::format("{} of {} mutants judged", done_, mutation_.mutants.size()); }});
+                {[this] { return fmt::format("{} of {} mutants checked", done_, mutation_.mutants.size()); }});
     }
 
     const MutantBench& bench_;
@@ -331,7 +331,7 @@ ExitCode mutate(Job& job, const Streams& streams) {
     deliver(std::move(out).str(), job, streams);
     for (const auto& fate : mutation.fates)
         for (const std::string& failure : fate ? fate->failures : std::vector<std::string>{})
-            streams.err << "grafverif: internal failure: " << failure << '\n';
+            streams.err << "grafverif: internal error: " << failure << '\n';
     return exit_code(mutation, stopped);
 }
 

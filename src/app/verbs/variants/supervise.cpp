@@ -51,32 +51,29 @@ std::string_view word(Supervisor::Claim claim) {
 std::string claim_words(const Supervised& found) {
     switch (found.claim) {
     case Supervisor::Claim::Least:
-        return "They are least restrictive: whatever they forbid, at that moment nobody could allow.";
+        return "They are least restrictive: every move that they forbid must be forbidden in that state.";
     case Supervisor::Claim::Several:
         return fmt::format(
-            "At no moment could they allow more, but other things instead: others would do as well, which allow {} "
-            "more "
-            "often and something else less often.",
+            "They are maximal but not unique: other valid conditions allow {} more often and something else less "
+            "often.",
             listed(found.traded));
     case Supervisor::Claim::Cautious: break;
     }
     if (found.hidden.empty())
-        return "They are not least restrictive: what the chart sees does not tell apart all that it would take.";
-    return fmt::format(
-        "They are not least restrictive: who saw more of the plant than the chart does could allow {} "
-        "more often.",
-        listed(found.hidden));
+        return "They are not least restrictive: the inputs and steps of the chart do not distinguish enough states.";
+    return fmt::format("They are not least restrictive: with more sensors, conditions could allow {} more often.",
+                       listed(found.hidden));
 }
 
 std::string timelock_words(Outcome timelock) {
     switch (timelock) {
-    case Outcome::Holds: return "In the timed loop, grain atomic, time never stops with them.\n";
+    case Outcome::Holds: return "With them, time never stops in the timed loop (grain atomic).\n";
     case Outcome::Violated:
-        return "In the timed loop, grain atomic, time can stop, with or for want of them: `grafverif check` shows "
-               "how.\n";
+        return "Time can stop in the timed loop (grain atomic), with or without them; run `grafverif check` for a "
+               "trace.\n";
     case Outcome::Unknown: break;
     }
-    return "Whether time can stop in the timed loop was not found out: ask `grafverif check`.\n";
+    return "It is unknown whether time can stop in the timed loop; run `grafverif check`.\n";
 }
 
 std::string subject_words(const ChartCondition& condition, bool several) {
@@ -87,7 +84,8 @@ std::string subject_words(const ChartCondition& condition, bool several) {
 
 void print_conditions(const Supervised& found, std::ostream& out) {
     if (found.conditions.empty()) {
-        out << "\nThe properties to be kept hold without conditions: nothing need be forbidden.\n";
+        out << "\n"
+               "The properties to enforce hold without conditions.\n";
         return;
     }
     bool several = false;
@@ -106,27 +104,33 @@ void print_conditions(const Supervised& found, std::ostream& out) {
 void print(const Supervised& found, std::ostream& out) {
     out << fmt::format(
         "{}: untimed, plant automata interleaved, grain atomic\n"
-        "to be kept: {}\nto stay within reach: {}\n",
+        "to enforce: {}\n"
+        "to keep reachable: {}\n",
         found.loop, listed(found.kept), marked_words(found));
-    for (const std::string reason : {"not about all states", "expected violated"}) {
+    for (const std::string reason : {"not a property of all states", "expected violated"}) {
         std::vector<std::string> names;
         for (const Supervised::Ignored& ignored : found.ignored)
             if (ignored.reason == reason) names.push_back(ignored.property);
-        if (!names.empty()) out << fmt::format("not considered, {}: {}\n", reason, listed(names));
+        if (!names.empty()) out << fmt::format("ignored, {}: {}\n", reason, listed(names));
     }
     switch (found.outcome) {
     case Supervisor::Outcome::Found:
         print_conditions(found, out);
-        out << "Read back and proved: all of it by the symbolic engine, the properties by another one too.\n"
+        out << "Verified after reading back: everything by the symbolic engine, the properties also by a second "
+               "engine.\n"
             << timelock_words(found.timelock);
         break;
     case Supervisor::Outcome::None:
         out << (found.blocked
-                    ? "\nThere are no such conditions: whatever the chart forbids, the plant can come to where nothing "
-                      "marked can be\nreached any more without breaking a property.\n"
-                    : "\nThere are no such conditions: whatever the chart forbids, the plant can break a property.\n");
+                    ? "\n"
+                      "No such conditions exist: for all conditions on the chart, the plant can reach a state from "
+                      "which no marked state\n"
+                      "is reachable without violating a property.\n"
+                    : "\n"
+                      "No such conditions exist: for all conditions on the chart, the plant can violate a property.\n");
         if (found.run) {
-            out << "A run of the chart as it is, of which no move could be prevented for good:\n\n";
+            out << "A trace of the unmodified chart that no conditions can prevent:\n"
+                   "\n";
             print_trace(*found.run, out);
         }
         break;
@@ -167,7 +171,8 @@ nlohmann::ordered_json json_of(const Supervised& found, const Sources& sources) 
 bool write_chart(const Supervised& found, Job& job, const Streams& streams) {
     if (!job.options.output || found.outcome != Supervisor::Outcome::Found) return true;
     if (found.file) return deliver(found.text, job, streams), true;
-    streams.err << "grafverif: error: the conditions are of charts in several files, and `-o` writes one\n";
+    streams.err
+        << "grafverif: error: the conditions belong to charts in several files, but `-o` writes one file; omit `-o`\n";
     return false;
 }
 
@@ -191,7 +196,7 @@ ExitCode supervise(Job& job, const Streams& streams) {
     if (!found) return ExitCode::Input;
     found->reason = with_remedy(with_who_stopped(std::move(found->reason), bounds.interrupted(), options), options);
     for (const std::string& failure : found->failures)
-        streams.err << "grafverif: internal failure: " << printable(failure) << '\n';
+        streams.err << "grafverif: internal error: " << printable(failure) << '\n';
     if (!found->failures.empty()) return ExitCode::Failure;
     work_is_done();
     if (!write_chart(*found, job, streams)) return ExitCode::Input;

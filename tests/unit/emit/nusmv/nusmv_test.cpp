@@ -74,32 +74,31 @@ TEST(EmitNusmv, WritesMainFirstAndThenTheController) {
     Small small;
     small.system.scope = "Inputs are free.";
     small.ask(Pattern::Always, {small.a()});
-    EXPECT_EQ(
-        emitted(small.system),
-        "-- press: NuSMV model written by grafverif\n"
-        "-- to check it: NuSMV -dynamic FILE (which orders the variables as it goes: far faster on large models)\n"
-        "--\n"
-        "-- Inputs are free.\n"
-        "\n"
-        "MODULE main\n"
-        "VAR\n"
-        "  -- inputs\n"
-        "  a : boolean;\n"
-        "  b : boolean;\n"
-        "  c : boolean;\n"
-        "  -- the controller\n"
-        "  press : controller_press(a);\n"
-        "\n"
-        "INVARSPEC NAME P := a;\n"
-        "\n"
-        "MODULE controller_press(a)\n"
-        "VAR\n"
-        "  -- steps\n"
-        "  X_1 : boolean;\n"
-        "ASSIGN\n"
-        "  -- steps\n"
-        "  init(X_1) := TRUE;\n"
-        "  next(X_1) := a;\n");
+    EXPECT_EQ(emitted(small.system),
+              "-- press: NuSMV model written by grafverif\n"
+              "-- to check it: NuSMV -dynamic FILE (dynamic variable reordering: much faster on large models)\n"
+              "--\n"
+              "-- Inputs are free.\n"
+              "\n"
+              "MODULE main\n"
+              "VAR\n"
+              "  -- inputs\n"
+              "  a : boolean;\n"
+              "  b : boolean;\n"
+              "  c : boolean;\n"
+              "  -- the controller\n"
+              "  press : controller_press(a);\n"
+              "\n"
+              "INVARSPEC NAME P := a;\n"
+              "\n"
+              "MODULE controller_press(a)\n"
+              "VAR\n"
+              "  -- steps\n"
+              "  X_1 : boolean;\n"
+              "ASSIGN\n"
+              "  -- steps\n"
+              "  init(X_1) := TRUE;\n"
+              "  next(X_1) := a;\n");
 }
 
 TEST(EmitNusmv, WritesEachPatternWithItsBrackets) {
@@ -169,7 +168,7 @@ TEST(EmitNusmv, FormulasThatTheModelCannotExpressAreOmittedInTheirPlaces) {
     EXPECT_EQ(said.properties[{0}].name, "P1");
     EXPECT_EQ(said.properties[{1}].name, "P2");
     ASSERT_EQ(said.omitted.size(), 3u);
-    EXPECT_EQ(said.omitted[0].reason, "the model has nothing called `press.X_7`");
+    EXPECT_EQ(said.omitted[0].reason, "the model does not declare `press.X_7`");
     EXPECT_EQ(said.omitted[0].before, 0u);
     EXPECT_EQ(said.omitted[1].property.name, "before");
     EXPECT_EQ(said.omitted[1].before, 0u) << "still before P1";
@@ -190,8 +189,10 @@ TEST(EmitNusmv, MarksNegatedReachableProperties) {
     small.ask(Pattern::Reachable, {small.a()});
     small.system.properties[{0}].text = "the press can close";
     const std::string text = emitted(small.system);
-    expect_lines(text, "-- P: the press can close; holds where never_P is false\nINVARSPEC NAME never_P := !a;\n");
-    EXPECT_NE(text.substr(0, text.find("MODULE")).find("P holds where never_P is false"), std::string::npos) << text;
+    expect_lines(text,
+                 "-- P: the press can close; holds if never_P is false\n"
+                 "INVARSPEC NAME never_P := !a;\n");
+    EXPECT_NE(text.substr(0, text.find("MODULE")).find("P holds if never_P is false"), std::string::npos) << text;
     Small without;
     without.ask(Pattern::Always, {without.a()});
     EXPECT_EQ(emitted(without.system).find("opposite"), std::string::npos);
@@ -203,8 +204,11 @@ TEST(EmitNusmv, AnotherPropertyMayHaveTheNameOfTheOpposite) {
     small.ask(Pattern::Always, {small.b()});
     small.system.properties[{1}].name = "never_P";
     expect_lines(emitted(small.system),
-                 "-- P; holds where never_P is false\nINVARSPEC NAME never_P := !a;\n\n"
-                 "-- never_P\nINVARSPEC NAME never_P_ := b;\n");
+                 "-- P; holds if never_P is false\n"
+                 "INVARSPEC NAME never_P := !a;\n"
+                 "\n"
+                 "-- never_P\n"
+                 "INVARSPEC NAME never_P_ := b;\n");
 }
 
 TEST(EmitNusmv, LeavesACommentInThePlaceOfAnOmittedProperty) {
@@ -216,13 +220,20 @@ TEST(EmitNusmv, LeavesACommentInThePlaceOfAnOmittedProperty) {
     Property omitted;
     omitted.name = "P2";
     omitted.text = "time passes";
-    small.system.omitted.push_back({omitted, "there is no time in this model", 1});
+    small.system.omitted.push_back({omitted, "this model has no time", 1});
     omitted.name = "P4";
     omitted.text = {};
     small.system.omitted.push_back({omitted, "nor here", 2});
     expect_lines(emitted(small.system),
-                 "INVARSPEC NAME P1 := a;\n\n-- P2: time passes\n-- left out: there is no time in this "
-                 "model\n\nINVARSPEC NAME P3 := b;\n\n-- P4\n-- left out: nor here\n");
+                 "INVARSPEC NAME P1 := a;\n"
+                 "\n"
+                 "-- P2: time passes\n"
+                 "-- omitted: this model has no time\n"
+                 "\n"
+                 "INVARSPEC NAME P3 := b;\n"
+                 "\n"
+                 "-- P4\n"
+                 "-- omitted: nor here\n");
 }
 
 TEST(EmitNusmv, LegalisesNamesAndMapsThemInTheHeader) {
@@ -234,7 +245,7 @@ TEST(EmitNusmv, LegalisesNamesAndMapsThemInTheHeader) {
     small.system.properties[{0}].name = "all.X1";
     const std::string text = emitted(small.system);
     expect_lines(text,
-                 "-- names that NuSMV does not take as they are\n"
+                 "-- names that are not valid in NuSMV\n"
                  "--   in module main:\n"
                  "--     S is S_\n"
                  "--     next is next_\n"
@@ -243,7 +254,9 @@ TEST(EmitNusmv, LegalisesNamesAndMapsThemInTheHeader) {
                  "--   of properties:\n"
                  "--     never_all.X1 is never_all_X1\n");
     expect_lines(text, "  next_ : controller_press(S_);\n");
-    expect_lines(text, "-- all.X1; holds where never_all_X1 is false\nINVARSPEC NAME never_all_X1 := !next_.X_1;\n");
+    expect_lines(text,
+                 "-- all.X1; holds if never_all_X1 is false\n"
+                 "INVARSPEC NAME never_all_X1 := !next_.X_1;\n");
     expect_lines(text, "  next(X_1) := S_;\n");
 }
 

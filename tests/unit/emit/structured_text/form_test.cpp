@@ -108,8 +108,8 @@ TEST(StructuredTextForm, TermsThatAPlcMayComputeDifferentlyAreRejected) {
         const char* reason;
     };
     for (const Case& c : {
-             Case{"N / level", "a division by what is no constant"},
-             Case{"N % (level + 1)", "a division by what is no constant"},
+             Case{"N / level", "a division by a variable"},
+             Case{"N % (level + 1)", "a division by a variable"},
              Case{"N * 30000 * 30000 * 30000", "a value that may need more than 32 bits"},
          }) {
         Diagnostics diagnostics;

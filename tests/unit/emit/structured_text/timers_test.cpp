@@ -67,7 +67,7 @@ TEST(StructuredTextController, StopsAtTheBoundOfEvolutionsAndKeepsItsOutputs) {
     EXPECT_EQ(plc.value("evolutions"), 20);
     plc.set("a", 0);
     plc.call(2);
-    EXPECT_EQ(plc.value("FAULT"), 1) << "nothing is known of the situation any more";
+    EXPECT_EQ(plc.value("FAULT"), 1) << "not explored of the situation any more";
     EXPECT_EQ(plc.value("L"), 1);
 }
 

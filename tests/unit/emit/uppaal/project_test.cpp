@@ -33,7 +33,7 @@ TEST(UppaalProject, DescribesItselfInItsHeader) {
     const std::string xml = test::project(test::station());
     for (const char* line :
          {"// station: the closed loop", "// Controller handling with stability search", "// Grain: phased",
-          "// Time unit: 1s.", "// Assumed: a PLC cycle takes no time", "//   push_button.1 is called _1\n"})
+          "// Time unit: 1s.", "// Assumed: a PLC cycle takes no time", "//   push_button.1 is renamed to _1\n"})
         EXPECT_TRUE(holds(xml, line)) << line;
 }
 
@@ -119,7 +119,7 @@ TEST(UppaalProject, ListsProcessesByKind) {
 
 TEST(UppaalProject, KeepsLocalNamesFromHidingGlobals) {
     const std::string xml = test::project(test::awkward_names());
-    EXPECT_TRUE(holds(xml, "//   process.W is called W_\n"));  // the guard of its edge reads the global W
+    EXPECT_TRUE(holds(xml, "//   process.W is renamed to W_\n"));  // the guard of its edge reads the global W
     EXPECT_TRUE(holds(xml, ">W</label>"));
     EXPECT_TRUE(holds(xml, "urgent broadcast chan hurry_;"));
 }
@@ -158,7 +158,7 @@ TEST(UppaalProject, IsWellFormedForAnyText) {
     const std::string xml = test::project(network);
     ASSERT_TRUE(document.load_string(xml.c_str()));
     EXPECT_TRUE(holds(xml, "tab\t, &lt;&amp;&gt;, ?, broken ?, ???, fine \xE2\x86\x91 ?.\n"));
-    EXPECT_TRUE(holds(xml, "<!-- T: - - ->: left out"));
+    EXPECT_TRUE(holds(xml, "<!-- T: - - ->: omitted"));
 }
 
 TEST(UppaalProject, IsTheSameEveryTime) { EXPECT_EQ(test::project(test::station()), test::project(test::station())); }

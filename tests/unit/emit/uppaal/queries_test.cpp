@@ -80,7 +80,8 @@ TEST(UppaalQueries, HaveNoExpectationForSingleStepsIfSomeStepIsUnreachable) {
     Network network = test::station();
     network.properties[{7}].expected_violated = true;
     ASSERT_EQ(network.properties[{7}].pattern, Pattern::ReachableAllSteps);
-    EXPECT_NE(queries_text(network).find("S.X0\nevery step; expected of one step at least: not satisfied"),
+    EXPECT_NE(queries_text(network).find("S.X0\n"
+                                         "every step; expected for at least one step: not satisfied"),
               std::string::npos);
     EXPECT_EQ(test::project(network).find("<expect", test::project(network).find("S.X0")),
               test::project(network).find("<expect", test::project(network).find("A[] X_0 + X_1")));
@@ -95,10 +96,10 @@ TEST(UppaalQueries, OmitInexpressiblePropertiesWithAComment) {
     }
     EXPECT_EQ(names, (std::vector<std::string>{"T", "A", "C", "L"}));
     const std::string xml = test::project(network);
-    const std::size_t place = xml.find("<!-- T: time - - goes on: left out;");
+    const std::size_t place = xml.find("<!-- T: time - - goes on: omitted;");
     EXPECT_LT(xml.find("A[] not deadlock"), place);
     EXPECT_LT(place, xml.find("S.X0"));
-    EXPECT_NE(queries_text(network).find("/*\nT: time -- goes on: left out;"), std::string::npos);
+    EXPECT_NE(queries_text(network).find("/*\nT: time -- goes on: omitted;"), std::string::npos);
 }
 
 // UPPAAL's own reader fails at a comment at the end of `queries`.
@@ -111,7 +112,7 @@ TEST(UppaalQueries, EndWithAQuery) {
     network.properties = {};
     network.properties.add(only);
     EXPECT_EQ(test::project(network).find("<queries>"), std::string::npos);
-    EXPECT_NE(test::project(network).find("// Property T is left out: "), std::string::npos);
+    EXPECT_NE(test::project(network).find("// Property T is omitted: "), std::string::npos);
 }
 
 TEST(UppaalQueries, AreEqualInTheQueryFileAndTheProject) {
