@@ -30,3 +30,7 @@ html_css_files = ["site.css"]
 html_js_files = ["site.js"]
 html_copy_source = False
 html_show_sourcelink = False
+
+
+def setup(app):
+    app.connect("config-inited", lambda app, config: config.html_extra_path.append(os.path.join(app.srcdir, "redirections")))

@@ -11,9 +11,28 @@ from pathlib import Path
 
 LINK = re.compile(r"(!?)\[((?:[^][]|\[[^][]*\])*)\]\(([^)\s]+)\)")
 FENCE = re.compile(r"^(```|~~~)")
+AUDIENCE = re.compile(r"\bfor\b")
 HEADING = re.compile(r"^(#{1,6}) +(.*?) *$")
 GLOSSARY = "reference/glossary.md"
 MAX_LINES = 250
+# Pages that were renamed: former name -> page. The site has a redirection at each former address.
+REDIRECTS = {
+    "analyse": "how-to/analyse", "architecture": "explanation/architecture", "build_systems": "how-to/build-systems",
+    "checking": "explanation/semantics", "ci": "how-to/ci", "compare": "how-to/compare", "components": "how-to/write-components",
+    "conformance": "how-to/test-a-plc", "drawing": "how-to/draw", "editors": "how-to/editors", "engines": "explanation/timed-engine",
+    "explosion": "how-to/large-models", "files": "reference/files", "import": "how-to/import", "install": "how-to/install",
+    "language": "reference/language", "library": "how-to/cpp", "lsp": "how-to/language-server", "ltsmin": "how-to/ltsmin",
+    "method": "explanation/method", "modelling-operators": "how-to/modelling-operators", "mutate": "how-to/mutate",
+    "papers": "explanation/case-study", "performance": "explanation/performance", "properties": "reference/properties",
+    "python": "how-to/python", "report": "how-to/report", "robustness": "explanation/robustness", "serve": "how-to/serve",
+    "st": "how-to/structured-text", "supervise": "how-to/supervise", "trace": "reference/trace-format",
+    "untimed": "explanation/untimed", "versions": "reference/versions", "why": "explanation/why",
+}
+REDIRECTION = """<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><title>Page moved</title>
+<meta http-equiv="refresh" content="0; url={0}"><link rel="canonical" href="{0}"></head>
+<body><p>This page has moved to <a href="{0}">{0}</a>.</p></body></html>
+"""
 
 
 def slug(heading):
@@ -39,6 +58,17 @@ def prose(text):
 
 def headings(text):
     return [(number, len(match[1]), match[2]) for number, line, code in prose(text) if not code and (match := HEADING.match(line))]
+
+
+def introduction(text):
+    """The first paragraph after the title."""
+    lines = []
+    for _, line, code in prose(text):
+        if not code and not line.startswith("#") and (line.strip() or lines):
+            if not line.strip():
+                break
+            lines.append(line)
+    return " ".join(lines)
 
 
 def anchors(text):
@@ -91,10 +121,15 @@ class Site:
                 self.problem(place, titles[0][0], "the page has several titles; keep one `# Title`")
             if text.count("\n") > MAX_LINES and not place.startswith("samples/"):
                 self.problem(place, MAX_LINES, f"the page has more than {MAX_LINES} lines; split it")
+            if not place.startswith("samples/") and not AUDIENCE.search(introduction(text)):
+                self.problem(place, 1, "the page does not state its audience; begin it with its purpose and `It is for ...`")
             for number, line, code in prose(text):
                 if not code:
                     for match in LINK.finditer(re.sub(r"`[^`]*`", lambda code: " " * len(code[0]), line)):
                         self.check_link(place, number, match[3])
+        for name, page in REDIRECTS.items():
+            if f"{name}.md" in self.texts or f"{page}.md" not in self.texts:
+                self.problems.append(f"docs/site/pages.py: redirection from `{name}` to `{page}`; the former page exists, or the new one does not")
         for name in ["README.md", "CONTRIBUTING.md"]:
             if (self.root / name).exists():
                 for number, line, code in prose((self.root / name).read_text()):
@@ -181,6 +216,9 @@ class Site:
 
     def write(self, generated):
         """Writes all pages below `target`; `generated` maps a page to the Markdown that is appended to it."""
+        (self.target / "redirections").mkdir()
+        for name, page in REDIRECTS.items():
+            (self.target / f"redirections/{name}.html").write_text(REDIRECTION.format(f"{page}.html"))
         for place in [*self.texts, *(set(generated) - set(self.texts))]:
             seen, lines = set(), []
             for _, line, code in prose(self.texts.get(place, "")):

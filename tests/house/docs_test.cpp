@@ -3,6 +3,7 @@
 // `...` stands for any lines); each grafcet block is canonical text, and what it shows of a closed loop is as `check` finds it:
 // a property holds, or says `expected violated`. Commands find the grafcet blocks of their page as files, named after
 // the last chart, component or loop in them.
+#include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -186,6 +187,12 @@ TEST(Documents, ShowTheRealOutputOfTheirCommands) {
         }
     }
     EXPECT_GT(commands, 30u);
+}
+
+void run_failing_example() { run_commands("page.md", Block{"console", {"$ echo right", "wrong"}, 7}, Workplace{}); }
+
+TEST(Documents, FailIfTheOutputOfACommandDiffers) {
+    EXPECT_NONFATAL_FAILURE(run_failing_example(), "\"page.md\":7: `echo right` prints\nright\n");
 }
 
 TEST(Documents, ShowCanonicalText) {

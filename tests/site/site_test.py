@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""site_test.py GRAFVERIF: the sources of the site are complete, and each kind of error in them fails the build."""
+"""site_test.py GRAFVERIF: the sources of the site are complete, and each kind of error in them fails the build.
+
+The tests of the finished site need Sphinx with MyST and Furo; without them they are skipped with a message.
+"""
+import re
 import shutil
 import stat
 import subprocess
@@ -30,7 +34,7 @@ class Site(unittest.TestCase):
     def build(self, program=PROGRAM):
         """(exit code, errors) of a build of `root`."""
         target = Path(self.folder.name) / "target"
-        done = subprocess.run([sys.executable, "-B", ROOT / "docs/site/build.py", program, target, "--root", self.root, "--quick"],
+        done = subprocess.run([sys.executable, "-B", self.root / "docs/site/build.py", program, target, "--root", self.root, "--quick"],
                               capture_output=True, text=True)
         return done.returncode, done.stderr
 
@@ -59,31 +63,40 @@ class Site(unittest.TestCase):
         self.assertNotIn("[](", index)
 
     def test_page_without_title(self):
-        self.add_page("A page.\n")
+        self.add_page("A page for readers.\n")
         self.assert_problem("docs/new.md:1: the page has no title")
 
     def test_title_inside_code_is_ignored(self):
-        self.add_page("```text\n# Title\n```\n")
+        self.add_page("```text\n# Title\n```\n\nIt is for readers.\n")
         self.assert_problem("docs/new.md:1: the page has no title")
 
+    def test_page_without_audience(self):
+        self.add_page("# New\n\nThis page is new.\n")
+        self.assert_problem("docs/new.md:1: the page does not state its audience")
+
+    def test_redirection_to_missing_page(self):
+        pages = self.root / "docs/site/pages.py"
+        pages.write_text(pages.read_text().replace('"why": "explanation/why"', '"why": "explanation/missing"'))
+        self.assert_problem("redirection from `why` to `explanation/missing`")
+
     def test_page_that_is_too_long(self):
-        self.add_page("# New\n" + "\n" * 250)
+        self.add_page("# New\n\nIt is for readers.\n" + "\n" * 250)
         self.assert_problem("docs/new.md:250: the page has more than 250 lines")
 
     def test_page_that_is_not_in_the_index(self):
-        (self.root / "docs/new.md").write_text("# New\n")
+        (self.root / "docs/new.md").write_text("# New\n\nIt is for readers.\n")
         self.assert_problem("`new.md` is not linked")
 
     def test_link_to_missing_file(self):
-        self.add_page("# New\n\nSee [this](missing.md).\n")
+        self.add_page("# New\n\nIt is for readers. See [this](missing.md).\n")
         self.assert_problem("docs/new.md:3: broken link `missing.md`; no such file")
 
     def test_link_to_missing_heading(self):
-        self.add_page("# New\n\nSee [this](index.md#missing).\n")
+        self.add_page("# New\n\nIt is for readers. See [this](index.md#missing).\n")
         self.assert_problem("docs/new.md:3: broken link `index.md#missing`; no such heading")
 
     def test_link_to_missing_diagnostic(self):
-        self.add_page("# New\n\nSee [this](reference/diagnostics.md#missing).\n")
+        self.add_page("# New\n\nIt is for readers. See [this](reference/diagnostics.md#missing).\n")
         self.assert_problem("broken link `reference/diagnostics.md#missing`; no such heading")
 
     def test_undocumented_option(self):
@@ -105,5 +118,68 @@ class Site(unittest.TestCase):
         self.assert_problem("templates/lamp.grafcet: undocumented parameter `ON`")
 
 
+def missing_for_sphinx():
+    """Why the finished site cannot be built; empty if it can."""
+    missing = [name for name in ["sphinx", "myst_parser", "furo"]
+               if subprocess.run(["/usr/bin/python3", "-c", f"import {name}"], capture_output=True).returncode]
+    return f"not installed: {', '.join(missing)}" if missing else ""
+
+
+@unittest.skipIf(missing_for_sphinx(), missing_for_sphinx())
+class FinishedSite(unittest.TestCase):
+    """Runs Sphinx as `./dev docs` does, on the sources without gallery and C++ API."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.source, cls.html = Path(cls.folder.name) / "source", Path(cls.folder.name) / "html"
+        subprocess.run([sys.executable, "-B", ROOT / "docs/site/build.py", PROGRAM, cls.source, "--quick"], check=True)
+        cls.code, cls.errors = cls.sphinx()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    @classmethod
+    def sphinx(cls):
+        command = ["/usr/bin/python3", "-B", "-m", "sphinx", "-n", "-W", "--keep-going", "-q", "-c", ROOT / "docs", "-d",
+                   Path(cls.folder.name) / "doctrees", cls.source, cls.html]
+        done = subprocess.run(command, capture_output=True, text=True)
+        return done.returncode, done.stderr
+
+    def assert_warning(self, page, text, expected):
+        path = self.source / page
+        before = path.read_text()
+        path.write_text(text(before))
+        code, errors = self.sphinx()
+        path.write_text(before)
+        self.assertNotEqual(code, 0)
+        self.assertIn(expected, errors)
+
+    def test_pages_are_built_without_warnings(self):
+        self.assertEqual((self.code, self.errors), (0, ""))
+        for name in ["index", "reference/cli", "reference/diagnostics", "tutorials/first-check", "search"]:
+            self.assertTrue((self.html / f"{name}.html").exists(), name)
+        self.assertIn("glossary.html#closed-loop", (self.html / "index.html").read_text())
+        self.assertTrue((self.html / "searchindex.js").exists())
+
+    def test_former_pages_lead_to_their_successors(self):
+        for name in ["checking", "trace", "why"]:
+            page = (self.html / f"{name}.html").read_text()
+            target = page.split("url=", 1)[1].split('"', 1)[0]
+            self.assertTrue((self.html / target).exists(), target)
+
+    def test_site_needs_no_network(self):
+        for page in self.html.rglob("*.html"):
+            for address in re.findall(r"<(?:script|img|iframe)[^>]* src=\"([^\"]*)\"|<link[^>]* rel=\"stylesheet\"[^>]* href=\"([^\"]*)\"", page.read_text()):
+                self.assertNotRegex("".join(address), "^(https?:)?//", page.name)
+
+    def test_broken_reference_fails_the_build(self):
+        self.assert_warning("reference/versions.md", lambda text: text + "\n[missing](missing.md)\n", "missing")
+
+    def test_page_without_title_fails_the_build(self):
+        self.assert_warning("reference/versions.md", lambda text: text.replace("# Versions\n", ""), "title")
+
+
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(verbosity=2)
