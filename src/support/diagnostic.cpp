@@ -12,6 +12,7 @@
 #include "support/overloaded.hpp"
 #include "support/printable.hpp"
 #include "support/render.hpp"
+#include "support/text/documentation.hpp"
 
 namespace grafverif {
 
@@ -130,7 +131,8 @@ void render_one(const Diagnostic& diagnostic, const Sources& sources, Colour col
     out << word(diagnostic.severity) << ": ";
     if (ansi_colours) out << "\x1b[0m";
     out << printable(diagnostic.message);
-    if (!diagnostic.code.empty()) out << " [" << diagnostic.code << ']';
+    if (!diagnostic.code.empty())
+        out << " [" << (ansi_colours ? terminal_link(diagnostic.code) : diagnostic.code) << ']';
     out << '\n';
     if (placed) {
         const Source& source = sources[diagnostic.where.source];

@@ -168,5 +168,12 @@ TEST(Diagnostics, HaveAPageIfTheSiteIsPublished) {
     EXPECT_EQ(diagnostic_page("", "https://example.org/docs"), "");
 }
 
+TEST(Documentation, LinksACodeOnTheTerminalIfTheSiteIsPublished) {
+    EXPECT_EQ(
+        terminal_link("unknown-step", "https://example.org/docs"),
+        "\x1b]8;;https://example.org/docs/reference/diagnostics.html#unknown-step\x1b\\unknown-step\x1b]8;;\x1b\\");
+    EXPECT_EQ(terminal_link("unknown-step", ""), "unknown-step");
+}
+
 }  // namespace
 }  // namespace grafverif
