@@ -395,7 +395,8 @@ def gallery_page(root, program, target, timeout="60s"):
             rows = folded([row for row in rows if row.get("property")])
             if sum(row["verdict"] == "unknown" for row in rows) * 2 < len(rows) or not rows:
                 break
-        lines += [f"## {path.parent.name}/{path.stem}", "", f"Source and explanation: [{place}](samples/{path.parent.name}.md).", ""]
+        title = path.stem if path.stem == path.parent.name else f"{path.parent.name}/{path.stem}"
+        lines += [f"## {title}", "", f"Source and explanation: [{place}](samples/{path.parent.name}.md).", ""]
         picture = path.with_suffix(".svg")
         if picture.exists():
             copy = target / "drawings" / f"{path.parent.name}_{picture.name}"
