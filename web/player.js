@@ -209,11 +209,11 @@ export class Player {
     words() {
         const row = this.run.rows[this.run.rowOf(this.moment)];
         const inside = row && row.moment !== this.moment;  // then most events of the row are still to come
-        const told = inside ? this.moveWords() : row ? [row.words, this.inputWords(), row.cleared && `cleared: ${row.cleared}`].filter(Boolean).join(" — ") : "";
+        const words = inside ? this.moveWords() : row ? [row.words, this.inputWords(), row.cleared && `cleared: ${row.cleared}`].filter(Boolean).join(" — ") : "";
         const loop = this.run.loopMoment(), ever = loop !== null && this.moment >= loop ? " Repeated forever from here." : "";
         const end = this.moment === this.run.last && this.run.data.end ? ` ${this.run.data.end}.` : "";
         const move = this.everyMove && !inside ? ` [${this.moveWords()}]` : "";
-        return `${this.run.timeText(this.moment)}: ${told || "power on"}.${move}${ever}${end}`;
+        return `${this.run.timeText(this.moment)}: ${words || "power on"}.${move}${ever}${end}`;
     }
     // The inputs that change here, with their new values; empty at power-on.
     inputWords() {

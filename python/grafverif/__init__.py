@@ -33,7 +33,7 @@ Duration = Union[float, timedelta]  #: seconds
 
 
 class Diagnostic(NamedTuple):
-    """A diagnostic with its position; `file`, `line` and `column` (from 1, in bytes) are None if it has no position."""
+    """A diagnostic; without a position, `file`, `line` and `column` (from 1, in bytes) have the value None."""
 
     severity: str
     code: str
@@ -223,7 +223,7 @@ class Report(_Tabular):
         document = json.loads(core.json())
         self.model: str = document["model"]
         self.verdicts = [Verdict(each, core, index) for index, each in enumerate(document["properties"])]
-        self.errors: list[dict[str, Any]] = document.get("errors", [])  #: where the model itself breaks off
+        self.errors: list[dict[str, Any]] = document.get("errors", [])  #: errors of the model itself
         self.document: dict[str, Any] = document
         self._core = core
 
@@ -324,7 +324,7 @@ class _Machine:
     def __init__(self, shown: tuple[str, str, str]):
         self._text, text, svg = shown
         self.document: dict[str, Any] = json.loads(text)  #: as the program writes it with `--format json`
-        self.drawing = Drawing(svg) if svg else None  #: None where nobody could look through it
+        self.drawing = Drawing(svg) if svg else None  #: None if it is too large to draw
 
     def __str__(self) -> str:
         return self._text

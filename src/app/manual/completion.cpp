@@ -193,6 +193,7 @@ function __grafverif_command
     set -l words (commandline -opc)
     test (count $words) -ge 2; and test "$words[2]" = "$argv[1]"
 end
+
 complete -c grafverif -f
 complete -c grafverif -n __fish_use_subcommand -l version -d 'print the version'
 complete -c grafverif -n __fish_use_subcommand -a help -d 'describe the options of a command'

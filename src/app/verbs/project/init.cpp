@@ -65,13 +65,13 @@ grafcet NAME_controller {
 }
 )"},
         {"NAME_slide.grafcet", "a custom component (library: `grafverif components`)",
-         R"(// A slide: driven it goes to the front, else a spring takes it back.
+         R"(// A slide: it moves to the front while it is driven; otherwise a spring returns it.
 //
 // Interface
 //   FORWARD   input     order: to the front
 //   AT_FRONT  output    sensor in front
-//   AT_BACK   output    sensor at the back, where it begins
-//   TRAVEL    constant  how long it takes from one end to the other, whatever it did before; default 2s
+//   AT_BACK   output    sensor at the back, its initial position
+//   TRAVEL    constant  travel time between the ends, also after a reversal; default 2s
 component NAME_slide(input FORWARD; output AT_FRONT, AT_BACK = true; TRAVEL = 2s) {
     clock t;
 
@@ -97,7 +97,7 @@ enable_testing()
 
 find_package(grafverif REQUIRED COMPONENTS program)
 
-# Models for UPPAAL and NuSMV, made anew when a file changes that they are made of.
+# Models for UPPAAL and NuSMV, rebuilt when an input file changes.
 grafverif_models(TARGET models CHART NAME.grafcet OUTPUT_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/models")
 
 # A test per property.

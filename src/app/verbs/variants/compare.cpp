@@ -96,9 +96,9 @@ Verb compare_usage() {
             2,
             2,
             "prove two charts equivalent, or find inputs that distinguish them",
-            "Compares a chart of FILE (a) with a chart of OTHER (b), which has the same inputs and outputs. They are "
-            "equivalent if,\n"
-            "for all inputs and all times between scans, they write the same outputs in every scan or stop in the same "
+            "Compares a chart of FILE (a) with a chart of OTHER (b), which has the same inputs and outputs. Equivalent "
+            "charts write,\n"
+            "for all inputs and all times between scans, the same outputs in every scan, or stop in the same "
             "scan (race,\n"
             "value out of range, total instability). The result is a proof, or a distinguishing sequence of scans, "
             "replayed on the\n"
