@@ -8,6 +8,8 @@
 #include <deque>
 #include <functional>
 #include <iterator>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 #include "check/cells/cells.hpp"
@@ -60,92 +62,117 @@ TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options)
     return timed;
 }
 
-/// A bounded search of observe(loop), then until `deadline` input abstractions for the properties that it leaves open.
-TimedResult search_first(const Network& loop, const Observe& observe, const TimedOptions& options,
-                         const WholeSearch& search, const Deadline& deadline) {
-    TimedResult result = search(observe(loop), options);
-    TimedOptions abstract = options;
-    abstract.max_states = TimedOptions{}.max_states;
-    abstract.deadline = deadline;
-    decide_by_inputs(loop, observe, abstract, result);
-    return result;
+bool is_open(const Verdict& verdict) {
+    return verdict.obstacle == Obstacle::Bound || verdict.obstacle == Obstacle::Stopped;
 }
 
-bool has_open(const TimedResult& result) {
-    return std::ranges::any_of(result.verdicts,
-                               [](const Verdict& verdict) { return verdict.obstacle == Obstacle::Bound; });
-}
-
-/// `complete`, with the verdicts that abstractions gave before.
-TimedResult with_abstracted(TimedResult&& before, TimedResult&& complete) {
-    for (std::size_t k = 0; k < complete.verdicts.size(); ++k)
-        if (before.verdicts[k].abstraction) complete.verdicts[k] = std::move(before.verdicts[k]);
-    return std::move(complete);
-}
-
-TimedResult search(const LoopToCheck& loop, const CheckOptions& options) {
-    const TimedOptions timed = timed_options(loop, options);
-    const CellLimits limits;
-    if (options.whole) return check_timed(loop.network, timed);
-    // Localization is cheap and scales with the number of fragments, so input abstraction follows it.
-    const auto whole = [&](const Network& network, const TimedOptions& of) {
-        if (of.max_states <= limits.whole || loop.cures_left_out) return check_timed_by_parts(network, of);
-        TimedOptions first = of;
-        first.max_states = limits.whole;
-        TimedResult found = search_first(network, std::identity{}, first, check_timed_by_parts, most_of(of.deadline));
-        return has_open(found) ? with_abstracted(std::move(found), check_timed_by_parts(network, of)) : found;
-    };
-    return check_timed_by_cells(loop.network, timed, limits, {}, whole);
-}
-
-/// Searches for a property with an observer, in two steps. An observer reads the complete loop, so localization does not
-/// apply. Timelocks are searched in the loop without the observer.
-class WatchedSearch {
+/// A search in steps, so that searches under one limit take turns: a bounded search of the complete loop with
+/// localization, rounds of input abstraction, and the search of the complete loop for what remains open.
+class StagedSearch {
 public:
-    /// `observe` adds the observer of the only property; `network` is that of the loop with it. All outlive the search.
-    WatchedSearch(const LoopToCheck& loop, const Observe& observe, const Network& network, const CheckOptions& options)
-        : loop_(loop), observe_(observe), network_(network), timed_(timed_options(loop, options)) {
-        timed_.timelock = false;
-        const CellLimits limits;
-        const bool in_two_steps = !options.whole && !loop.cures_left_out && timed_.max_states > limits.whole;
-        bound_ = in_two_steps ? limits.whole : timed_.max_states;
+    /// `observe` adds the observer of the only property and makes `network` of the loop; or it changes nothing. An
+    /// observer reads the complete loop, so localization does not apply to it. All references outlive the search.
+    StagedSearch(const LoopToCheck& loop, const Observe& observe, const Network& network, const CheckOptions& options)
+        : is_watched_(&network != &loop.network),
+          in_steps_(!options.whole),
+          loop_(loop),
+          observe_(observe),
+          network_(network),
+          options_(timed_options(loop, options)) {
+        if (is_watched_) options_.timelock = false;  // searched in the loop without the observer
     }
 
-    /// A bounded search and input abstractions. True if a verdict is left open that the second step may decide.
-    bool begin(const Deadline& deadline) {
-        if (bound_ == timed_.max_states) {
-            timed_.deadline = deadline;
-            result_ = check_timed(network_, timed_);
-            return false;
-        }
-        TimedOptions first = timed_;
-        first.max_states = bound_;
-        first.many = {};
-        first.deadline = most_of(deadline);
-        result_ = search_first(expand(loop_.network), observe_, first, check_timed, first.deadline);
-        return std::ranges::any_of(result_.verdicts, [&](const Verdict& verdict) {
-            const bool is_open = verdict.obstacle == Obstacle::Bound || verdict.obstacle == Obstacle::Stopped;
-            return is_open && !is_probe(network_.properties[verdict.about]);
-        });
+    /// The first step. `is_large`: the complete loop exceeds the bound of this step.
+    void begin(const Deadline& deadline, bool is_large) {
+        CellLimits limits;
+        if (options_.max_states <= limits.whole || loop_.cures_left_out) in_steps_ = in_steps_ && !is_watched_;
+        options_.deadline = deadline;
+        if (!in_steps_) return void(result_ = check_timed(network_, options_));
+        if (is_large) limits.whole >>= 3U;
+        if (is_watched_) limits.local = 0;
+        const WholeSearch whole = is_watched_ ? WholeSearch(check_timed) : WholeSearch(check_timed_by_parts);
+        complete_.emplace(expand(network_), options_, limits, LocalAblations{}, whole);
+        complete_->begin();
+        if (options_.max_states <= limits.whole || loop_.cures_left_out || !needs_whole()) return;
+        expanded_ = expand(loop_.network);
+        abstract_ = options_;
+        abstract_.max_states = TimedOptions{}.max_states;
+        inputs_.emplace(expanded_, observe_, abstract_, complete_->found());
+    }
+
+    /// One round of input abstraction. False if no further round is possible.
+    bool refine(std::uint64_t states, const Deadline& deadline) { return inputs_ && inputs_->run(states, deadline); }
+
+    /// True if requested verdicts are open that the last step may decide.
+    bool needs_whole() {
+        return complete_ && complete_->needs_whole() &&
+               std::ranges::any_of(complete_->found().verdicts, [&](const Verdict& verdict) {
+                   return is_open(verdict) && !(verdict.about.valid() && is_probe(network_.properties[verdict.about]));
+               });
     }
 
     /// The search of the complete loop.
-    void complete(const Deadline& deadline) {
-        timed_.deadline = deadline;
-        result_ = with_abstracted(std::move(result_), check_timed(network_, timed_));
+    void search_whole(const Deadline& deadline) {
+        options_.deadline = deadline;
+        complete_->search_whole();
     }
 
-    std::uint64_t states() const { return result_.states; }
-    TimedResult result() { return std::move(result_); }
+    std::uint64_t states() { return complete_ ? complete_->found().states : result_.states; }
+    bool is_large() { return complete_ && std::ranges::any_of(complete_->found().verdicts, is_open); }
+    TimedResult result() { return complete_ ? complete_->result() : std::move(result_); }
 
 private:
+    const bool is_watched_;
+    bool in_steps_;
     const LoopToCheck& loop_;
     const Observe& observe_;
     const Network& network_;
-    TimedOptions timed_;
-    std::uint64_t bound_ = 0;  // of the first step
+    TimedOptions options_, abstract_ = {};
+    Network expanded_ = {};
+    std::optional<CellSearch> complete_ = {};
+    std::optional<InputSearch> inputs_ = {};
     TimedResult result_ = {};
 };
+
+/// Runs all steps of several searches; returns per search the number of states that the others explored before its last
+/// step. The first search is that of the loop without observers.
+std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Deadline& deadline) {
+    std::vector<std::uint64_t> earlier(searches.size(), 0);
+    const auto step = [&](std::size_t i, const auto& search) {
+        earlier[i] = 0;
+        for (std::size_t k = 0; k < searches.size(); ++k)
+            if (k != i) earlier[i] += searches[k]->states();
+        search(*searches[i]);
+    };
+    const Deadline abstract = most_of(deadline);
+    for (std::size_t i = 0; i < searches.size(); ++i)
+        step(i, [&](StagedSearch& search) {
+            search.begin(share_of(abstract, searches.size() - i), i > 0 && searches.front()->is_large());
+        });
+    std::vector<std::size_t> open(searches.size());
+    std::iota(open.begin(), open.end(), std::size_t{0});
+    for (const std::uint64_t states : input_rounds) {
+        std::size_t left = open.size();
+        std::erase_if(open, [&](std::size_t i) {
+            bool again = false;
+            step(i, [&](StagedSearch& search) { again = search.refine(states, share_of(abstract, left--)); });
+            return !again;
+        });
+    }
+    open.clear();
+    for (std::size_t i = 0; i < searches.size(); ++i)
+        if (searches[i]->needs_whole()) open.push_back(i);
+    for (std::size_t left = open.size(); const std::size_t i : open)
+        step(i, [&](StagedSearch& search) { search.search_whole(share_of(deadline, left--)); });
+    return earlier;
+}
+
+TimedResult search(const LoopToCheck& loop, const CheckOptions& options) {
+    const Observe nothing = std::identity{};
+    StagedSearch search(loop, nothing, loop.network, options);
+    run({&search}, options.limits.deadline);
+    return search.result();
+}
 
 /// Converts the results of the engine to a report; runs that do not replay are failures and are not reported.
 class Reporter {
@@ -248,9 +275,7 @@ public:
           own_(options_of(options)),
           search_(loop_, observe_, network_, own_) {}
 
-    bool begin(const Deadline& deadline) { return search_.begin(deadline); }
-    void complete(const Deadline& deadline) { search_.complete(deadline); }
-    std::uint64_t states() const { return search_.states(); }
+    StagedSearch& search() { return search_; }
 
     Report report() {
         const LoopToCheck watched_loop{network_, loop_.charts, loop_.cures_left_out, loop_.finest};
@@ -278,7 +303,7 @@ private:
     const Observe observe_;
     const Network network_;
     const CheckOptions own_;
-    WatchedSearch search_;
+    StagedSearch search_;
 };
 
 /// Adds the results of another search; `earlier`: number of states explored by the searches before.
@@ -289,14 +314,6 @@ void take(Report&& found, std::uint64_t earlier, Report& report) {
     for (Breakdown& breakdown : found.breakdowns)
         if (std::ranges::find(report.breakdowns, breakdown.message, &Breakdown::message) == report.breakdowns.end())
             report.breakdowns.push_back(std::move(breakdown));
-}
-
-/// The states that the longest search of a report explored.
-std::uint64_t states_of(const Report& report) {
-    std::uint64_t states = 0;
-    for (const Answer& answer : report.answers)
-        states = std::max<std::uint64_t>(states, std::stoull('0' + answer.verdict.states));
-    return states;
 }
 
 /// Sorts by the properties of the loop, followed by the others.
@@ -332,33 +349,19 @@ Report check(const LoopToCheck& loop, const CheckOptions& options) {
         rest.properties = {"no_timelock"};
         rest.limits.states = std::min(rest.limits.states.value_or(CellLimits{}.whole), CellLimits{}.whole);
     }
-    std::vector<Id<Property>> asked;
-    std::ranges::copy_if(by_observers, std::back_inserter(asked), is_asked);
-    // The abstractions of all properties come before the searches of the complete loop.
-    const Deadline deadline = options.limits.deadline;
-    std::deque<WatchedCheck> checks;
-    std::vector<std::uint64_t> earlier(asked.size(), 0);  // states explored before the last search of each
-    std::vector<std::size_t> open;
-    std::uint64_t states = 0;
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-        earlier[i] = states;
-        if (checks.emplace_back(loop, asked[i], options).begin(share_of(deadline, asked.size() - i + 1)))
-            open.push_back(i);
-        states += checks[i].states();
-    }
-    if (!open.empty()) rest.limits.deadline = share_of(deadline, 2);
     const LoopToCheck unwatched{alone, loop.charts, loop.cures_left_out, loop.finest};
-    Report made = Reporter(unwatched, rest).report(search(unwatched, rest));
-    const std::uint64_t before_rest = std::exchange(states, states + states_of(made));
-    for (std::size_t k = 0; k < open.size(); ++k) {
-        earlier[open[k]] = states;
-        checks[open[k]].complete(share_of(deadline, open.size() - k));
-        states += checks[open[k]].states();
-    }
+    const Observe nothing = std::identity{};
+    StagedSearch search(unwatched, nothing, alone, rest);
+    std::deque<StagedSearch*> searches{&search};
+    std::deque<WatchedCheck> checks;
+    for (const Id<Property> id : by_observers)
+        if (is_asked(id)) searches.push_back(&checks.emplace_back(loop, id, options).search());
+    const std::vector<std::uint64_t> earlier = run(searches, options.limits.deadline);
     Report report{alone.name, basis_of(alone, "timed")};
-    for (std::size_t i = 0; i < checks.size(); ++i) take(checks[i].report(), earlier[i], report);
+    for (std::size_t i = 0; i < checks.size(); ++i) take(checks[i].report(), earlier[i + 1], report);
+    Report made = Reporter(unwatched, rest).report(search.result());
     report.profile = std::move(made.profile);
-    take(std::move(made), before_rest, report);
+    take(std::move(made), earlier[0], report);
     put_in_order(loop.network, report.answers);
     return report;
 }

@@ -172,7 +172,9 @@ int compare(const Network& loop, const InputAblations& ablations, bool expected,
         if (inputs.complete) continue;
         inputs.time_passes = complete.time_passes;  // results of a longer first search
         options.max_states = complete_limit;
-        decide_by_inputs(loop, observe, options, inputs, {.followed = 20'000}, ablations);
+        InputSearch search(loop, observe, options, inputs, {.followed = 20'000}, ablations);
+        for (const std::uint64_t states : {std::uint64_t{30}, options.max_states})
+            if (!search.run(states, {})) break;
         compared.compare(network, complete, inputs, expected);
     }
     return compared.wrong;

@@ -20,69 +20,83 @@ namespace grafverif {
 
 namespace {
 
+/// Name of the property that the first search of the complete network adds: some state is quiescent.
+constexpr const char* settled_probe = "some state is quiescent";
+
 using Cells = std::vector<std::uint32_t>;
 
 bool wanted(const Property& property) { return property.pattern == Pattern::Reachable; }
 
-/// A choice of fragments, with its queries as indices of verdicts.
-struct Task {
-    Cells cells = {};
-    std::vector<std::size_t> asked = {};
-};
-
-/// A task that its fragments did not decide, with the others that they read; `known`: number of invariants at that
-/// time.
-struct Open {
-    Task task = {};
-    Cells borders = {}, tied = {};
-    std::size_t known = 0;
-};
-
-/// A term that was proved in every state of the complete network.
-struct Invariant {
-    std::string name = {};
-    Id<Expr> term = {};
-    Cells reads = {};
-};
-
 /// False if a search of the complete network decided it.
 bool is_decided_apart(const Verdict& verdict) { return verdict.scope.cells || verdict.abstraction; }
 
+/// True if localization may decide something that `options` select.
+bool has_local(const Network& network, const TimedOptions& options) {
+    return terms_have_values(network) && std::ranges::any_of(network.properties, [&](const Property& property) {
+               const Pattern pattern = property.pattern;
+               return timed::asked(options, property) &&
+                      (is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps ||
+                       pattern == Pattern::NoDeadlock || pattern == Pattern::NoTimelock);
+           });
+}
+
+}  // namespace
+
 class ByCells {
 public:
-    ByCells(Network network, const NetworkCells& cells, const TimedOptions& options, const CellLimits& limits,
-            const LocalAblations& ablations, const WholeSearch& whole)
+    ByCells(Network network, const TimedOptions& options, const CellLimits& limits, const LocalAblations& ablations,
+            const WholeSearch& whole)
         : network_(std::move(network)),
-          cells_(cells),
+          cells_(cells_of(network_)),
           options_(options),
           limits_(limits),
           ablations_(ablations),
           whole_(whole) {}
 
-    TimedResult result() {
+    void begin() {
+        if (!has_local(network_, options_)) return search_whole();
         look_at_whole();
-        if (!goes_on()) return std::move(result_);
         // Otherwise a property that holds by localization may be unknown or vacuous in the complete network.
-        if (result_.errors.empty() && result_.time_passes) ask();
-        if (tasks_.empty() && !race_) {
-            const bool decided = std::ranges::any_of(result_.verdicts, is_decided_apart);
-            return decided && !needs_whole() ? std::move(result_) : search_whole();
-        }
+        if (limits_.local == 0 || !is_open() || !result_.errors.empty() || !result_.time_passes) return;
+        ask();
+        if (tasks_.empty() && !race_) return;
         may_err_ = cells_that_may_err(network_, cells_);
-        if (may_err_.contains(NetworkCells::none)) return search_whole();
+        if (may_err_.contains(NetworkCells::none)) return;
         local_deadline_ = share_of(options_.deadline, 3);  // the rest is for the complete network
         search_locally();
-        for (const std::uint32_t cell : may_err_)
-            if (!faultless_.contains(cell) && !ablations_.break_off) return search_whole();
-        take_local();
-        if (needs_whole()) return search_whole();
-        if (!options_.profile) result_.profile.reset();
-        return std::move(result_);
+        const auto is_faultless = [&](std::uint32_t cell) { return faultless_.contains(cell); };
+        if (ablations_.break_off || std::ranges::all_of(may_err_, is_faultless)) take_local();
     }
 
+    TimedResult& found() { return result_; }
+    bool needs_whole();
+    void search_whole();
+    TimedResult result();
+
 private:
+    /// A choice of fragments, with its queries as indices of verdicts.
+    struct Task {
+        Cells cells = {};
+        std::vector<std::size_t> asked = {};
+    };
+
+    /// A task that its fragments did not decide, with the others that they read; `known`: number of invariants at that
+    /// time.
+    struct Open {
+        Task task = {};
+        Cells borders = {}, tied = {};
+        std::size_t known = 0;
+    };
+
+    /// A term that was proved in every state of the complete network.
+    struct Invariant {
+        std::string name = {};
+        Id<Expr> term = {};
+        Cells reads = {};
+    };
+
     void look_at_whole();
-    bool goes_on() const;
+    bool is_open() const;
     void ask();
     bool about_race(const Property& property) const;
     void search_locally();
@@ -92,17 +106,14 @@ private:
     std::string taken_to_do(const LocalNetwork& local) const;
     Scope scope(const std::set<std::uint32_t>& searched, std::string because) const;
     void take_local();
-    bool needs_whole();
-    TimedResult search_whole();
 
     Network network_;  // terms are added
-    const NetworkCells& cells_;
+    const NetworkCells cells_;
     const TimedOptions& options_;
-    const CellLimits& limits_;
-    const LocalAblations& ablations_;
-    const WholeSearch& whole_;
+    const CellLimits limits_;
+    const LocalAblations ablations_;
+    const WholeSearch whole_;
     TimedResult result_ = {};
-    bool ever_settled_ = false;
     std::vector<std::optional<Property>> questions_ = {};  // per verdict, its property if localization can decide it
     std::deque<Task> tasks_ = {};
     std::vector<Open> open_ = {};
@@ -110,6 +121,7 @@ private:
     std::map<std::size_t, Verdict> found_ = {};  // by localization
     std::optional<std::size_t> race_ = {};       // the verdict on action races
     std::set<std::uint32_t> may_err_ = {}, faultless_ = {};
+    bool searched_whole_ = false;
     Deadline local_deadline_ = {};                                    // for all searches of fragments
     std::uint64_t local_states_ = 0;                                  // of these searches
     std::uint64_t faultless_states_ = 0, faultless_transitions_ = 0;  // of all searches without an error
@@ -130,14 +142,15 @@ void ByCells::look_at_whole() {
     probed.properties.add(std::move(probe));
     if (!first.properties.empty()) first.properties.emplace_back(settled_probe);
     result_ = whole_(probed, first);
-    ever_settled_ = element_of(result_.verdicts, settled_probe, &Verdict::property).outcome == Outcome::Holds;
+    result_.settles = element_of(result_.verdicts, settled_probe, &Verdict::property).outcome == Outcome::Holds;
     std::erase_if(result_.verdicts, [](const Verdict& verdict) { return verdict.property == settled_probe; });
 }
 
-/// True if only the bound ended the first search.
-bool ByCells::goes_on() const {
-    return std::ranges::any_of(result_.verdicts,
-                               [](const Verdict& verdict) { return verdict.obstacle == Obstacle::Bound; });
+/// True if a limit ended the search.
+bool ByCells::is_open() const {
+    return std::ranges::any_of(result_.verdicts, [](const Verdict& verdict) {
+        return verdict.obstacle == Obstacle::Bound || verdict.obstacle == Obstacle::Stopped;
+    });
 }
 
 void ByCells::ask() {
@@ -148,7 +161,7 @@ void ByCells::ask() {
         if (verdict.obstacle != Obstacle::Bound || !verdict.about.valid()) continue;
         Property property = network_.properties[verdict.about];
         if (!is_about_single_states(property.pattern)) continue;
-        if (property.at_stable && !ever_settled_) continue;
+        if (property.at_stable && !result_.settles) continue;
         const Cells read = cells_read(network_, cells_, property);
         if (about_race(property)) race_ = k;
         if (read.empty() || read.size() == cells_.count) continue;
@@ -298,9 +311,10 @@ void ByCells::take_local() {
     }
 }
 
-/// True if a requested verdict is open. `no timelock` is also reported without a request if the complete network is
-/// searched anyway.
+/// `no timelock` is also reported without a request if the complete network is searched anyway.
 bool ByCells::needs_whole() {
+    if (searched_whole_ || !is_open()) return false;
+    if (std::ranges::none_of(result_.verdicts, is_decided_apart)) return true;
     bool needed = false;
     for (Verdict& verdict : result_.verdicts) {
         if (verdict.outcome != Outcome::Unknown) continue;
@@ -314,9 +328,10 @@ bool ByCells::needs_whole() {
     return needed;
 }
 
-/// Searches the complete network for the remaining queries, unless the first search already used the allowed bound.
-TimedResult ByCells::search_whole() {
-    if (options_.max_states <= limits_.whole) return std::move(result_);
+void ByCells::search_whole() {
+    searched_whole_ = true;
+    if (result_.verdicts.empty()) return void(result_ = whole_(network_, options_));
+    if (options_.max_states <= limits_.whole) return;
     TimedOptions options = options_;
     if (std::ranges::any_of(result_.verdicts, is_decided_apart)) {
         options.properties.clear();
@@ -344,8 +359,10 @@ TimedResult ByCells::search_whole() {
     if (result_.profile && (!whole.profile || whole.profile->states < result_.profile->states))
         whole.profile = std::move(result_.profile);
     whole.verdicts = std::move(result_.verdicts);
-    return whole;
+    result_ = std::move(whole);
 }
+
+namespace {
 
 /// After a timelock no further state is reachable: verdicts state how far timelocks were searched for.
 TimedResult with_time_told(TimedResult result) {
@@ -364,19 +381,34 @@ TimedResult with_time_told(TimedResult result) {
 
 }  // namespace
 
+TimedResult ByCells::result() {
+    if (!options_.profile && !searched_whole_ && std::ranges::any_of(result_.verdicts, is_decided_apart))
+        result_.profile.reset();
+    return with_time_told(std::move(result_));
+}
+
+CellSearch::CellSearch(Network network, const TimedOptions& options, const CellLimits& limits,
+                       const LocalAblations& ablations, const WholeSearch& whole)
+    : search_(std::make_unique<ByCells>(std::move(network), options, limits, ablations, whole)) {}
+
+CellSearch::~CellSearch() = default;
+
+void CellSearch::begin() { search_->begin(); }
+
+TimedResult& CellSearch::found() { return search_->found(); }
+
+bool CellSearch::needs_whole() { return search_->needs_whole(); }
+
+void CellSearch::search_whole() { search_->search_whole(); }
+
+TimedResult CellSearch::result() { return search_->result(); }
+
 TimedResult check_timed_by_cells(const Network& network, const TimedOptions& options, const CellLimits& limits,
                                  const LocalAblations& ablations, const WholeSearch& whole) {
-    const bool asked = std::ranges::any_of(network.properties, [&](const Property& property) {
-        const Pattern pattern = property.pattern;
-        return timed::asked(options, property) &&
-               (is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps ||
-                pattern == Pattern::NoDeadlock || pattern == Pattern::NoTimelock);
-    });
-    if (!asked) return with_time_told(whole(network, options));
-    Network flat = expand(network);
-    const NetworkCells cells = cells_of(flat);
-    if (!terms_have_values(flat)) return with_time_told(whole(network, options));
-    return with_time_told(ByCells(std::move(flat), cells, options, limits, ablations, whole).result());
+    CellSearch search(expand(network), options, limits, ablations, whole);
+    search.begin();
+    if (search.needs_whole()) search.search_whole();
+    return search.result();
 }
 
 }  // namespace grafverif

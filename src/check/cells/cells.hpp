@@ -13,23 +13,47 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 
 #include "check/parts/parts.hpp"
+#include "check/shares.hpp"
 #include "check/timed/timed.hpp"
 #include "ir/network_cells.hpp"
 
 namespace grafverif {
 
-/// Name of the property that the first search of the complete network adds: some state is quiescent.
-inline constexpr const char* settled_probe = "some state is quiescent";
-
 struct CellLimits {
     std::uint64_t whole = std::uint64_t{1} << 17U;  ///< states explored in the first search of the complete network
-    std::uint64_t local = std::uint64_t{1} << 22U;  ///< states of an abstraction
+    std::uint64_t local = std::uint64_t{1} << 22U;  ///< states of an abstraction; 0: no localization
 };
 
 /// Searches the complete network: directly, or compositionally.
 using WholeSearch = std::function<TimedResult(const Network&, const TimedOptions&)>;
+
+class ByCells;
+
+/// The steps of check_timed_by_cells, for callers that decide open verdicts between them.
+class CellSearch {
+public:
+    /// `network` is expanded. The search reads `options` at the beginning of each step.
+    CellSearch(Network network, const TimedOptions& options, const CellLimits& limits,
+               const LocalAblations& ablations = {}, const WholeSearch& whole = check_timed_by_parts);
+    ~CellSearch();
+    CellSearch(CellSearch&&) = delete;
+
+    /// The first search of the complete network, and localization.
+    void begin();
+    /// Open verdicts have the obstacle `Bound`. A caller that decides one sets its `abstraction`.
+    TimedResult& found();
+    /// True if a requested verdict is open, or if nothing was decided without the complete network.
+    bool needs_whole();
+    /// The search of the complete network for the open verdicts, unless the first one already used the allowed bound.
+    void search_whole();
+    TimedResult result();
+
+private:
+    std::unique_ptr<ByCells> search_;
+};
 
 /// As `whole`, with the same results if the complete network has few states; the limits apply to each search. An
 /// undeclared `no timelock` is left unknown if no other query needs the complete network. Requires

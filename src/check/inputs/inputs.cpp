@@ -9,7 +9,6 @@
 #include <string>
 #include <utility>
 
-#include "check/cells/cells.hpp"
 #include "check/inputs/follow.hpp"
 #include "check/timed/questions.hpp"
 #include "ir/patterns.hpp"
@@ -21,14 +20,7 @@ namespace {
 
 using Levels = std::vector<InputLevel>;
 
-/// Properties to decide on one abstraction: indices of verdicts.
-struct Task {
-    Levels levels = {};
-    std::vector<std::size_t> verdicts = {};
-    std::size_t rounds = 0;
-    bool coarse = false;   // instances that read the loop, and timers, are abstracted
-    bool passing = false;  // of time: verdicts on `no timelock` and `no deadlock`
-};
+}  // namespace
 
 class ByInputs {
 public:
@@ -43,24 +35,44 @@ public:
           instances_(abstractable_processes(loop, ablations)),
           observed_(expand(observe(loop))),
           complete_(in_longest_unit(observed_)),
-          writers_(observed_.variables.size()) {}
-
-    void run() {
+          writers_(observed_.variables.size()) {
         // Otherwise a property that holds in an abstraction may be vacuous in the loop.
-        if (instances_.empty() || !result_.errors.empty() || !result_.time_passes) return;
-        collect();
+        if (!instances_.empty() && result_.errors.empty() && result_.time_passes) collect();
+    }
+
+    bool run(std::uint64_t states, const Deadline& deadline) {
+        round_ = states;
+        deadline_ = deadline;
         while (!tasks_.empty() && !stopped()) {
             const Task task = std::move(tasks_.front());
             tasks_.pop_front();
             if (task.passing) search_passing(task);
             else search(task);
         }
+        std::ranges::move(std::exchange(postponed_, {}), std::back_inserter(tasks_));
+        return !tasks_.empty();
     }
 
 private:
+    /// Properties to decide on one abstraction: indices of verdicts.
+    struct Task {
+        Levels levels = {};
+        std::vector<std::size_t> verdicts = {};
+        std::size_t rounds = 0;
+        bool coarse = false;   // instances that read the loop, and timers, are abstracted
+        bool passing = false;  // of time: verdicts on `no timelock` and `no deadlock`
+    };
+
     bool stopped() const {
-        if (options_.stop && options_.stop->load(std::memory_order_relaxed)) return true;
-        return options_.deadline && std::chrono::steady_clock::now() >= *options_.deadline;
+        return (options_.stop && options_.stop->load(std::memory_order_relaxed)) || is_over(deadline_);
+    }
+    /// Bound on the states of a complete search for the task.
+    std::uint64_t bound_of(const Task& task) const {
+        return std::min(options_.max_states, task.coarse ? limits_.coarse_states : limits_.states);
+    }
+    /// True if the search of the task ended at the bound of the round.
+    bool ends_with_round(const Task& task, const TimedResult& found) const {
+        return round_ < bound_of(task) && !found.complete && found.states >= round_;
     }
 
     void collect();
@@ -70,7 +82,7 @@ private:
     void search_passing(const Task& task);
     Levels levels_of_resting() const;
     TimedResult searched(const Network& network, const InputAbstraction& abstraction, TimedOptions options,
-                         bool is_coarse);
+                         const Task& task);
     void conclude(std::size_t verdict, const Verdict& found, const Task& task);
     std::optional<Run> real_run(std::size_t verdict, const AbstractRun& abstract, const Task& task, Levels& raised);
     bool first_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const;
@@ -82,13 +94,15 @@ private:
     const Observe& observe_;
     const TimedOptions& options_;
     TimedResult& result_;
-    const InputLimits& limits_;
-    const InputAblations& ablations_;
+    const InputLimits limits_;
+    const InputAblations ablations_;
     const std::vector<AbstractableProcess> instances_;
     const Network observed_;
     const Network complete_;                        // in its longest time unit
     std::vector<std::set<std::uint32_t>> writers_;  // processes, per variable of observed_
-    std::deque<Task> tasks_ = {};
+    std::deque<Task> tasks_ = {}, postponed_ = {};
+    std::uint64_t round_ = 0;  // bound of its searches
+    Deadline deadline_ = {};
 };
 
 void ByInputs::collect() {
@@ -97,16 +111,14 @@ void ByInputs::collect() {
             writers_[variable.index].insert(id.index);
     std::map<std::pair<bool, Levels>, Task> groups;
     Task passing{levels_of_resting(), {}, 0, false, true};
-    const auto probe = std::ranges::find(result_.verdicts, settled_probe, &Verdict::property);
-    const bool ever_settled = probe == result_.verdicts.end() || probe->outcome == Outcome::Holds;
     for (std::size_t k = 0; k < result_.verdicts.size(); ++k) {
         const Verdict& verdict = result_.verdicts[k];
-        if (verdict.obstacle != Obstacle::Bound) continue;
+        if (verdict.obstacle != Obstacle::Bound && verdict.obstacle != Obstacle::Stopped) continue;
         if (is_about_passing(verdict)) passing.verdicts.push_back(k);
         if (!verdict.about.valid()) continue;
         const Property& property = observed_.properties[verdict.about];
         if (!is_about_single_states(property.pattern) && property.pattern != Pattern::ReachableAllSteps) continue;
-        if (property.at_stable && !ever_settled) continue;
+        if (property.at_stable && !result_.settles) continue;
         Levels levels = first_levels(property, false);
         Levels coarser = first_levels(property, true);
         const bool coarse = coarser != levels;
@@ -210,11 +222,12 @@ Levels ByInputs::levels_of_resting() const {
 }
 
 TimedResult ByInputs::searched(const Network& network, const InputAbstraction& abstraction, TimedOptions options,
-                               bool is_coarse) {
+                               const Task& task) {
     options.profile = false;
     options.many = {};
     options.choices = abstraction.choices;
-    options.max_states = std::min(options_.max_states, is_coarse ? limits_.coarse_states : limits_.states);
+    options.max_states = std::min(round_, bound_of(task));
+    options.deadline = deadline_;
     TimedResult found = check_timed(network, options);
     result_.states += found.states;
     result_.transitions += found.transitions;
@@ -229,7 +242,8 @@ void ByInputs::search_passing(const Task& task) {
     TimedOptions options = options_;
     options.properties = {timed::undeclared_timelock(loop_).name};
     options.timelock = true;
-    const TimedResult found = searched(in_longest_unit(expand(abstraction.network)), abstraction, options, false);
+    const TimedResult found = searched(in_longest_unit(expand(abstraction.network)), abstraction, options, task);
+    if (ends_with_round(task, found) || (!found.complete && stopped())) return postponed_.push_back(task);
     const auto passes = std::ranges::find_if(found.verdicts, [&](const Verdict& verdict) {
         return !verdict.about.valid() || timed::about_time(abstraction.network.properties[verdict.about]);
     });
@@ -255,8 +269,10 @@ void ByInputs::search(const Task& task) {
     options.timelock = false;
     options.paths = true;
     options.until_decided = true;
-    const TimedResult found = searched(network, abstraction, options, task.coarse);
+    const TimedResult found = searched(network, abstraction, options, task);
+    const bool ends = ends_with_round(task, found);
     std::vector<Task> next;
+    std::vector<std::size_t> open;
     for (const std::size_t k : task.verdicts) {
         const auto at = std::ranges::find(found.verdicts, result_.verdicts[k].property, &Verdict::property);
         if (at == found.verdicts.end()) continue;
@@ -268,16 +284,24 @@ void ByInputs::search(const Task& task) {
                 Verdict verdict = *at;
                 verdict.run = std::move(run);
                 conclude(k, verdict, task);
-            } else if (!stopped()) {
+            } else if (stopped()) {
+                open.push_back(k);
+            } else {
                 refine(k, task, levels, next);
             }
         } else if (found.complete && at->outcome != Outcome::Unknown) {
             Verdict verdict = *at;
             verdict.run.reset();
             conclude(k, verdict, task);
-        } else if (!stopped()) {
+        } else if (ends || stopped()) {
+            open.push_back(k);
+        } else {
             refine(k, task, task.levels, next);
         }
+    }
+    if (!open.empty()) {
+        postponed_.push_back(task);
+        postponed_.back().verdicts = std::move(open);
     }
     std::ranges::move(next, std::back_inserter(tasks_));
 }
@@ -310,7 +334,7 @@ std::optional<Run> ByInputs::real_run(std::size_t k, const AbstractRun& abstract
     // A guided search costs more than a coarse abstraction.
     if (task.coarse && first_impossible(abstract, true, raised)) return {};
     FollowLimits limits{.states = task.coarse ? limits_.followed_coarse : limits_.followed,
-                        .deadline = options_.deadline,
+                        .deadline = deadline_,
                         .stop = options_.stop};
     Followed followed = follow(complete_, single(k), abstract, limits);
     if (followed.run) {
@@ -359,13 +383,12 @@ InputsAbstracted ByInputs::abstracted(const Levels& levels) const {
     return made;
 }
 
-}  // namespace
+InputSearch::InputSearch(const Network& loop, const Observe& observe, const TimedOptions& options, TimedResult& result,
+                         const InputLimits& limits, const InputAblations& ablations)
+    : search_(std::make_unique<ByInputs>(loop, observe, options, result, limits, ablations)) {}
 
-void decide_by_inputs(const Network& loop, const Observe& observe, const TimedOptions& options, TimedResult& result,
-                      const InputLimits& limits, const InputAblations& ablations) {
-    const auto is_open = [](const Verdict& verdict) { return verdict.obstacle == Obstacle::Bound; };
-    if (std::ranges::none_of(result.verdicts, is_open)) return;
-    ByInputs(loop, observe, options, result, limits, ablations).run();
-}
+InputSearch::~InputSearch() = default;
+
+bool InputSearch::run(std::uint64_t states, const Deadline& deadline) { return search_->run(states, deadline); }
 
 }  // namespace grafverif

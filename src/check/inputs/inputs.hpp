@@ -8,11 +8,16 @@
 // level of a process that cannot do what the run requires of it is raised, and the search is repeated. A property that
 // remains open begins again with autonomous instances abstracted only.
 //
+// The searches run in rounds with growing bounds on states. A search that ends at the bound of a round is repeated in the
+// next round, so a property that a small search decides does not wait for one that needs a large search.
+//
 // An abstraction with a model error gives no verdict, since the states after the error are not explored.
 #pragma once
 
 #include <functional>
+#include <memory>
 
+#include "check/shares.hpp"
 #include "check/timed/timed.hpp"
 
 namespace grafverif {
@@ -29,10 +34,26 @@ struct InputLimits {
     std::size_t coarse_rounds = 32;        ///< before those, with instances that read the loop abstracted
 };
 
-/// Decides the properties that `result` leaves open because of its bound on states. `loop`: expanded, without
-/// observers; `result` is that of observe(loop), with the verdicts of `options`. The limits of time and memory are
-/// those of `options`.
-void decide_by_inputs(const Network& loop, const Observe& observe, const TimedOptions& options, TimedResult& result,
-                      const InputLimits& limits = {}, const InputAblations& ablations = {});
+/// Bounds of the rounds.
+inline constexpr std::uint64_t input_rounds[] = {1U << 14U, 1U << 17U, 1U << 20U, 1U << 24U};
+
+class ByInputs;
+
+/// Decides the properties that `result` leaves open because of its bound on states.
+class InputSearch {
+public:
+    /// `loop`: expanded, without observers; `result` is that of observe(loop), with the verdicts of `options`. The
+    /// limits of memory are those of `options`. All references outlive the search.
+    InputSearch(const Network& loop, const Observe& observe, const TimedOptions& options, TimedResult& result,
+                const InputLimits& limits = {}, const InputAblations& ablations = {});
+    ~InputSearch();
+    InputSearch(InputSearch&&) = delete;
+
+    /// One round: searches of at most `states` states each. False if no search is left for the next round.
+    bool run(std::uint64_t states, const Deadline& deadline);
+
+private:
+    std::unique_ptr<ByInputs> search_;
+};
 
 }  // namespace grafverif

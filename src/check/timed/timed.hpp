@@ -86,6 +86,7 @@ struct TimedResult {
     double seconds = 0;
     bool complete = true;      ///< every reachable state was expanded
     bool time_passes = false;  ///< in some reachable state
+    bool settles = true;       ///< false: the search looked for a quiescent state and found none
     /// Computed if requested, if the search was stopped, or if it found `many_states`; empty if there is not enough
     /// memory.
     std::optional<StateProfile> profile = {};

@@ -23,7 +23,9 @@ Verdict decided(const std::string& text, const InputLimits& limits = {}, const I
     TimedResult result = check_timed(observe(loop), options);
     result.time_passes = true;
     options.max_states = 100'000;
-    decide_by_inputs(loop, observe, options, result, limits, ablations);
+    InputSearch search(loop, observe, options, result, limits, ablations);
+    for (const std::uint64_t states : {8U, 64U, 100'000U})
+        if (!search.run(states, {})) break;
     const Verdict found = result.verdicts.front();
     if (found.run) {
         EXPECT_TRUE(replay(observe(loop), *found.run)) << "a run of the complete loop";
