@@ -149,7 +149,8 @@ TEST(Auto, IsTheDefaultAndDecidesByLocalizationFirstAndTheRestByEngines) {
             EXPECT_EQ(properties[k]["notes"], nlohmann::json{"decided by cells"});
         }
     }
-    for (const auto& [key, property] : nlohmann::json::parse(grafverif(one_thread).out)["properties"].items())
+    const nlohmann::json in_sequence = nlohmann::json::parse(grafverif(one_thread).out);
+    for (const auto& [key, property] : in_sequence["properties"].items())
         EXPECT_EQ(property["verdict"], properties[std::stoul(key)]["verdict"]) << property["name"];
     std::vector<std::string> whole = command;
     whole.insert(whole.end(),
