@@ -66,7 +66,7 @@ bool is_open(const Verdict& verdict) {
     return verdict.obstacle == Obstacle::Bound || verdict.obstacle == Obstacle::Stopped;
 }
 
-/// A search in steps, so that searches under one limit take turns: a bounded search of the complete loop with
+/// A search in steps, so that searches under one limit interleave: a bounded search of the complete loop with
 /// localization, rounds of input abstraction, and the search of the complete loop for what remains open.
 class StagedSearch {
 public:

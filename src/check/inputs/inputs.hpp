@@ -9,7 +9,7 @@
 // remains open begins again with autonomous instances abstracted only.
 //
 // The searches run in rounds with growing bounds on states. A search that ends at the bound of a round is repeated in the
-// next round, so a property that a small search decides does not wait for one that needs a large search.
+// next round. So a property that a small search decides does not wait for one that needs a large search.
 //
 // An abstraction with a model error gives no verdict, since the states after the error are not explored.
 #pragma once
