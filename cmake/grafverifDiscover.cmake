@@ -10,7 +10,7 @@ foreach(property IN LISTS PROPERTIES)
 endforeach()
 execute_process(
     COMMAND "${PROGRAM}" check --list --format json ${asked} ${OPTIONS}
-            --depfile "${BASE}.d" --depfile-form cmake --depfile-target "${BASE}.cmake" -- "${CHART}"
+            --depfile "${BASE}.d" --depfile-format cmake --depfile-target "${BASE}.cmake" -- "${CHART}"
     RESULT_VARIABLE result OUTPUT_VARIABLE listed)
 if(NOT result EQUAL 0)
     message(FATAL_ERROR "grafverif takes no chart from ${CHART}, for the reason above")

@@ -62,8 +62,8 @@ function(grafverif_models)
         list(TRANSFORM outputs PREPEND "${folder}/${name}.")
         add_custom_command(
             OUTPUT ${outputs}
-            COMMAND "${GRAFVERIF_PROGRAM}" build "${file}" -o "${folder}" --name "${name}" --create
-                    --depfile "${folder}/${name}.d" --depfile-form cmake ${options}
+            COMMAND "${GRAFVERIF_PROGRAM}" build "${file}" -o "${folder}" --name "${name}" --create-dirs
+                    --depfile "${folder}/${name}.d" --depfile-format cmake ${options}
             DEPENDS "${file}" "${GRAFVERIF_PROGRAM}"
             DEPFILE "${folder}/${name}.d"
             COMMENT "Models of ${chart}"

@@ -133,10 +133,10 @@ class Page {
         const [kind, words] = state.readable ? verdictWords(state) : ["bad", "it has errors"];
         by("status").className = kind;
         by("status").textContent = `${{good: "\u2713 ", bad: "\u2717 ", unknown: "? "}[kind] ?? ""}${words}`;
-        by("diagnostics").hidden = state.complaints === "";
+        by("diagnostics").hidden = state.diagnostics === "";
         by("diagnostics").classList.toggle("errors", state.errors > 0);
         by("diagnostics-title").textContent = state.errors > 0 ? "Errors" : "Warnings";
-        if (by("complaints").textContent !== state.complaints) by("complaints").textContent = state.complaints;
+        if (by("diagnostics-text").textContent !== state.diagnostics) by("diagnostics-text").textContent = state.diagnostics;
         this.drawings.show(state).catch((error) => this.lose(error));
         if (state.readable) by("models").replaceChildren(...state.models.map(modelElement));
         this.age(!state.readable);

@@ -62,7 +62,7 @@ export class Simulator {
 
     // Repeats the moves on a new state of the file.
     take(state) {
-        const known = JSON.stringify([state.readable, state.complaints, state.charts.map((chart) => chart.name), state.models.map((model) => model.name)]);
+        const known = JSON.stringify([state.readable, state.diagnostics, state.charts.map((chart) => chart.name), state.models.map((model) => model.name)]);
         const first = this.seen === undefined;
         if (state.readable) this.offer(state);
         // Only verdicts were added; the file is unchanged.

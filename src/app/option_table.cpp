@@ -53,6 +53,12 @@ Option command(Accepts accepts, const char* name, const char* value, Place place
     return option;
 }
 
+/// An option that had the name `former` in the previous version.
+Option renamed(const char* former, Option option) {
+    option.former = former;
+    return option;
+}
+
 template <class Place>
 Option list(Accepts accepts, const char* name, const char* value, Place place, const char* help) {
     return {accepts,
@@ -244,9 +250,11 @@ std::vector<Option> options_for_checks() {
         command(Accepts::Search, "engine-command", "CMD", &Options::engine_command,
                 "check with an external AIGER model checker: the shell runs CMD FILE.aig"),
         toggle(Accepts::Search, "untimed", &Options::check_untimed, "check the untimed model (see `--engine`)"),
-        toggle(Accepts::Search, "whole", &Options::whole,
-               "explore the complete loop for every property, without sub-loops (independent subsystems) and cells "
-               "(localization)"),
+        renamed(
+            "whole",
+            toggle(Accepts::Search, "monolithic", &Options::whole,
+                   "explore the complete loop for every property, without sub-loops (independent subsystems) and cells "
+                   "(localization)")),
         {Accepts::Search, "jobs", "N", "number of threads (default: one per core; two at most for untimed models)",
          take_jobs},
         number(Accepts::Search, "max-states", "N", {}, &Options::max_states,
@@ -268,7 +276,8 @@ std::vector<Option> options_for_checks() {
         command(Accepts::Bench, "against", "PROGRAM", &Options::against,
                 "shell command that starts the controller under test"),
         toggle(Accepts::Bench, "stop-on-failure", &Options::stop_on_failure, "stop after the first failure (default)"),
-        toggle(Accepts::Bench, "go-on", &Options::go_on, "continue after a failure if the controller can"),
+        renamed("go-on", toggle(Accepts::Bench, "keep-going", &Options::go_on,
+                                "continue after a failure if the controller can")),
         time(Accepts::Bench, "timeout", &Options::patience_ms,
              "time limit for each answer, for example 500ms or 5s (default: 10s)"),
         text(Accepts::Bench, "junit", "FILE", &Options::junit, "write a JUnit report to FILE"),
@@ -289,13 +298,14 @@ std::vector<Option> options_for_checks() {
             Accepts::Traces, "to", "EVENT", {}, [](Options & options) -> auto& { return options.events.to; },
             "last event of the timing diagram (default: last event of the trace)"),
         text(Accepts::Compare, "other-chart", "NAME", &Options::other_chart, "chart of OTHER (default: as --chart)"),
-        toggle(Accepts::Compare, "each-mode", &Options::each_mode, "compare in each mode"),
+        renamed("each-mode", toggle(Accepts::Compare, "all-modes", &Options::each_mode, "compare in each mode")),
         text(Accepts::Compare, "from-situation", "STEPS", &Options::from_situation,
              "start with these steps active: `3,5`; `3,5:W3,W5` if b names them differently"),
         time(Accepts::Compare, "resolution", &Options::resolution_ms, "scan at multiples of TIME"),
         number(Accepts::Mutants, "limit", "N", {}, &Options::limit, "check at most N mutants (default: all)"),
         number(Accepts::Mutants, "seed", "SEED", {}, &Options::seed, "seed for the selection by --limit (default: 1)"),
-        time(Accepts::Mutants, "each", &Options::each_ms, "time limit for each mutant (default: 60s)"),
+        renamed("each", time(Accepts::Mutants, "mutant-timeout", &Options::each_ms,
+                             "time limit for each mutant (default: 60s)")),
         {Accepts::Mutants, "jobs", "N", "check N mutants in parallel (default: one per core)", take_jobs},
         text(Accepts::Mutants, "state", "FILE", &Options::state_file, "store results in FILE, and resume from it"),
         text(Accepts::Mutants, "survivors", "DIR", &Options::survivors, "write surviving mutants into DIR"),
@@ -324,13 +334,15 @@ std::vector<Option> options_for_all() {
              "allow included files in DIR, and search for them there; repeatable"),
         toggle(Accepts::File, "lossy", &Options::lossy,
                "omit elements of another format that cannot be imported, with a warning"),
-        toggle(Accepts::Writes, "create", &Options::create, "create missing output directories"),
+        renamed("create",
+                toggle(Accepts::Writes, "create-dirs", &Options::create, "create missing output directories")),
         text(Accepts::Writes, "depfile", "FILE", &Options::depfile,
              "write the input files of the outputs, included files too, to FILE"),
-        choice<DepfileReader>(
-            Accepts::Writes, "depfile-form",
-            {{"make", DepfileReader::Make}, {"ninja", DepfileReader::Ninja}, {"cmake", DepfileReader::CMake}},
-            &Options::depfile_reader, "format of the depfile (default: make)"),
+        renamed("depfile-form",
+                choice<DepfileReader>(
+                    Accepts::Writes, "depfile-format",
+                    {{"make", DepfileReader::Make}, {"ninja", DepfileReader::Ninja}, {"cmake", DepfileReader::CMake}},
+                    &Options::depfile_reader, "format of the depfile (default: make)")),
         text(Accepts::Writes, "depfile-target", "NAME", &Options::depfile_target,
              "target name in the depfile (default: the outputs as passed)"),
         number(Accepts::Always, "max-memory", "SIZE", {{"M", mega}, {"K", mega >> 10U}, {"G", mega << 10U}},
@@ -348,7 +360,7 @@ std::vector<Option> options_for_all() {
         toggle(Accepts::Always, "quiet,q", &Options::quiet,
                "print no warnings and no list of files; `check`: failures only"),
         toggle(Accepts::Always, "help,h", &Options::help, "show this help"),
-        {Accepts::Ablations, "without", "CURE", "", leave_out_cures, true},
+        renamed("without", {Accepts::Ablations, "ablate", "CORRECTION", "", leave_out_cures, true}),
         list(Accepts::Always, "operand", "", &Options::operands, ""),
     };
 }

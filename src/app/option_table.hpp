@@ -20,6 +20,7 @@ struct Option {
     std::function<std::string(const std::vector<std::string>&, Options&)> take = {};
     bool repeated = false;
     bool is_command = false;  ///< only as a separate word: `--NAME=COMMAND` may be the name of a file
+    std::string former = {};  ///< deprecated name, accepted with a warning; empty: none
 
     std::string long_name() const { return name.substr(0, name.find(',')); }
     std::string letter() const { return name.find(',') == std::string::npos ? "" : name.substr(name.find(',') + 1); }

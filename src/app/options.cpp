@@ -22,11 +22,13 @@ po::options_description described(const std::vector<Option>& options, bool hidde
     for (const Option& option : options) {
         if (option.help.empty() && !hidden) continue;
         auto add = result.add_options();
-        if (option.repeated)
-            add(option.name.c_str(), po::value<std::vector<std::string>>()->value_name(option.value),
-                option.help.c_str());
-        else if (option.value.empty()) add(option.name.c_str(), po::bool_switch(), option.help.c_str());
-        else add(option.name.c_str(), po::value<std::string>()->value_name(option.value), option.help.c_str());
+        for (const std::string& name : {option.name, hidden ? option.former : std::string()}) {
+            if (name.empty()) continue;
+            if (option.repeated)
+                add(name.c_str(), po::value<std::vector<std::string>>()->value_name(option.value), option.help.c_str());
+            else if (option.value.empty()) add(name.c_str(), po::bool_switch(), option.help.c_str());
+            else add(name.c_str(), po::value<std::string>()->value_name(option.value), option.help.c_str());
+        }
     }
     return result;
 }
@@ -70,7 +72,7 @@ std::string settle_engine(bool modelled, const po::variables_map& values, Option
         return "`--why` is supported only by the embedded timed engine for closed loops; remove `--why` or the other "
                "option";
     if (options.why && (options.format == Format::JsonLines || !options.cures_left_out.empty()))
-        return "`--why` is supported only in text and `--format json`, without `--without`; remove one of these "
+        return "`--why` is supported only in text and `--format json`, without `--ablate`; remove one of these "
                "options";
     options.check_untimed = options.check_untimed || (!timed && !open);
     return {};
@@ -86,6 +88,18 @@ std::string adjacent_command(const std::vector<po::option>& given, const std::ve
                     "before file names",
                     option.long_name(), option.value);
     return {};
+}
+
+/// Replaces former names by current ones; returns the replaced names.
+std::vector<FormerName> replace_former_names(std::vector<po::option>& given, const std::vector<Option>& known) {
+    std::vector<FormerName> replaced;
+    for (po::option& one : given)
+        for (const Option& option : known)
+            if (!option.former.empty() && one.string_key == option.former) {
+                replaced.push_back({option.former, option.long_name()});
+                one.string_key = option.long_name();
+            }
+    return replaced;
 }
 
 std::string unknown_option(const std::string& given, const std::vector<Option>& known) {
@@ -121,15 +135,17 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
             ? std::ranges::find_if_not(arguments, [](const std::string& word) { return word.starts_with('-'); })
             : arguments.end();
     po::variables_map values;
+    std::vector<FormerName> former_names;
     try {
         const auto style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-        const po::parsed_options parsed = po::command_line_parser(std::vector<std::string>(arguments.begin(), own))
-                                              .options(all)
-                                              .positional(positional)
-                                              .style(style)
-                                              .run();
+        po::parsed_options parsed = po::command_line_parser(std::vector<std::string>(arguments.begin(), own))
+                                        .options(all)
+                                        .positional(positional)
+                                        .style(style)
+                                        .run();
         if (std::string complaint = adjacent_command(parsed.options, known); !complaint.empty())
             return {{}, std::move(complaint)};
+        former_names = replace_former_names(parsed.options, known);
         po::store(parsed, values);
         po::notify(values);
     } catch (const po::unknown_option& failure) {
@@ -149,7 +165,7 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     if (complaint.empty())
         complaint = settle_company(verb, options, [&](const char* name) { return values.count(name) != 0; });
     if (!complaint.empty()) return {{}, complaint};
-    if (options.help) return {options, {}};
+    if (options.help) return {options, {}, former_names};
     options.operands.insert(options.operands.end(), own, arguments.end());
     if (accepts(verb, Accepts::Bench) && options.against.empty()) return {{}, "`--against PROGRAM` is missing"};
     if (options.format == Format::Sarif) {  // one of the reports, with its own name
@@ -165,7 +181,7 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
         return {{},
                 fmt::format("invalid argument `{2}` of `{0}`; use one of `{1}`", verb.name, verb.operand,
                             options.operands[0])};
-    return {options, {}};
+    return {options, {}, former_names};
 }
 
 std::vector<NamedPath> named_paths(const Options& options) {

@@ -222,10 +222,16 @@ struct Verb {
     std::vector<Accepts> accepts = {};
 };
 
+/// A deprecated name of an option, as passed, and the current one.
+struct FormerName {
+    std::string former = {}, name = {};
+};
+
 /// The options in `arguments` (without the command's name), or an error message.
 struct ParsedOptions {
     std::optional<Options> options = {};
     std::string complaint = {};
+    std::vector<FormerName> former_names = {};  ///< in the order of the arguments
 };
 ParsedOptions parse_options(const Verb& verb, std::span<const std::string> arguments);
 

@@ -261,6 +261,10 @@ ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, co
         return ExitCode::Done;
     }
     Options& options = *parsed.options;
+    std::vector<Diagnostic> warnings;
+    for (const FormerName& used : parsed.former_names)
+        warnings.push_back(messages::deprecated_option(used.former, used.name));
+    if (!options.quiet) render(warnings, Job{.options = options}, streams, streams.err);
     if (options.timeout_ms)
         options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*options.timeout_ms);
     return Call(entry, verb, options, streams).run();

@@ -73,9 +73,9 @@ std::string settle_outputs(const Verb& verb, const Options& options) {
         return fmt::format("invalid value `{}` of `--name`; use a file name without a directory", *options.name);
     if (options.all && (options.loop || options.chart))
         return "`--all` and `--loop` or `--chart` are mutually exclusive; remove one";
-    if (options.each_mode && options.mode) return "`--each-mode` and `--mode` are mutually exclusive; remove one";
+    if (options.each_mode && options.mode) return "`--all-modes` and `--mode` are mutually exclusive; remove one";
     if (options.depfile_target && !options.depfile) return "`--depfile-target` requires `--depfile`; add it";
-    if (options.depfile_reader && !options.depfile) return "`--depfile-form` requires `--depfile`; add it";
+    if (options.depfile_reader && !options.depfile) return "`--depfile-format` requires `--depfile`; add it";
     const bool one_form = options.format == Format::Json || options.trace_vcd || options.trace_svg ||
                           (options.output && !accepts(verb, Accepts::OutputDirectory));
     if (several && one_form && !options.list && !accepts(verb, Accepts::OutputDirectory))
@@ -119,7 +119,7 @@ std::string settle_company(const Verb& verb, const Options& options,
                "engines";
     if (options.events.from > options.events.to) return "`--from` is greater than `--to`; exchange them";
     if (options.go_on && options.stop_on_failure)
-        return "`--stop-on-failure` and `--go-on` are mutually exclusive; remove one";
+        return "`--stop-on-failure` and `--keep-going` are mutually exclusive; remove one";
     if (options.limit == 0) return "invalid value of `--limit`; use a number from 1";
     return {};
 }
@@ -154,7 +154,7 @@ std::string leave_out_cures(const std::vector<std::string>& cures, Options& opti
         else if (cure == "stable") options.without.cycle_unless_stable = true;
         else if (cure == "restart") options.without.timers_as_published = true;
         else
-            return fmt::format("invalid value `{}` of `--without`; use one of `urgency`, `flags`, `stable`, `restart`",
+            return fmt::format("invalid value `{}` of `--ablate`; use one of `urgency`, `flags`, `stable`, `restart`",
                                cure);
         options.cures_left_out.push_back(cure);
     }

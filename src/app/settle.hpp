@@ -26,7 +26,7 @@ std::string settle_untimed(Options& options);
 
 /// Parses `NAME=VALUE` each, no name twice; returns an error message, or nothing.
 std::string take_constants(const std::vector<std::string>& given, Options& options);
-/// `--without CURE`: models without one correction of the method, for the page that shows its effect.
+/// `--ablate CORRECTION`: models without one correction of the method, for the page that shows its effect.
 std::string leave_out_cures(const std::vector<std::string>& cures, Options& options);
 std::string take_jobs(const std::vector<std::string>& given, Options& options);
 

@@ -51,7 +51,7 @@ FindingJson as_json(const Finding& finding, const Sources& sources) {
         add_place(place, related.where, sources);
         object["related"].push_back(std::move(place));
     }
-    if (!finding.lost.empty()) object["lost"] = finding.lost;
+    if (!finding.lost.empty()) object["never_again"] = finding.lost;
     object["timing"] = timing(finding);
     object["accepted"] = finding.accepted ? FindingJson(*finding.accepted) : FindingJson(nullptr);
     object["shows"] = text_or_null(finding.evidence_shows);

@@ -102,7 +102,7 @@ namespace {
 void print_line(const Json& object, std::ostream& out) { out << json_text(object, -1) << '\n'; }
 
 /// The table of a run, line by line.
-Json story(const ChartRun& run, std::string_view end) {
+Json trace_text(const ChartRun& run, std::string_view end) {
     std::ostringstream text;
     print_trace(run, text);
     if (!run.loop_from && !end.empty()) text << "    " << end << '\n';
@@ -126,7 +126,7 @@ void print_json_lines(const Report& report, const Written& written, std::ostream
     for (const Breakdown& breakdown : report.breakdowns) {
         Json line =
             error_line(file_place(written.sources, origin(written)), report.model, breakdown.code, breakdown.message);
-        line["story"] = story(breakdown.trace, "");
+        line["trace_text"] = trace_text(breakdown.trace, "");
         print_line(line, out);
     }
     for (const Answer& answer : report.answers) {
@@ -149,7 +149,7 @@ void print_json_lines(const Report& report, const Written& written, std::ostream
                             {"reason", text_or_null(verdict.reason)},
                             {"vacuous", verdict.vacuous},
                             {"notes", verdict.notes},
-                            {"story", shown ? story(*answer.trace, end_of(verdict)) : Json(nullptr)}};
+                            {"trace_text", shown ? trace_text(*answer.trace, end_of(verdict)) : Json(nullptr)}};
         line.update(found);
         add_constants(line, report.basis);
         print_line(line, out);

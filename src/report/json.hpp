@@ -11,11 +11,11 @@
 //   trace     {"loop_from", "steps":[{"time", "kind", "component", "inputs", "fired", "situation", "outputs",
 //             "moment"}], "run"}
 //
-// JSON lines: one object per verdict. For an unexpected verdict `story` is the table of its trace, line by line. For a
+// JSON lines: one object per verdict. For an unexpected verdict `trace_text` is the table of its trace, line by line. For a
 // model error and an error in the input, `verdict` is `error`, with `code` and `message`.
 //
 //   {"file", "line", "column", "model", "property", "text", "verdict", "expected", "declared", "as_expected", "engine",
-//   "mode", "grain", "states", "seconds", "reason", "vacuous", "notes", "story"}
+//   "mode", "grain", "states", "seconds", "reason", "vacuous", "notes", "trace_text"}
 #pragma once
 
 #include <iosfwd>

@@ -225,7 +225,7 @@ nlohmann::ordered_json why_json(const Why& why) {
                            {"parts", ground.about_states ? Json(ground.parts) : Json(nullptr)},
                            {"timings", ground.about_states ? Json(ground.timings) : Json(nullptr)},
                            {"open", open},
-                           {"never_asked", ground.never_asked}});
+                           {"vacuous", ground.never_asked}});
     }
     for (const Why::Thing& thing : why.things) {
         if (thing.kind == Why::Kind::Transition && thing.needed_by.empty() && thing.open.empty())

@@ -66,24 +66,24 @@ Diagnostic other_format(std::string_view path, std::string_view named, std::stri
 }
 
 Diagnostic missing_folder(std::string_view output, std::string_view folder) {
-    return error(
-        "missing-folder", {},
-        output == folder
-            ? fmt::format("output directory `{}` does not exist; create it or pass `--create`", folder)
-            : fmt::format("the directory of `{}`, `{}`, does not exist; create it or pass `--create`", output, folder));
+    return error("missing-folder", {},
+                 output == folder
+                     ? fmt::format("output directory `{}` does not exist; create it or pass `--create-dirs`", folder)
+                     : fmt::format("the directory of `{}`, `{}`, does not exist; create it or pass `--create-dirs`",
+                                   output, folder));
 }
 
 Diagnostic not_in_depfile(std::string_view name, std::string_view reader) {
     return error("not-in-depfile", {},
                  fmt::format("no depfile that {} reads can say the name `{}`; rename it, or say who else reads the "
-                             "depfile (`--depfile-form`)",
+                             "depfile (`--depfile-format`)",
                              reader, name));
 }
 
 Diagnostic cure_left_out(std::string_view cure) {
     return warning("cure-left-out", {},
                    fmt::format("`{}` is removed from the model, so verdicts do not apply to the chart; omit "
-                               "`--without` to check the chart",
+                               "`--ablate` to check the chart",
                                cure));
 }
 

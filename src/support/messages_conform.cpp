@@ -99,6 +99,10 @@ Diagnostic out_of_memory(std::optional<std::uint64_t> allowed) {
                 : std::string("out of memory: the system refused an allocation; make more memory available"));
 }
 
+Diagnostic deprecated_option(std::string_view former, std::string_view name) {
+    return warning("deprecated-option", {}, fmt::format("`--{}` is deprecated; use `--{}`", former, name));
+}
+
 Diagnostic threads_refused() {
     return error("threads-refused", {},
                  "the system refuses to start a thread or process; raise its limits (`ulimit -u`, `ulimit -v`) or "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Messages about resources that the operating system refuses, and about truncated files.
+// Messages about resources that the operating system refuses, truncated files and deprecated options.
 #pragma once
+
+#include <string_view>
 
 #include "grafverif/support/diagnostic.hpp"
 
@@ -9,5 +11,7 @@ namespace grafverif::messages {
 /// The run ended early, as with out_of_memory; exit code 3.
 Diagnostic threads_refused();
 Diagnostic incomplete_utf16(Span where);
+/// A warning: `--former` is deprecated, use `--name`.
+Diagnostic deprecated_option(std::string_view former, std::string_view name);
 
 }  // namespace grafverif::messages

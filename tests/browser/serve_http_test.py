@@ -197,7 +197,7 @@ class Serve(unittest.TestCase):
             gone.close()
             self.file.write_text(LAMP + "nonsense")
             for page in waiting:
-                self.assertIn("nonsense", json.loads(page.result(timeout=20)[1])["complaints"])
+                self.assertIn("nonsense", json.loads(page.result(timeout=20)[1])["diagnostics"])
         self.alive()
 
     def test_pages_that_go_away_while_they_wait_leave_their_places_at_once(self):
@@ -267,7 +267,7 @@ class Serve(unittest.TestCase):
         self.state(lambda state: state["readable"])
         self.file.unlink()
         state = self.state(lambda state: not state["readable"])
-        self.assertIn("cannot-read", state["complaints"])
+        self.assertIn("cannot-read", state["diagnostics"])
         fresh = self.work / "fresh"
         fresh.write_text(LAMP.replace("lamp", "light"))
         fresh.rename(self.file)

@@ -74,18 +74,18 @@ class Serve(browser.Case):
 
     def test_a_broken_save_shows_its_caret_and_a_mended_one_the_chart_again(self):
         self.serve(LAMP)
-        self.assertFalse(self.page.find("#diagnostics").is_displayed())
+        self.assertFalse(self.page.find("#diagnostics-text").is_displayed())
         began = time.monotonic()
         self.file.write_text(LAMP.replace("when ON;", "when ONN;"))
-        browser.eventually(lambda: self.page.find("#diagnostics").is_displayed(), what="the diagnostics")
+        browser.eventually(lambda: self.page.find("#diagnostics-text").is_displayed(), what="the diagnostics")
         self.assertLess(time.monotonic() - began, 5)
-        complaints = self.page.text("#complaints")
-        self.assertIn("unknown variable", complaints)
-        self.assertIn("^", complaints.splitlines()[2])
+        diagnostics = self.page.text("#diagnostics-text")
+        self.assertIn("unknown variable", diagnostics)
+        self.assertIn("^", diagnostics.splitlines()[2])
         self.assertIn("errors", self.page.text("#status"))
         self.page.screenshot("serve-broken")
         self.file.write_text(LAMP)
-        browser.eventually(lambda: not self.page.find("#diagnostics").is_displayed(), what="no diagnostics")
+        browser.eventually(lambda: not self.page.find("#diagnostics-text").is_displayed(), what="no diagnostics")
 
     def test_what_is_old_is_called_old(self):
         server = self.serve(LAMP)
@@ -226,7 +226,7 @@ class Serve(browser.Case):
         browser.eventually(lambda: "onerror" in " ".join(self.page.texts("#models p")), what="the prose")
         self.assertEqual(self.page.all("#models img") + self.page.all("#models script"), [])
         self.file.write_text(LAMP + "<script>alert(1)</script>")
-        self.page.wait_for_text("#complaints", "<script>")
+        self.page.wait_for_text("#diagnostics-text", "<script>")
         self.assertEqual(len(self.page.all("body script")), 0)
 
     def test_it_can_be_read_at_every_size_in_both_schemes_and_by_a_screen_reader(self):
@@ -270,11 +270,11 @@ class Serve(browser.Case):
         browser.eventually(lambda: "not as expected" in self.page.text("#status"), 30, "the verdicts")
         names = [words.split()[1] for words in self.page.texts(".property .outcome")]
         self.assertEqual(names[:3], ["BAD", "EXPECTED", "HOLDS"])
-        self.assertEqual(self.page.text("#diagnostics-title"), "Warnings")
-        self.assertFalse(self.page.all("#diagnostics.errors"))
+        self.assertEqual(self.page.text("#diagnostics-text-title"), "Warnings")
+        self.assertFalse(self.page.all("#diagnostics-text.errors"))
         self.file.write_text("grafcet")
-        self.page.wait_for_text("#diagnostics-title", "Errors")
-        self.assertTrue(self.page.all("#diagnostics.errors"))
+        self.page.wait_for_text("#diagnostics-text-title", "Errors")
+        self.assertTrue(self.page.all("#diagnostics-text.errors"))
 
     def test_operator_inputs_are_apart_from_sensors(self):
         self.serve(OVEN.read_text())

@@ -46,7 +46,7 @@ std::vector<VerbRun> all_runs() {
         {{"plc", "FILE"}, Text, false, "1\n0\nwait 1s\n1,1,1,1\n0,0,0,0\n0\n"},
         {{"plc", "FILE", "--mode", "every-cycle"}, Text, false, "wait 3s\n0,0\n1,1\n0,0\nnothing\n"},
         {{"uppaal", "FILE"}, Uppaal, true},
-        {{"build", "FILE", "-o", "FOLDER/models", "--create"}, Text, true},
+        {{"build", "FILE", "-o", "FOLDER/models", "--create-dirs"}, Text, true},
         {{"nusmv", "FILE", "--plant", "constraints"}, Nusmv, true},
         {{"simulate", "FILE", "--random", "3", "--steps", "30", "--trace-vcd", "FOLDER/t.vcd", "--trace-svg",
           "FOLDER/t.svg"},

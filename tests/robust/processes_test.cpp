@@ -48,7 +48,7 @@ const std::vector<Words>& verbs() {
         {"uppaal", blinker},
         {"nusmv", tanks},
         {"nusmv", blinker, "--plant", "automata"},
-        {"build", blinker, "-o", "FOLDER/models", "--create"},
+        {"build", blinker, "-o", "FOLDER/models", "--create-dirs"},
         {"st", tanks},
         {"analyse", tanks, "--format", "json"},
         {"check", blinker, "--format", "json", "--junit", "FOLDER/report.xml"},
@@ -170,7 +170,7 @@ TEST(Memory, IsUsedAsValgrindLikesIt) {
                                  {"check", chart},
                                  {"analyse", chart},
                                  {"st", chart},
-                                 {"build", chart, "-o", "FOLDER/models", "--create"},
+                                 {"build", chart, "-o", "FOLDER/models", "--create-dirs"},
                                  {"simulate", chart, "--random", "1"}};
     for (std::size_t k = 0; k < all.size() && static_cast<int>(k) < law_size(1); ++k) {
         const ProgramResult result =
@@ -208,8 +208,8 @@ TEST(Kill, AtAnyTimeLeavesNoPartialFile) {
                      "grafcet lamps { input a; output o; initial step 1; step 2 { o; }\n"
                      "transition t1: 1 -> 2 when a; transition t2: 2 -> 1 when !a; }\n"
                      "closed_loop blinker_loop { controller lamps; environment A = free(OUT = a); }\n");
-    const Words before{"build", lamps, "-o", "FOLDER/models", "--create"},
-        after{"build", blinker, "-o", "FOLDER/models", "--create"};
+    const Words before{"build", lamps, "-o", "FOLDER/models", "--create-dirs"},
+        after{"build", blinker, "-o", "FOLDER/models", "--create-dirs"};
     ran(with({}, after, folder));
     std::map<std::string, std::string> fresh, old;
     for (const auto& entry : fs::directory_iterator(folder.file("models")))

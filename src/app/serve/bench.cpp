@@ -290,7 +290,7 @@ private:
                       {"file", options_.operands[0]},
                       {"readable", piece.reading.model.has_value()},
                       {"errors", piece.reading.diagnostics.errors()},
-                      {"complaints", piece.reading.complaints()},
+                      {"diagnostics", piece.reading.complaints()},
                       {"charts", std::move(charts)},
                       {"models", std::move(models)}};
         {

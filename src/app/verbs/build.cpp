@@ -88,7 +88,7 @@ Verb build_usage() {
         "for a\n"
         "build system (docs/how-to/build-systems.md).",
         {"grafverif build samples/testing_station/testing_station.grafcet",
-         "grafverif build station.grafcet -o models --create --grain atomic --target uppaal",
+         "grafverif build station.grafcet -o models --create-dirs --grain atomic --target uppaal",
          "grafverif build station.grafcet -o models --name station --depfile models/station.d",
          "grafverif build press.grafcet oven.grafcet --all -o models"},
         {Accepts::OutputDirectory, Accepts::All, Accepts::Target, Accepts::Loop, Accepts::Constants, Accepts::Questions,

@@ -223,7 +223,7 @@ Verb test_usage() {
         "(docs/how-to/test-a-plc.md). Without --sequence, `test` generates the sequence as `testgen` does.\n"
         "Exit code 1: the controller does not conform. Formats: text, JSON, JUnit XML (--junit).",
         {"grafverif test tanks.grafcet --against ./my_controller",
-         "grafverif test tanks.grafcet --against ./my_controller --cover evolutions --go-on --junit report.xml",
+         "grafverif test tanks.grafcet --against ./my_controller --cover evolutions --keep-going --junit report.xml",
          "grafverif test tanks.grafcet --sequence table2.csv --against \"grafverif plc tanks.grafcet --mode "
          "every-cycle\""},
         {Accepts::Bench, Accepts::Sequence, Accepts::Chart, Accepts::Mode, Accepts::Clock, Accepts::Format,

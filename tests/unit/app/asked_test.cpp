@@ -66,7 +66,7 @@ TEST(Asked, OnlySelectedPropertiesAreBuilt) {
     const Folder folder;
     const std::string file = folder.write("room.grafcet", asked_of), out = folder.file("out");
     for (const char* property : {"pears", "cherries"}) {
-        const Result result = grafverif({"build", file, "-o", out, "--create", "--property", property});
+        const Result result = grafverif({"build", file, "-o", out, "--create-dirs", "--property", property});
         ASSERT_EQ(result.code, ExitCode::Done) << result.err;
         for (const char* model : {"out/room.xml", "out/room.q"})
             EXPECT_EQ(named(folder.read(model)), std::vector<std::string>{property}) << model;

@@ -90,7 +90,8 @@ TEST(Bench, GivesAVerdictOnControllersThatMisbehaveAndEndsThem) {
 
 TEST(Bench, ContinuesAfterAFailureIfTheControllerCan) {
     const auto after = [](const std::string& what) {
-        return verdicts(Json::parse(tested(faulty(what), {"--go-on", "--format", "json", "--timeout", "300ms"}).out));
+        return verdicts(
+            Json::parse(tested(faulty(what), {"--keep-going", "--format", "json", "--timeout", "300ms"}).out));
     };
     EXPECT_EQ(after("echo 1,1,0,0"), (std::vector<std::string>{"passed", "failed", "passed"}));
     EXPECT_EQ(after("echo nonsense"), (std::vector<std::string>{"passed", "failed", "passed"}));
@@ -219,7 +220,7 @@ TEST(Bench, ReadsTablesWithSemicolons) {
 TEST(Bench, RequiresAControllerAndOneFailurePolicy) {
     EXPECT_NE(grafverif({"test", tanks_chart, "--sequence", table2}).err.find("`--against PROGRAM` is missing"),
               std::string::npos);
-    EXPECT_NE(tested("x", {"--go-on", "--stop-on-failure"}).err.find("are mutually exclusive"), std::string::npos);
+    EXPECT_NE(tested("x", {"--keep-going", "--stop-on-failure"}).err.find("are mutually exclusive"), std::string::npos);
     EXPECT_EQ(tested("x", {"--clock", "wall"}).code, ExitCode::Input);
 }
 

@@ -149,7 +149,7 @@ struct Inputs {
                 {"nusmv", chart},
                 {"uppaal", chart},
                 {"pins", chart},
-                {"build", chart, "-o", folder.file("build"), "--create"},
+                {"build", chart, "-o", folder.file("build"), "--create-dirs"},
                 {"simulate", chart},
                 {"plc", chart},
                 {"test", chart, "--against", "cat"}};
@@ -245,8 +245,8 @@ TEST(Bounds, ResultsSoFarAreReported) {
         text += "    environment B" + std::to_string(i) + " = push_button(OUT = b" + std::to_string(i) + ");\n";
     const std::string chart =
         folder.write("g.grafcet", text + "    property early: never X1;\n    property late: never X0 && X1;\n}\n");
-    const std::vector<std::string> command = {
-        "check", chart, "--whole", "--format", "json", "--junit", folder.file("report.xml")};
+    const std::vector<std::string> command = {"check", chart,     "--monolithic",           "--format",
+                                              "json",  "--junit", folder.file("report.xml")};
     const auto expect_partial = [&](const Ended& ended, const std::string& why) {
         SCOPED_TRACE(why);
         EXPECT_EQ(ended.code, 1) << ended.err;  // an unexpected verdict takes precedence over unknown ones

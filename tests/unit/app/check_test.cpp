@@ -68,7 +68,7 @@ TEST(Check, HasAnExitCodeForEachOutcome) {
              {"property a: always N <= 2;", {"--why"}, ExitCode::Done},
              {"property a: always N <= 2;", {"--why", "--untimed"}, ExitCode::Input},
              {"property a: always N <= 2;", {"--why", "--json-lines"}, ExitCode::Input},
-             {"property a: always N <= 2;", {"--why", "--without", "stable"}, ExitCode::Input},
+             {"property a: always N <= 2;", {"--why", "--ablate", "stable"}, ExitCode::Input},
              {"property a: always N <= 2;", {"--engine", "NuSMV"}, ExitCode::Input},
              {"property a: always N <= 2;", {"--max-memory", "lots"}, ExitCode::Input},
              {"property a: always N <= 2;", {"--timeout", "5 s"}, ExitCode::Input},
@@ -116,7 +116,7 @@ TEST(Check, DecidesAFragmentOfALineAndNamesTheOmittedParts) {
     EXPECT_EQ(properties[1]["verdict"], "unknown");
     EXPECT_EQ(properties[1]["declared"], false);
     std::vector<std::string> whole = command;
-    whole.insert(whole.end(), {"--whole", "--max-states", "1000"});
+    whole.insert(whole.end(), {"--monolithic", "--max-states", "1000"});
     EXPECT_EQ(Json::parse(grafverif(whole).out)["properties"][0]["verdict"], "unknown");
 }
 
@@ -132,7 +132,7 @@ TEST(Check, StatesOmittedSubsystemsWithTheReason) {
           "sub-loops `left`, `right`, each separately\n"})
         EXPECT_NE(text.find(words), std::string::npos) << text;
     const Json apart = Json::parse(grafverif({"check", file, "--format", "json"}).out)["properties"];
-    const Json whole = Json::parse(grafverif({"check", file, "--format", "json", "--whole"}).out)["properties"];
+    const Json whole = Json::parse(grafverif({"check", file, "--format", "json", "--monolithic"}).out)["properties"];
     EXPECT_EQ(apart[0]["sub_loops"], Json::parse(R"({"searched": ["left"], "left_out": ["right"],
                               "because": "shares only time with it and can let time pass forever"})"));
     EXPECT_FALSE(apart[2].contains("sub_loops"));
@@ -190,8 +190,8 @@ TEST(Check, WritesJunitAndTraces) {
     const Folder folder;
     const std::string file =
         folder.write("counter.grafcet", counter("property a \"few\": always N < 2; property b: always N <= 2;"));
-    const Result result = grafverif({"check", file, "--junit", folder.file("r/report.xml"), "--create", "--trace-vcd",
-                                     folder.file("a.vcd"), "--trace-svg", folder.file("a.svg")});
+    const Result result = grafverif({"check", file, "--junit", folder.file("r/report.xml"), "--create-dirs",
+                                     "--trace-vcd", folder.file("a.vcd"), "--trace-svg", folder.file("a.svg")});
     EXPECT_EQ(result.code, ExitCode::Verdict);
     pugi::xml_document junit, svg;
     ASSERT_TRUE(junit.load_string(folder.read("r/report.xml").c_str()));

@@ -37,7 +37,7 @@ TEST(Compare, AChartIsEqualToItselfInEachMode) {
 }
 
 TEST(Compare, OneRunComparesInEachMode) {
-    const Result result = grafverif({"compare", tanks, tanks, "--each-mode"});
+    const Result result = grafverif({"compare", tanks, tanks, "--all-modes"});
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
     const std::size_t first = result.out.find("mode stability-search"), second = result.out.find("mode every-cycle");
     EXPECT_LT(first, second) << result.out;
@@ -46,13 +46,13 @@ TEST(Compare, OneRunComparesInEachMode) {
     const std::string longer = with(with(lamp, "step 1 {", "step 9;\n    step 1 {"), "0 -> 1 when on;",
                                     "0 -> 9 when on && !off;\n    transition t9: 9 -> 1 when true;");
     const std::string plain = with(lamp, "when on;", "when on && !off;");
-    const Result apart = compared(plain, longer, {"--each-mode", "--format", "json"});
+    const Result apart = compared(plain, longer, {"--all-modes", "--format", "json"});
     EXPECT_EQ(apart.code, ExitCode::Verdict) << apart.err;
     const auto json = nlohmann::json::parse(apart.out, nullptr, false);
     ASSERT_EQ(json.size(), 2U) << apart.out;
     EXPECT_EQ(json[0]["outcome"], "equal");
     EXPECT_EQ(json[1]["outcome"], "different");
-    EXPECT_EQ(compared(lamp, lamp, {"--each-mode", "--mode", "every-cycle"}).code, ExitCode::Input);
+    EXPECT_EQ(compared(lamp, lamp, {"--all-modes", "--mode", "every-cycle"}).code, ExitCode::Input);
 }
 
 TEST(Compare, ImportedChartIsEqualToItsFile) {
@@ -63,7 +63,7 @@ TEST(Compare, ImportedChartIsEqualToItsFile) {
         SCOPED_TRACE(name);
         const std::string file = folder.write(name, *text), taken = folder.file("taken.grafcet");
         ASSERT_EQ(grafverif({"import", file, "--lossy", "-o", taken}).code, ExitCode::Done);
-        const Result result = grafverif({"compare", file, taken, "--lossy", "--each-mode", "--timeout", "60s"});
+        const Result result = grafverif({"compare", file, taken, "--lossy", "--all-modes", "--timeout", "60s"});
         EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;
         EXPECT_NE(result.out.find("the texts differ at most in order and layout"), std::string::npos) << result.out;
     }

@@ -167,8 +167,8 @@ TEST(Hostile, TextsAndFileNamesAreCleanInEveryCommand) {
                 expect_clean(arguments);
             }
         }
-        expect_clean({"build", file, "-o", folder.file("out"), "--create"});
-        expect_clean({"build", file, "-o", folder.file("out" + name), "--create", "--format", "json"});
+        expect_clean({"build", file, "-o", folder.file("out"), "--create-dirs"});
+        expect_clean({"build", file, "-o", folder.file("out" + name), "--create-dirs", "--format", "json"});
         expect_clean({"equations", folder.write("includes.grafcet", "include \"" + text + "\";\n")});
     }
 }
@@ -274,7 +274,7 @@ TEST(Hostile, DocumentsAreReadBackWhole) {
         }
         EXPECT_EQ(dirt(folder.read("t.vcd")), "");
         EXPECT_TRUE(Json::accept(grafverif({"analyse", file, "--format", "sarif"}).out));
-        ASSERT_EQ(grafverif({"build", file, "-o", folder.file("out"), "--create"}).code, ExitCode::Done);
+        ASSERT_EQ(grafverif({"build", file, "-o", folder.file("out"), "--create-dirs"}).code, ExitCode::Done);
         for (const char* name : {"out/w.xml", "out/w.q", "out/w.smv"}) EXPECT_EQ(dirt(folder.read(name)), "") << name;
         EXPECT_EQ(grafverif({"fmt", folder.write("again.grafcet", grafverif({"fmt", file}).out), "--check"}).code,
                   ExitCode::Done);

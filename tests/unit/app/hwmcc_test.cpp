@@ -154,7 +154,7 @@ TEST(Auto, IsTheDefaultAndDecidesByLocalizationFirstAndTheRestByEngines) {
         EXPECT_EQ(property["verdict"], properties[std::stoul(key)]["verdict"]) << property["name"];
     std::vector<std::string> whole = command;
     whole.insert(whole.end(),
-                 {"--whole", "--property", "no_out_of_range", "--property", "held_2", "--timeout", "300ms"});
+                 {"--monolithic", "--property", "no_out_of_range", "--property", "held_2", "--timeout", "300ms"});
     EXPECT_EQ(grafverif(whole).out.find("decided by cells"), std::string::npos);
 }
 

@@ -63,7 +63,7 @@ TEST(Mutate, ScoresOfARunThatWasStoppedAreThoseSoFar) {
 TEST(Mutate, TimePerMutantBeyondTheRangeOfTheClockIsUnlimited) {
     const auto expected = mutated(gate, {"--limit", "3"})["counts"];
     for (const char* time : {"106751991167h", "2562047788016h", "18446744073709551615ms"})
-        EXPECT_EQ(mutated(gate, {"--limit", "3", "--each", time})["counts"], expected) << time;
+        EXPECT_EQ(mutated(gate, {"--limit", "3", "--mutant-timeout", time})["counts"], expected) << time;
 }
 
 TEST(Mutate, AMissingActionIsNoticedByThePropertyThatNamesIt) {
@@ -164,7 +164,7 @@ TEST(Mutate, StateFileIsUsedForTheSameQueryOnly) {
     arguments.insert(arguments.end(), {"--mode", "every-cycle"});
     grafverif(arguments);
     EXPECT_EQ(lines(), 6) << "and how it is asked";
-    arguments.insert(arguments.end(), {"--each", "30s"});
+    arguments.insert(arguments.end(), {"--mutant-timeout", "30s"});
     grafverif(arguments);
     EXPECT_EQ(lines(), 6) << "a verdict does not depend on the time there was";
 }
@@ -174,7 +174,7 @@ TEST(Mutate, MutantsThatTimedOutAreCheckedAgainWithMoreTime) {
     const std::string file = folder.write("gate.grafcet", gate), state = folder.file("state");
     const auto counts = [&](const std::string& each) {
         const Result result =
-            grafverif({"mutate", file, "--limit", "2", "--state", state, "--each", each, "--format", "json"});
+            grafverif({"mutate", file, "--limit", "2", "--state", state, "--mutant-timeout", each, "--format", "json"});
         return nlohmann::json::parse(result.out)["counts"];
     };
     EXPECT_EQ(counts("0ms")["unknown"], 2);

@@ -45,8 +45,8 @@ TEST(Depfile, NamesEveryFileReadAndEveryFileWritten) {
     const std::string main =
         folder.write("main.grafcet", "include \"part.grafcet\";\ninclude \"part.grafcet\";\n" + loop("main", "deep"));
     const std::string out = folder.file("out");
-    const Result result = grafverif(
-        {"build", main, "-I", folder.file("lib"), "-o", out, "--create", "--name", "m", "--depfile", out + "/m.d"});
+    const Result result = grafverif({"build", main, "-I", folder.file("lib"), "-o", out, "--create-dirs", "--name", "m",
+                                     "--depfile", out + "/m.d"});
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
     const std::string part = folder.file("part.grafcet"), deep = folder.file("lib/deep.grafcet");
     EXPECT_EQ(folder.read("out/m.d"), out + "/m.xml " + out + "/m.q " + out + "/m.smv: \\\n  " + main + " \\\n  " +
@@ -152,7 +152,7 @@ TEST(Depfile, RejectsNamesThatItsReaderCannotRepresent) {
     EXPECT_NE(result.err.find("no depfile that Make reads can say the name `" + main + "`"), std::string::npos);
     EXPECT_EQ(folder.entries(), 1u) << "nothing is written";
     EXPECT_EQ(grafverif({"equations", main, "-o", folder.file("out"), "--depfile", folder.file("out.d"),
-                         "--depfile-form", "cmake"})
+                         "--depfile-format", "cmake"})
                   .code,
               ExitCode::Done);
 }
@@ -257,9 +257,11 @@ TEST(Build, AcceptsSeveralFilesWithAllTheirLoops) {
     const std::string one = folder.write("one.grafcet", chart("c") + loop("first", "c") + loop("second", "c"));
     const std::string two = folder.write("two.grafcet", chart("c") + loop("third", "c"));
     const std::string out = folder.file("out");
-    EXPECT_NE(grafverif({"build", one, two, "-o", out, "--create"}).err.find("[ambiguous-choice]"), std::string::npos);
+    EXPECT_NE(grafverif({"build", one, two, "-o", out, "--create-dirs"}).err.find("[ambiguous-choice]"),
+              std::string::npos);
     EXPECT_FALSE(fs::exists(out)) << "all or nothing";
-    const Result all = grafverif({"build", one, two, "--all", "-o", out, "--create", "--depfile", folder.file("d")});
+    const Result all =
+        grafverif({"build", one, two, "--all", "-o", out, "--create-dirs", "--depfile", folder.file("d")});
     EXPECT_EQ(all.code, ExitCode::Done) << all.err;
     for (const char* name : {"first", "second", "third"})
         for (const char* ending : {".xml", ".q", ".smv"}) {
@@ -303,11 +305,11 @@ TEST(Outputs, AreWrittenIntoFoldersThatAreThere) {
         SCOPED_TRACE(arguments.back());
         const Result result = grafverif(arguments);
         EXPECT_EQ(result.code, ExitCode::Input);
-        EXPECT_NE(result.err.find("or pass `--create` [missing-folder]"), std::string::npos) << result.err;
+        EXPECT_NE(result.err.find("or pass `--create-dirs` [missing-folder]"), std::string::npos) << result.err;
         EXPECT_EQ(result.out, "") << "said before there is any work";
         EXPECT_EQ(folder.entries(), 1u);
     }
-    EXPECT_EQ(grafverif({"uppaal", file, "-o", missing + "/deeper/l.xml", "--create"}).code, ExitCode::Done);
+    EXPECT_EQ(grafverif({"uppaal", file, "-o", missing + "/deeper/l.xml", "--create-dirs"}).code, ExitCode::Done);
     EXPECT_TRUE(fs::exists(missing + "/deeper/l.xml"));
 }
 

@@ -47,9 +47,40 @@ TEST(Program, RejectsWrongUsageWithExitCodeTwo) {
     }
 }
 
+TEST(Program, AcceptsFormerOptionNamesWithWarning) {
+    struct Case {
+        std::string former, name;
+        std::vector<std::string> arguments;
+    };
+    for (const auto& [former, name, arguments] : std::vector<Case>{
+             {"--whole", "--monolithic", {"check", "missing", "--whole"}},
+             {"--without", "--ablate", {"check", "missing", "--without=flags"}},
+             {"--go-on", "--keep-going", {"test", "missing", "--against", "false", "--go-on"}},
+             {"--each-mode", "--all-modes", {"compare", "missing", "missing", "--each-mode"}},
+             {"--each", "--mutant-timeout", {"mutate", "missing", "--each", "1s"}},
+             {"--create", "--create-dirs", {"uppaal", "missing", "--create"}},
+             {"--depfile-form",
+              "--depfile-format",
+              {"uppaal", "missing", "-o", "l.xml", "--depfile", "d", "--depfile-form", "ninja"}},
+         }) {
+        SCOPED_TRACE(former);
+        const std::string warning = "`" + former + "` is deprecated; use `" + name + "` [deprecated-option]";
+        const Result result = grafverif(arguments);
+        EXPECT_TRUE(result.err.starts_with("warning: " + warning)) << result.err;
+        EXPECT_NE(result.err.find("[cannot-read]"), std::string::npos) << "the option is accepted: " << result.err;
+        std::vector<std::string> current = arguments;
+        for (std::string& argument : current)
+            if (argument == former || argument.starts_with(former + "=")) argument.replace(0, former.size(), name);
+        EXPECT_EQ(grafverif(current).err, result.err.substr(result.err.find('\n') + 1));
+        EXPECT_EQ(grafverif({arguments[0], "--help"}).out.find(former + " "), std::string::npos);
+    }
+    EXPECT_EQ(grafverif({"check", station, "--list", "--whole", "--quiet"}).err, "");
+    EXPECT_EQ(grafverif({"check", station, "--list", "--whole", "--monolithic"}).code, ExitCode::Input);
+}
+
 TEST(Build, WritesTheProjectItsQueriesAndTheNusmvModel) {
     const Folder folder;
-    const Result result = grafverif({"build", station, "-o", folder.file("out"), "--create"});
+    const Result result = grafverif({"build", station, "-o", folder.file("out"), "--create-dirs"});
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
     EXPECT_TRUE(folder.read("out/station.xml").starts_with("<?xml"));
     EXPECT_NE(folder.read("out/station.q").find("-->"), std::string::npos);
@@ -61,19 +92,19 @@ TEST(Build, WritesTheProjectItsQueriesAndTheNusmvModel) {
 
 TEST(Build, WarnsOfPropertiesThatATargetCannotExpress) {
     const Folder folder;
-    const Result result = grafverif({"build", station, "-o", folder.file("out"), "--create"});
+    const Result result = grafverif({"build", station, "-o", folder.file("out"), "--create-dirs"});
     EXPECT_NE(result.err.find("property `no_timelock` is omitted from the UPPAAL model"), std::string::npos)
         << result.err;
     EXPECT_NE(result.err.find("property `no_deadlock` is omitted from the NuSMV model"), std::string::npos)
         << result.err;
     EXPECT_NE(result.err.find("[not-expressible]"), std::string::npos);
-    EXPECT_EQ(grafverif({"build", station, "-o", folder.file("out"), "--create", "--quiet"}).err, "");
+    EXPECT_EQ(grafverif({"build", station, "-o", folder.file("out"), "--create-dirs", "--quiet"}).err, "");
 }
 
 TEST(Build, ListsItsFilesAsJson) {
     const Folder folder;
-    const Result result =
-        grafverif({"build", station, "-o", folder.file("out"), "--create", "--format", "json", "--target", "uppaal"});
+    const Result result = grafverif(
+        {"build", station, "-o", folder.file("out"), "--create-dirs", "--format", "json", "--target", "uppaal"});
     const auto files = nlohmann::json::parse(result.out)["files"];
     ASSERT_EQ(files.size(), 2u);
     EXPECT_EQ(files[0]["path"], folder.file("out/station.xml"));
@@ -82,8 +113,8 @@ TEST(Build, ListsItsFilesAsJson) {
 
 TEST(Build, IsDeterministic) {
     const Folder folder;
-    grafverif({"build", station, "-o", folder.file("one"), "--create"});
-    grafverif({"build", station, "-o", folder.file("two"), "--create"});
+    grafverif({"build", station, "-o", folder.file("one"), "--create-dirs"});
+    grafverif({"build", station, "-o", folder.file("two"), "--create-dirs"});
     for (const char* name : {"station.xml", "station.q", "station.smv"}) {
         EXPECT_FALSE(folder.read(std::string("one/") + name).empty());
         EXPECT_EQ(folder.read(std::string("one/") + name), folder.read(std::string("two/") + name));
@@ -93,7 +124,7 @@ TEST(Build, IsDeterministic) {
 TEST(Build, WritesNothingIfTheInputHasErrors) {
     const Folder folder;
     const std::string broken = folder.write("broken.grafcet", "grafcet a { input x; step 1; }\n");
-    const Result result = grafverif({"build", broken, "-o", folder.file("out"), "--create"});
+    const Result result = grafverif({"build", broken, "-o", folder.file("out"), "--create-dirs"});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_NE(result.err.find("[no-initial-step]"), std::string::npos) << result.err;
     EXPECT_EQ(folder.entries(), 1u);
@@ -101,11 +132,11 @@ TEST(Build, WritesNothingIfTheInputHasErrors) {
 
 TEST(Build, KeepsExistingOutputsOnError) {
     const Folder folder;
-    ASSERT_EQ(grafverif({"build", station, "-o", folder.file("out"), "--create"}).code, ExitCode::Done);
+    ASSERT_EQ(grafverif({"build", station, "-o", folder.file("out"), "--create-dirs"}).code, ExitCode::Done);
     const std::string before = folder.read("out/station.xml");
     fs::remove(folder.file("out/station.q"));
     fs::create_directory(folder.file("out/station.q"));  // cannot be overwritten
-    const Result result = grafverif({"build", station, "-o", folder.file("out"), "--create", "--grain", "atomic"});
+    const Result result = grafverif({"build", station, "-o", folder.file("out"), "--create-dirs", "--grain", "atomic"});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_EQ(folder.read("out/station.xml"), before);
     EXPECT_EQ(folder.entries(), 4u) << "a draft was left behind";
@@ -116,7 +147,7 @@ TEST(Build, AcceptsOnlyAClosedLoop) {
     const std::string chart = folder.write("lone.grafcet",
                                            "grafcet a { input x; output L; initial step 0; step 1 { L; }\n"
                                            "transition t: 0 -> 1 when x; transition u: 1 -> 0 when !x; }\n");
-    const Result result = grafverif({"build", chart, "-o", folder.file("out"), "--create"});
+    const Result result = grafverif({"build", chart, "-o", folder.file("out"), "--create-dirs"});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_NE(result.err.find("[no-closed-loop]"), std::string::npos) << result.err;
     EXPECT_EQ(grafverif({"nusmv", chart}).code, ExitCode::Done);

@@ -157,7 +157,7 @@ TEST(Reports, OfSeveralFilesAreOne) {
     }
     EXPECT_EQ(verdicts, "violated holds holds violated holds holds error holds holds holds ");
     EXPECT_EQ(objects_in(result.out)[0]["as_expected"], false);
-    EXPECT_TRUE(objects_in(result.out)[0]["story"][0].get<std::string>().starts_with("  time  event"));
+    EXPECT_TRUE(objects_in(result.out)[0]["trace_text"][0].get<std::string>().starts_with("  time  event"));
 }
 
 TEST(Reports, OfAnEarlierRunAreRemoved) {

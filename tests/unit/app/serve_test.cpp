@@ -140,7 +140,7 @@ TEST(ServeBench, ReportsVerdictsAndErrorsAndFollowsTheFile) {
     const std::string file = folder.write("lamp.grafcet", lamp_in_a_loop);
     Bystander bystander(file);
     const Json first = bystander.wait_for_verdicts();
-    EXPECT_EQ(first["complaints"], "");
+    EXPECT_EQ(first["diagnostics"], "");
     const Json& properties = first["models"][0]["properties"];
     ASSERT_GE(properties.size(), 2U);
     EXPECT_EQ(properties[0]["name"], "LIT");
@@ -152,18 +152,18 @@ TEST(ServeBench, ReportsVerdictsAndErrorsAndFollowsTheFile) {
 
     folder.write("lamp.grafcet", lamp_text + "nonsense");
     const Json broken = bystander.wait_for([](const Json& state) { return state["readable"] == false; });
-    EXPECT_NE(broken["complaints"].get<std::string>().find("^"), std::string::npos) << "a caret";
+    EXPECT_NE(broken["diagnostics"].get<std::string>().find("^"), std::string::npos) << "a caret";
     EXPECT_EQ(bystander.play({{"chart", "lamp"}})["complaint"],
               "the file has errors and cannot be simulated; correct them");
 
     fs::remove(file);
     bystander.wait_for([](const Json& state) {
-        return state["complaints"].get<std::string>().find("cannot-read") != std::string::npos;
+        return state["diagnostics"].get<std::string>().find("cannot-read") != std::string::npos;
     });
     folder.write("lamp.grafcet", lamp_text);
     const Json back = bystander.wait_for_verdicts();
     EXPECT_EQ(back["models"][0]["kind"], "chart");
-    EXPECT_EQ(back["complaints"], "");
+    EXPECT_EQ(back["diagnostics"], "");
 }
 
 TEST(ServeBench, ReportsRejectedModelsAndUndecidedProperties) {

@@ -38,7 +38,7 @@ std::vector<std::optional<ExecutionMode>> asked_modes(const Options& options) {
     return {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle};
 }
 
-/// One object, or a list with `--each-mode`; in text output, differences of the texts are printed once, at the end.
+/// One object, or a list with `--all-modes`; in text output, differences of the texts are printed once, at the end.
 void print(const std::vector<Comparison>& all, const Options& options, Colour colour, std::ostream& out) {
     const bool json = options.format == Format::Json, list = options.each_mode;
     if (json && list) out << "[\n";

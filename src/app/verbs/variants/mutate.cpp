@@ -351,10 +351,10 @@ Verb mutate_usage() {
         "sequence of the chart (see `testgen`). Mutants that no property detects are printed as a difference of the "
         "text, with\n"
         "--survivors also as drawings.\n"
-        "Exit code 1: no property detects a mutant; 3: incomplete (--each, --timeout, Ctrl-C).",
+        "Exit code 1: no property detects a mutant; 3: incomplete (--mutant-timeout, --timeout, Ctrl-C).",
         {"grafverif mutate samples/oven_door/oven_door.grafcet",
          "grafverif mutate station.grafcet --chart press --limit 50 --seed 7 --state press.mutants --survivors press",
-         "grafverif mutate station.grafcet --each 10s --format json -o mutants.json"},
+         "grafverif mutate station.grafcet --mutant-timeout 10s --format json -o mutants.json"},
         {Accepts::Output, Accepts::Chart, Accepts::Constants, Accepts::Mutants, Accepts::Mode, Accepts::Format}};
 }
 
