@@ -53,8 +53,10 @@ NAME        [A-Z_][A-Z0-9_]*
 "END_REPEAT"    return lexer.sign(Kind::END_REPEAT);
 "RETURN"        return lexer.sign(Kind::RETURN);
 "EXIT"          return lexer.sign(Kind::EXIT);
-"AND"|"&"|"AND_THEN"  return lexer.sign(Kind::AND);
-"OR"|"OR_ELSE"  return lexer.sign(Kind::OR);
+"AND"|"&"       return lexer.sign(Kind::AND);
+"OR"            return lexer.sign(Kind::OR);
+"AND_THEN"      return lexer.lazy_sign(Kind::AND, MATCH);
+"OR_ELSE"       return lexer.lazy_sign(Kind::OR, MATCH);
 "XOR"           return lexer.sign(Kind::XOR);
 "NOT"           return lexer.sign(Kind::NOT);
 "MOD"           return lexer.sign(Kind::MOD);
@@ -94,6 +96,13 @@ NAME        [A-Z_][A-Z0-9_]*
 "END_TRANSITION"      return lexer.unit_word(Kind::END_TRANSITION, MATCH);
 "ACTION"        return lexer.unit_word(Kind::ACTION, MATCH);
 "END_ACTION"    return lexer.unit_word(Kind::END_ACTION, MATCH);
+"STRUCT"        return lexer.type_word(Kind::STRUCT, MATCH);
+"END_STRUCT"    return lexer.type_word(Kind::END_STRUCT, MATCH);
+"RESOURCE"      return lexer.configuration_word(Kind::RESOURCE, MATCH);
+"END_RESOURCE"  return lexer.configuration_word(Kind::END_RESOURCE, MATCH);
+"ON"            return lexer.configuration_word(Kind::ON, MATCH);
+"TASK"          return lexer.configuration_word(Kind::TASK, MATCH);
+"WITH"          return lexer.configuration_word(Kind::WITH, MATCH);
 "PRIORITY"      return lexer.word(Kind::PRIORITY, MATCH);
 
 {NAME}          return lexer.word(Kind::IDENTIFIER, MATCH);
@@ -132,6 +141,11 @@ NAME        [A-Z_][A-Z0-9_]*
 "/"             return lexer.sign(Kind::DIVIDE);
 "**"            return lexer.sign(Kind::POWER);
 "^"             return lexer.sign(Kind::CARET);
+"!"             return lexer.c_sign(Kind::NOT, MATCH);
+"&&"            return lexer.c_sign(Kind::AND, MATCH);
+"||"            return lexer.c_sign(Kind::OR, MATCH);
+"=="            return lexer.c_sign(Kind::EQUAL, MATCH);
+"!="            return lexer.c_sign(Kind::NOT_EQUAL, MATCH);
 
 [\xC0-\xFF][\x80-\xBF]*     return lexer.unexpected_character(MATCH);
 .               return lexer.unexpected_character(MATCH);

@@ -37,7 +37,7 @@ and other model checkers.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libgrafverif-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libpugixml-dev, libfmt-dev, nlohmann-json3-dev, libcadical-dev, libicu-dev")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libpugixml-dev, libfmt-dev, nlohmann-json3-dev, libyaml-cpp-dev, libcadical-dev, libicu-dev")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "grafverif-doc, cmake")
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "library that proves GRAFCET charts with their plants
 grafverif takes a GRAFCET chart (IEC 60848) and a plant built from a library

@@ -263,6 +263,8 @@ std::vector<Option> options_for_checks() {
                "maximum trace length of engine bmc, in steps (default: 100)"),
         toggle(Accepts::Stats, "stats", &Options::stats,
                "print the components and clocks that contribute most states (timed engine)"),
+        text(Accepts::Verdicts, "properties", "FILE", &Options::property_file,
+             "check FILE operands as PLC programs (Structured Text), with the properties of this YAML file"),
         toggle(Accepts::Verdicts, "why", &Options::why, "print the elements that each proof depends on (timed engine)"),
         text(Accepts::Search, "junit", "FILE", &Options::junit, "write a JUnit report to FILE"),
         text(Accepts::Search, "sarif", "FILE", &Options::sarif,

@@ -87,6 +87,7 @@ struct Options {
     bool help = false;
 
     std::vector<std::string> properties = {};  ///< of `check`; empty: all
+    std::optional<std::string> property_file = {};  ///< of `check`: the operands are PLC programs
     std::string marked = {};                   ///< of `supervise`: a term
     Held held = Held::Both;                    ///< of `supervise`: the elements that get conditions
     Engine engine = Engine::Embedded;
@@ -148,6 +149,7 @@ inline constexpr std::array path_options = {
     PathOption{"script", &Options::script, PathUse::Read},
     PathOption{"sequence", &Options::sequence, PathUse::Read},
     PathOption{"exclusions", &Options::exclusions, PathUse::Read},
+    PathOption{"properties", &Options::property_file, PathUse::Read},
 };
 
 struct NamedPath {

@@ -11,6 +11,8 @@
 #include "app/system/guard.hpp"
 #include "app/traces.hpp"
 #include "app/verbs.hpp"
+#include "pipeline/program/check.hpp"
+#include "report/basis.hpp"
 #include "report/json.hpp"
 #include "report/terminal.hpp"
 #include "report/why.hpp"
@@ -69,36 +71,60 @@ std::vector<Aim> aims(const Model& model, bool all, const Options& asked) {
     return list;
 }
 
-ExitCode check_one(const Model& model, Job& job, Bounds& bounds, const Streams& streams) {
+/// Prints the verdicts in the selected form, and adds them to the requested reports.
+ExitCode show(const Decided& decided, const Model& model, Job& job, Bounds& bounds, const Streams& streams) {
     const Options& asked = job.options;
-    const bool witnesses = asked.verbose || asked.format == Format::Json || asked.trace_vcd || asked.trace_svg;
-    const auto decided = decide(model, job, bounds, witnesses, streams);
-    if (!decided) return ExitCode::Input;
-    const Report& report = decided->report;
+    const Report& report = decided.report;
     work_is_done();
     if (asked.format == Format::Json)
-        print_json(report, job.sources, streams.out, decided->why ? &*decided->why : nullptr);
+        print_json(report, job.sources, streams.out, decided.why ? &*decided.why : nullptr);
     else if (asked.format == Format::JsonLines)
-        print_json_lines(report, {job.sources, model, decided->loop, decided->chart}, streams.out);
+        print_json_lines(report, {job.sources, model, decided.loop, decided.chart}, streams.out);
     else
         print_report(report,
                      {asked.verbose, asked.quiet, colour_on(streams.out_screen, asked), streams.out_screen.columns},
                      streams.out);
-    if (decided->why && asked.format == Format::Text && !asked.quiet)
-        print_why(*decided->why, asked.verbose, streams.out);
+    if (decided.why && asked.format == Format::Text && !asked.quiet)
+        print_why(*decided.why, asked.verbose, streams.out);
     streams.out.flush();
     for (const std::string& failure : report.failures)
         streams.err << "grafverif: internal error: " << printable(failure) << '\n';
     note_trace(report, job, streams);
-    note(*decided, model, job);
+    note(decided, model, job);
     const ExitCode code = app::exit_code(report, bounds.interrupted());
-    if (code != ExitCode::Done && decided->timed) point_to_schedule(model.loops[decided->loop], job, streams);
+    if (code != ExitCode::Done && decided.timed) point_to_schedule(model.loops[decided.loop], job, streams);
     return code;
+}
+
+ExitCode check_one(const Model& model, Job& job, Bounds& bounds, const Streams& streams) {
+    const Options& asked = job.options;
+    const bool witnesses = asked.verbose || asked.format == Format::Json || asked.trace_vcd || asked.trace_svg;
+    const auto decided = decide(model, job, bounds, witnesses, streams);
+    return decided ? show(*decided, model, job, bounds, streams) : ExitCode::Input;
+}
+
+/// Checks a PLC program with the properties of a file.
+ExitCode check_program(Job& job, const Streams& streams) {
+    const auto program = read_source(job.options.operands[0], job);
+    const auto properties = program ? read_source(*job.options.property_file, job) : std::nullopt;
+    if (!properties) return ExitCode::Input;
+    Bounds bounds(job.options, streams);
+    const Options& asked = job.options;
+    const bool witnesses = asked.verbose || asked.format == Format::Json || asked.trace_vcd || asked.trace_svg;
+    CheckOptions options{asked.properties, witnesses, asked.verbose, bounds.limits()};
+    options.jobs = asked.jobs;
+    auto report = grafverif::check_program(*program, *properties, job.sources, options, job.diagnostics);
+    if (!report) return ExitCode::Input;
+    Decided decided;
+    decided.report = std::move(*report);
+    name_places(decided.report, job.sources);
+    return show(decided, {}, job, bounds, streams);
 }
 
 }  // namespace
 
 ExitCode check(Job& job, const Streams& streams) {
+    if (job.options.property_file) return check_program(job, streams);
     const auto model = read_model(job.options.operands[0], job);
     if (!model) return ExitCode::Input;
     if (job.options.list) return list_properties(*model, job, streams);
@@ -140,6 +166,9 @@ Verb check_usage() {
         "  abc                external hardware model checker; --engine-command CMD for others\n"
         "What an untimed verdict implies for the real plant is printed before the verdicts.\n"
         "\n"
+        "With --properties FILE, each FILE operand is a PLC program in Structured Text (IEC 61131-3). Its properties are\n"
+        "decided for all input sequences, and counterexamples are replayed on an interpreter of the program.\n"
+        "\n"
         "Output: text, JSON (--format json, --json-lines), JUnit XML (--junit), SARIF (--sarif); traces also as VCD\n"
         "(--trace-vcd) and SVG (--trace-svg). Report files of an earlier run are replaced or removed before the check\n"
         "starts (docs/how-to/ci.md).\n"
@@ -154,7 +183,8 @@ Verb check_usage() {
          "grafverif check charts/*.grafcet --all --junit verdicts.xml --sarif verdicts.sarif",
          "grafverif check station.grafcet --list", "grafverif check samples/oven_door/oven_door.grafcet --why",
          "grafverif check samples/tanks/tanks.grafcet --untimed --engine NuSMV",
-         "grafverif check samples/assembly_station/assembly_station.grafcet --untimed --plant automata"},
+         "grafverif check samples/assembly_station/assembly_station.grafcet --untimed --plant automata",
+         "grafverif check samples/programs/drive.st --properties samples/programs/drive.yaml"},
         {Accepts::Search, Accepts::Verdicts, Accepts::All, Accepts::Loop, Accepts::Constants, Accepts::Chart,
          Accepts::Mode, Accepts::Grain, Accepts::Untimed, Accepts::Format, Accepts::Traces, Accepts::Verbose,
          Accepts::Stats, Accepts::Ablations}};

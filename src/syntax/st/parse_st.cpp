@@ -39,4 +39,15 @@ bool parse_units(const Text& text, File& file, const Sources& sources, Diagnosti
     return parsed(build, text, Parser::token::UNITS_FOLLOW, file, sources, diagnostics);
 }
 
+bool parse_programs(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics) {
+    Builder build(file, diagnostics);
+    return parsed(build, text, Parser::token::PROGRAMS_FOLLOW, file, sources, diagnostics);
+}
+
+std::optional<Id<Expr>> parse_property(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics) {
+    Builder build(file, diagnostics);
+    if (!parsed(build, text, Parser::token::PROPERTY_FOLLOWS, file, sources, diagnostics)) return {};
+    return build.read_expression();
+}
+
 }  // namespace grafverif::st

@@ -27,5 +27,9 @@ std::optional<Id<Expr>> parse_expression(const Text& text, File& file, const Sou
 std::optional<Block> parse_statements(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
 /// Programs, function blocks, functions and global variables of a text file. False after an error.
 bool parse_units(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
+/// The same with types and configurations, for programs that are executed.
+bool parse_programs(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
+/// An expression that may also use the operators `! && || == !=`. Empty after at least one error.
+std::optional<Id<Expr>> parse_property(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
 
 }  // namespace grafverif::st

@@ -21,6 +21,31 @@ void Builder::unit(UnitKind kind, Name name, Unit body, Span where) {
     file_->units.push_back(std::move(body));
 }
 
+void Builder::unit(UnitKind kind, Name name, Type result, Unit body, Span where) {
+    body.result = std::move(result);
+    unit(kind, name, std::move(body), where);
+}
+
+Type Builder::enumeration(std::vector<Name> values) const {
+    Type type{values.front(), {}, {}, true, {}};
+    type.values = std::move(values);
+    return type;
+}
+
+void Builder::type(Name name, Type type, Id<Expr> initial, Span where) {
+    file_->types.push_back({name, std::move(type), initial, false, where});
+}
+
+void Builder::structure(Name name, Span where) { file_->types.push_back({name, {}, {}, true, where}); }
+
+void Builder::task(Name name, std::vector<Id<Expr>> arguments, Span where) {
+    file_->tasks.push_back({name, std::move(arguments), where});
+}
+
+void Builder::instance(Name name, Name task, Name type, std::vector<Id<Expr>> arguments, Span where) {
+    file_->instances.push_back({name, task, type, std::move(arguments), where});
+}
+
 std::vector<Variable> Builder::section(Section section, bool constant, std::vector<Variable> variables) const {
     for (Variable& variable : variables) {
         variable.section = section;
@@ -83,11 +108,11 @@ Association Builder::association(Name action, std::vector<Id<Expr>> arguments, S
 // -- statements -------------------------------------------------------------------------------------------------------
 
 Id<Statement> Builder::assign(Id<Expr> target, Id<Expr> value, Span where) {
-    return file_->statements.add({StatementKind::Assign, target, value, {}, where});
+    return file_->statements.add({StatementKind::Assign, target, value, {}, where, {}});
 }
 
 Id<Statement> Builder::call_statement(Id<Expr> call, Span where) {
-    return file_->statements.add({StatementKind::Call, {}, call, {}, where});
+    return file_->statements.add({StatementKind::Call, {}, call, {}, where, {}});
 }
 
 Id<Statement> Builder::if_statement(Id<Expr> condition, Block body, std::vector<Branch> alternatives, Branch otherwise,
@@ -95,20 +120,25 @@ Id<Statement> Builder::if_statement(Id<Expr> condition, Block body, std::vector<
     std::vector<Branch> branches = {branch({condition}, std::move(body), file_->exprs[condition].where)};
     for (Branch& alternative : alternatives) branches.push_back(std::move(alternative));
     if (otherwise.where.source.valid()) branches.push_back(std::move(otherwise));
-    return file_->statements.add({StatementKind::If, {}, {}, std::move(branches), where});
+    return file_->statements.add({StatementKind::If, {}, {}, std::move(branches), where, {}});
 }
 
 Id<Statement> Builder::case_statement(Id<Expr> selector, std::vector<Branch> cases, Branch otherwise, Span where) {
     if (otherwise.where.source.valid()) cases.push_back(std::move(otherwise));
-    return file_->statements.add({StatementKind::Case, {}, selector, std::move(cases), where});
+    return file_->statements.add({StatementKind::Case, {}, selector, std::move(cases), where, {}});
 }
 
 Id<Statement> Builder::loop(StatementKind kind, Block body, Span where, Id<Expr> condition) {
-    return file_->statements.add({kind, {}, condition, {branch({}, std::move(body), where)}, where});
+    return file_->statements.add({kind, {}, condition, {branch({}, std::move(body), where)}, where, {}});
+}
+
+Id<Statement> Builder::for_statement(Id<Expr> variable, std::array<Id<Expr>, 3> range, Block body, Span where) {
+    return file_->statements.add(
+        {StatementKind::For, variable, {}, {branch({}, std::move(body), where)}, where, range});
 }
 
 Id<Statement> Builder::plain(StatementKind kind, Span where) {
-    return file_->statements.add({kind, {}, {}, {}, where});
+    return file_->statements.add({kind, {}, {}, {}, where, {}});
 }
 
 Branch Builder::branch(std::vector<Id<Expr>> conditions, Block body, Span where) const {

@@ -3,6 +3,7 @@
 // to its list.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -25,6 +26,12 @@ public:
     void statements(Block block) { block_ = std::move(block); }
     void globals(std::vector<Variable> variables);
     void unit(UnitKind kind, Name name, Unit body, Span where);
+    void unit(UnitKind kind, Name name, Type result, Unit body, Span where);
+    Type enumeration(std::vector<Name> values) const;
+    void type(Name name, Type type, Id<Expr> initial, Span where);
+    void structure(Name name, Span where);
+    void task(Name name, std::vector<Id<Expr>> arguments, Span where);
+    void instance(Name name, Name task, Name type, std::vector<Id<Expr>> arguments, Span where);
 
     std::vector<Variable> section(Section section, bool constant, std::vector<Variable> variables) const;
     std::vector<Variable> variables(std::vector<Name> names, std::string address, Type type, Id<Expr> initial,
@@ -41,6 +48,7 @@ public:
                                Span where);
     Id<Statement> case_statement(Id<Expr> selector, std::vector<Branch> cases, Branch otherwise, Span where);
     Id<Statement> loop(StatementKind kind, Block body, Span where, Id<Expr> condition = {});
+    Id<Statement> for_statement(Id<Expr> variable, std::array<Id<Expr>, 3> range, Block body, Span where);
     Id<Statement> plain(StatementKind kind, Span where);
     Branch branch(std::vector<Id<Expr>> conditions, Block body, Span where) const;
 

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "support/messages.hpp"
+#include "support/messages_program.hpp"
 #include "support/xml_text.hpp"
 #include "syntax/st/st_builder.hpp"
 #include "syntax/st/st_tree.hpp"
@@ -135,7 +136,7 @@ std::string expectation(std::span<const Parser::symbol_kind_type> expected) {
 
 Lexer::Lexer(const Text& text, Kind goal, File& file, const Sources& sources, Diagnostics& diagnostics)
     : text_(&text),
-      units_(goal == Parser::token::UNITS_FOLLOW),
+      units_(goal == Parser::token::UNITS_FOLLOW || goal == Parser::token::PROGRAMS_FOLLOW),
       goal_(goal),
       file_(&file),
       sources_(&sources),
@@ -155,6 +156,12 @@ Token Lexer::next() {
         Token token = scanner_->next(*this);
         const auto kind = token.kind();
         if (kind == Symbols::S_YYEOF && !ended_) continue;
+        if (goal_ == Parser::token::PROGRAMS_FOLLOW) {
+            if (kind == Symbols::S_TYPE) section_ = Parser::token::TYPE;
+            if (kind == Symbols::S_CONFIGURATION) section_ = Parser::token::CONFIGURATION;
+            if (kind == Symbols::S_END_TYPE || kind == Symbols::S_END_CONFIGURATION) section_ = Parser::token::END;
+            return token;
+        }
         if (kind == Symbols::S_TYPE) passing = Symbols::S_END_TYPE;
         else if (kind == Symbols::S_CONFIGURATION) passing = Symbols::S_END_CONFIGURATION;
         else if (passing == Symbols::S_YYEMPTY || kind == Symbols::S_YYEOF) return token;
@@ -232,6 +239,23 @@ Token Lexer::failed() {
 Token Lexer::sign(Kind kind) {
     if (nests_too_deep(kind)) return failed();
     return {kind, here_};
+}
+
+Token Lexer::lazy_sign(Kind kind, std::string_view match) {
+    if (goal_ == Parser::token::PROGRAMS_FOLLOW) diagnostics_->add(messages::not_in_program(here_, "`" + std::string(match) + "`", "write nested IF statements"));
+    return sign(kind);
+}
+
+Token Lexer::c_sign(Kind kind, std::string_view match) {
+    return goal_ == Parser::token::PROPERTY_FOLLOWS ? sign(kind) : unexpected_character(match);
+}
+
+Token Lexer::type_word(Kind kind, std::string_view match) {
+    return section_ == Parser::token::TYPE ? Token(kind, here_) : word(Parser::token::IDENTIFIER, match);
+}
+
+Token Lexer::configuration_word(Kind kind, std::string_view match) {
+    return section_ == Parser::token::CONFIGURATION ? Token(kind, here_) : word(Parser::token::IDENTIFIER, match);
 }
 
 Token Lexer::unit_word(Kind kind, std::string_view match) {

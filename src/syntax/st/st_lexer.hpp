@@ -48,6 +48,12 @@ public:
     void advance(std::size_t length);
     void comment(std::string_view match);
     Token sign(Kind kind);
+    /// AND_THEN, OR_ELSE: programs do not evaluate lazily.
+    Token lazy_sign(Kind kind, std::string_view match);
+    /// Operators of C, such as `&&`, which only properties have.
+    Token c_sign(Kind kind, std::string_view match);
+    Token type_word(Kind kind, std::string_view match);
+    Token configuration_word(Kind kind, std::string_view match);
     Token unit_word(Kind kind, std::string_view match);
     Token section(Section section);
     Token word(Kind kind, std::string_view match);
@@ -72,6 +78,7 @@ private:
     std::uint32_t base_ = 0;                   ///< position of the piece, if `origins_` is empty
     std::uint32_t at_ = 0;                     ///< offset in the piece after the last match
     bool units_ = false;
+    Kind section_ = Parser::token::END;  ///< TYPE or CONFIGURATION: the open one, if the parser reads it
     bool started_ = false, ended_ = false;
     Kind goal_;
     File* file_;

@@ -6,6 +6,7 @@
 // first occurrence. Expressions and statements are stored in flat tables, operands linked as siblings.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -88,6 +89,7 @@ struct Statement {
     Id<Expr> value = {};                ///< Assign; Call: the call; Case: the selector; While, Repeat: the condition
     std::vector<Branch> branches = {};  ///< for If, Case; the body of a loop
     Span where = {};
+    std::array<Id<Expr>, 3> range = {};  ///< for For, whose variable is `target`: first, last, step (may be invalid)
 };
 
 struct Comment {
@@ -97,11 +99,34 @@ struct Comment {
 
 enum class Section : std::uint8_t { Input, Output, InOut, Local, External, Global, Temporary };
 
-/// `INT`, `INT (0..10)`; composite: an array, a pointer, a structure.
+/// `INT`, `INT (0..10)`, `(RED, GREEN)`; composite: an array, a pointer, a structure, an enumeration.
 struct Type {
     Name name = {};
     Id<Expr> low = {}, high = {};
     bool composite = false;
+    std::vector<Name> values = {};  ///< of an enumeration; its name is that of the first value
+};
+
+/// A declaration of TYPE.
+struct TypeDeclaration {
+    Name name = {};
+    Type type = {};
+    Id<Expr> initial = {};
+    bool structure = false;
+    Span where = {};
+};
+
+struct Task {
+    Name name = {};
+    std::vector<Id<Expr>> arguments = {};
+    Span where = {};
+};
+
+/// `PROGRAM NAME WITH TASK : TYPE (ARGUMENTS);`
+struct Instance {
+    Name name = {}, task = {}, type = {};
+    std::vector<Id<Expr>> arguments = {};
+    Span where = {};
 };
 
 struct Variable {
@@ -168,6 +193,7 @@ struct Unit {
     std::vector<Network> networks = {};  ///< the chart, then expansions; empty: not a chart
     std::vector<Action> actions = {};
     Block body = {};  ///< Structured Text outside a chart
+    Type result = {};  ///< of a function
     std::string comment = {};
     Span where = {};
 };
@@ -180,6 +206,9 @@ struct File {
     Table<Statement> statements = {};
     std::vector<Variable> globals = {};
     std::vector<Unit> units = {};
+    std::vector<TypeDeclaration> types = {};
+    std::vector<Task> tasks = {};
+    std::vector<Instance> instances = {};
     std::vector<Comment> comments = {};
 
     Id<Word> intern(std::string_view text);

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+// Statements. `returned_` and `exited_` are cells like others, so that branches merge them: after a statement that may
+// have set one, the rest of the block is a branch.
+#include "derive/program/execution.hpp"
+
+#include <algorithm>
+
+#include "ir/literal.hpp"
+#include "support/messages_program.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Kind = Program::Statement::Kind;
+
+constexpr std::uint64_t most_statements = 2'000'000;  ///< executed in one scan
+constexpr std::size_t most_branches = 1000;           ///< nested; each is a recursion
+constexpr std::size_t most_terms = 20'000'000;
+
+}  // namespace
+
+SymbolicExecution::SymbolicExecution(const Program& program, const ProgramLayout& layout, Exprs& exprs,
+                                     Diagnostics& diagnostics)
+    : program_(program), exprs_(exprs), diagnostics_(diagnostics), main_(layout.main) {
+    memory_.resize(layout.cells.size());
+    returned_ = static_cast<std::uint32_t>(memory_.size());
+    memory_.push_back(exprs.constant(false));
+    exited_ = static_cast<std::uint32_t>(memory_.size());
+    memory_.push_back(exprs.constant(false));
+}
+
+void SymbolicExecution::run_main() { invoke(program_.main, main_); }
+
+void SymbolicExecution::fail(const Diagnostic& diagnostic) {
+    if (!failed_) diagnostics_.add(diagnostic);
+    failed_ = true;
+}
+
+/// Counts an executed statement; false if the execution has to end.
+bool SymbolicExecution::counts(const Program::Statement& statement) {
+    if (failed_) return false;
+    if (++executed_ > most_statements)
+        fail(messages::program_too_large(statement.origin, "statements per scan", most_statements));
+    if (exprs_.size() > most_terms) fail(messages::program_too_large(statement.origin, "operations per scan", most_terms));
+    if (path_.size() > most_branches)
+        fail(messages::program_too_large(statement.origin, "nested conditions", most_branches));
+    return !failed_;
+}
+
+// -- branches ---------------------------------------------------------------------------------------------------------
+
+void SymbolicExecution::write(std::uint32_t cell, Id<Expr> value) {
+    if (memory_[cell] == value) return;
+    journal_.push_back({cell, memory_[cell]});
+    memory_[cell] = value;
+}
+
+/// Restores the cells written since `mark`. Their values until then, by cell. Frames of functions have ended.
+std::vector<SymbolicExecution::Changed> SymbolicExecution::undo(std::size_t mark) {
+    std::vector<Changed> changed;
+    for (std::size_t i = mark; i < journal_.size(); ++i)
+        if (journal_[i].cell < memory_.size()) changed.push_back({journal_[i].cell, memory_[journal_[i].cell]});
+    while (journal_.size() > mark) {
+        if (journal_.back().cell < memory_.size()) memory_[journal_.back().cell] = journal_.back().before;
+        journal_.pop_back();
+    }
+    std::ranges::sort(changed, {}, &Changed::cell);
+    const auto rest = std::ranges::unique(changed, {}, &Changed::cell);
+    changed.erase(rest.begin(), rest.end());
+    return changed;
+}
+
+void SymbolicExecution::branch(Id<Expr> condition, const Step& then, const Step& otherwise) {
+    if (is_true(exprs_, condition)) return then();
+    if (is_false(exprs_, condition)) return otherwise();
+    const std::size_t mark = journal_.size();
+    path_.push_back(condition);
+    then();
+    const std::vector<Changed> yes = undo(mark);
+    path_.back() = exprs_.negation(condition);
+    otherwise();
+    const std::vector<Changed> no = undo(mark);
+    path_.pop_back();
+    auto a = yes.begin();
+    auto b = no.begin();
+    while (a != yes.end() || b != no.end()) {
+        const std::uint32_t cell = a == yes.end() ? b->cell : b == no.end() ? a->cell : std::min(a->cell, b->cell);
+        const Id<Expr> before = memory_[cell];
+        const Id<Expr> if_true = a != yes.end() && a->cell == cell ? (a++)->value : before;
+        const Id<Expr> if_false = b != no.end() && b->cell == cell ? (b++)->value : before;
+        write(cell, if_true == if_false ? if_true : exprs_.conditional(condition, if_true, if_false));
+    }
+}
+
+/// Execution reaches the next statement.
+Id<Expr> SymbolicExecution::alive() {
+    return exprs_.negation(exprs_.disjunction(memory_[returned_], memory_[exited_]));
+}
+
+void SymbolicExecution::event(std::vector<Scan::Event>& events, Id<Expr> condition, Span origin) {
+    if (is_false(exprs_, condition)) return;
+    std::vector<Id<Expr>> all = path_;
+    all.push_back(condition);
+    const Id<Expr> reached = exprs_.conjunction(all);
+    if (!is_false(exprs_, reached)) events.push_back({reached, origin});
+}
+
+// -- statements -------------------------------------------------------------------------------------------------------
+
+void SymbolicExecution::execute(const Program::Body& body, std::size_t from, std::uint32_t frame) {
+    for (std::size_t i = from; i < body.size() && !failed_; ++i) {
+        execute(program_.statements[body[i]], frame);
+        const Id<Expr> goes_on = alive();
+        if (is_true(exprs_, goes_on) || i + 1 == body.size()) continue;
+        branch(
+            goes_on,
+            [&] {
+                write(returned_, exprs_.constant(false));
+                write(exited_, exprs_.constant(false));
+                execute(body, i + 1, frame);
+            },
+            [] {});
+        return;
+    }
+}
+
+void SymbolicExecution::execute(const Program::Statement& statement, std::uint32_t frame) {
+    if (!counts(statement)) return;
+    switch (statement.kind) {
+    case Kind::Assign: {
+        const Id<Expr> term = value(statement.value, frame);
+        write(address(statement.place, frame), term);
+        return;
+    }
+    case Kind::Invoke: return invoke(statement.unit, address(statement.place, frame));
+    case Kind::If: return arms(statement, 0, {}, frame);
+    case Kind::Case: return arms(statement, 0, value(statement.value, frame), frame);
+    case Kind::For: return for_loop(statement, frame);
+    case Kind::While:
+    case Kind::Repeat:
+        iterate(statement, {}, frame);
+        write(exited_, exprs_.constant(false));
+        return;
+    case Kind::Exit: return write(exited_, exprs_.constant(true));
+    case Kind::Return: return write(returned_, exprs_.constant(true));
+    }
+}
+
+void SymbolicExecution::arms(const Program::Statement& statement, std::size_t from, Id<Expr> selector,
+                             std::uint32_t frame) {
+    if (from == statement.arms.size() || !counts(statement)) return;
+    const Program::Arm& arm = statement.arms[from];
+    if (!arm.condition.valid() && arm.labels.empty()) return execute(arm.body, 0, frame);
+    Id<Expr> condition;
+    if (statement.kind == Kind::If) {
+        condition = value(arm.condition, frame);
+    } else {
+        std::vector<Id<Expr>> matches;
+        for (const auto& [low, high] : arm.labels) {
+            const Id<Expr> first = exprs_.integer(low);
+            matches.push_back(low == high ? exprs_.apply(Op::Equal, selector, first)
+                                          : exprs_.conjunction(exprs_.apply(Op::GreaterEqual, selector, first),
+                                                               exprs_.apply(Op::LessEqual, selector,
+                                                                            exprs_.integer(high))));
+        }
+        condition = exprs_.disjunction(matches);
+    }
+    branch(condition, [&] { execute(arm.body, 0, frame); }, [&] { arms(statement, from + 1, selector, frame); });
+}
+
+void SymbolicExecution::for_loop(const Program::Statement& statement, std::uint32_t frame) {
+    const Id<Expr> first = value(statement.value, frame);
+    const Id<Expr> last = value(statement.last, frame);
+    write(address(statement.place, frame), first);
+    iterate(statement, last, frame);
+    write(exited_, exprs_.constant(false));
+}
+
+/// The remaining iterations. Those whose condition is constant are executed in this call, others in a branch.
+void SymbolicExecution::iterate(const Program::Statement& statement, Id<Expr> last, std::uint32_t frame) {
+    const Program::Body& body = statement.arms.front().body;
+    const std::uint32_t variable = statement.kind == Kind::For ? address(statement.place, frame) : 0;
+    const auto rest = [&] {  // after the body, if neither EXIT nor RETURN was executed
+        write(exited_, exprs_.constant(false));
+        write(returned_, exprs_.constant(false));
+        if (statement.kind == Kind::For)
+            write(variable,
+                  wrapped_term(program_.types[statement.type],
+                               exprs_.apply(Op::Plus, memory_[variable], exprs_.integer(statement.step)), false));
+    };
+    while (!failed_) {
+        if (++executed_ > most_statements || path_.size() > most_branches)
+            return fail(messages::unbounded_loop(statement.origin, most_branches));
+        Id<Expr> condition = exprs_.constant(true);
+        if (statement.kind == Kind::While) condition = value(statement.value, frame);
+        if (statement.kind == Kind::For)
+            condition = exprs_.apply(statement.step > 0 ? Op::LessEqual : Op::GreaterEqual, memory_[variable], last);
+        if (is_false(exprs_, condition)) return;
+        bool ends = false;
+        const auto once = [&] {  // true if the next iteration follows without a condition
+            execute(body, 0, frame);
+            if (failed_) return false;
+            Id<Expr> goes_on = alive();
+            if (statement.kind == Kind::Repeat && !is_false(exprs_, goes_on)) {
+                if (!is_true(exprs_, goes_on)) {
+                    branch(
+                        goes_on,
+                        [&] {
+                            rest();
+                            if (is_true(exprs_, value(statement.value, frame))) return;
+                            branch(exprs_.negation(value(statement.value, frame)),
+                                   [&] { iterate(statement, last, frame); }, [] {});
+                        },
+                        [] {});
+                    return false;
+                }
+                goes_on = exprs_.negation(value(statement.value, frame));
+            }
+            if (is_false(exprs_, goes_on)) return false;
+            if (is_true(exprs_, goes_on)) {
+                rest();
+                return true;
+            }
+            branch(
+                goes_on,
+                [&] {
+                    rest();
+                    iterate(statement, last, frame);
+                },
+                [] {});
+            return false;
+        };
+        if (is_true(exprs_, condition)) {
+            ends = !once();
+        } else {
+            branch(condition, [&] { if (once()) iterate(statement, last, frame); }, [] {});
+            ends = true;
+        }
+        if (ends) return;
+    }
+}
+
+void SymbolicExecution::invoke(Id<Program::Unit> id, std::uint32_t frame) {
+    const Program::Unit& unit = program_.units[id];
+    for (const Program::Variable& one : unit.variables)
+        if (one.section == Program::Variable::Section::Temporary)
+            write(frame + one.offset, literal(exprs_, program_.types[one.type].kind == Program::Type::Kind::Boolean
+                                                          ? Type{}
+                                                          : integer_type(0, 1),
+                                              one.initial));
+    execute(unit.body, 0, frame);
+    write(returned_, exprs_.constant(false));
+    write(exited_, exprs_.constant(false));
+}
+
+}  // namespace grafverif

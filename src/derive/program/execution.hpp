@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Symbolic execution of statements on memory cells that hold terms. Writes are recorded in a journal: after one branch,
+// its writes are undone, the other branch is executed, and each cell written by one of them gets a conditional term.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "derive/program/scan.hpp"
+
+namespace grafverif {
+
+class SymbolicExecution {
+public:
+    SymbolicExecution(const Program& program, const ProgramLayout& layout, Exprs& exprs, Diagnostics& diagnostics);
+
+    /// The terms of the cells; further cells are internal.
+    std::vector<Id<Expr>>& memory() { return memory_; }
+    void run_main();
+    Id<Expr> value(Id<Program::Node> node, std::uint32_t frame);
+    bool failed() const { return failed_; }
+
+    std::vector<Scan::Event> faults = {}, overflows = {};
+
+private:
+    using Step = std::function<void()>;
+    struct Write {
+        std::uint32_t cell = 0;
+        Id<Expr> before = {};
+    };
+    struct Changed {
+        std::uint32_t cell = 0;
+        Id<Expr> value = {};
+        bool operator<(const Changed& other) const { return cell < other.cell; }
+    };
+
+    void execute(const Program::Body& body, std::size_t from, std::uint32_t frame);
+    void execute(const Program::Statement& statement, std::uint32_t frame);
+    void arms(const Program::Statement& statement, std::size_t from, Id<Expr> selector, std::uint32_t frame);
+    void for_loop(const Program::Statement& statement, std::uint32_t frame);
+    void iterate(const Program::Statement& statement, Id<Expr> last, std::uint32_t frame);
+    void invoke(Id<Program::Unit> unit, std::uint32_t frame);
+    Id<Expr> call(const Program::Node& node, std::uint32_t frame);
+    Id<Expr> calculated(const Program::Node& node, const std::vector<Id<Expr>>& values);
+    Id<Expr> quotient(const Program::Node& node, Id<Expr> left, Id<Expr> right);
+    Id<Expr> in_range(const Program::Node& node, Id<Expr> value);
+    Id<Expr> wrapped_term(const Program::Type& type, Id<Expr> value, bool once);
+
+    void branch(Id<Expr> condition, const Step& then, const Step& otherwise);
+    std::vector<Changed> undo(std::size_t mark);
+    void write(std::uint32_t cell, Id<Expr> value);
+    Id<Expr> alive();
+    void fail(const Diagnostic& diagnostic);
+    bool counts(const Program::Statement& statement);
+    void event(std::vector<Scan::Event>& events, Id<Expr> condition, Span origin);
+    std::uint32_t address(Program::Place place, std::uint32_t frame) const {
+        return place.global ? place.offset : frame + place.offset;
+    }
+
+    const Program& program_;
+    Exprs& exprs_;
+    Diagnostics& diagnostics_;
+    std::vector<Id<Expr>> memory_ = {};
+    std::vector<Write> journal_ = {};
+    std::vector<Id<Expr>> path_ = {};  ///< conditions of the open branches
+    std::uint32_t main_ = 0, returned_ = 0, exited_ = 0;
+    std::uint64_t executed_ = 0;
+    bool failed_ = false;
+};
+
+}  // namespace grafverif

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Expressions. A result outside the range of its type is wrapped around by terms; the ranges of the operands decide if
+// one addition or subtraction suffices.
+#include <algorithm>
+
+#include "derive/program/execution.hpp"
+#include "ir/literal.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Operation = Program::Op;
+
+}  // namespace
+
+Id<Expr> SymbolicExecution::value(Id<Program::Node> id, std::uint32_t frame) {
+    const Program::Node& node = program_.nodes[id];
+    switch (node.op) {
+    case Operation::Constant:
+        return program_.types[node.type].kind == Program::Type::Kind::Boolean ? exprs_.constant(node.value != 0)
+                                                                              : exprs_.integer(node.value);
+    case Operation::Read: return memory_[address(node.place, frame)];
+    case Operation::Call: return call(node, frame);
+    default: break;
+    }
+    std::vector<Id<Expr>> values;
+    for (const Id<Program::Node> operand : node.operands) values.push_back(value(operand, frame));
+    return calculated(node, values);
+}
+
+Id<Expr> SymbolicExecution::calculated(const Program::Node& node, const std::vector<Id<Expr>>& values) {
+    const auto compared = [&](Op op) { return exprs_.apply(op, values[0], values[1]); };
+    const auto chosen = [&](Op op) {
+        Id<Expr> best = values[0];
+        for (std::size_t i = 1; i < values.size(); ++i)
+            best = exprs_.conditional(exprs_.apply(op, values[i], best), values[i], best);
+        return best;
+    };
+    switch (node.op) {
+    case Operation::Not: return exprs_.negation(values[0]);
+    case Operation::And: return exprs_.conjunction(values);
+    case Operation::Or: return exprs_.disjunction(values);
+    case Operation::Xor: {
+        Id<Expr> odd = values[0];
+        for (std::size_t i = 1; i < values.size(); ++i) odd = exprs_.apply(Op::NotEqual, odd, values[i]);
+        return odd;
+    }
+    case Operation::Equal: return compared(Op::Equal);
+    case Operation::NotEqual: return compared(Op::NotEqual);
+    case Operation::Less: return compared(Op::Less);
+    case Operation::LessEqual: return compared(Op::LessEqual);
+    case Operation::Greater: return compared(Op::Greater);
+    case Operation::GreaterEqual: return compared(Op::GreaterEqual);
+    case Operation::Negate: {
+        const std::vector<Id<Expr>> one = {values[0]};
+        return in_range(node, exprs_.apply(Op::Negate, one));
+    }
+    case Operation::Plus: return in_range(node, compared(Op::Plus));
+    case Operation::Minus: return in_range(node, compared(Op::Minus));
+    case Operation::Times: return in_range(node, compared(Op::Times));
+    case Operation::Divide:
+    case Operation::Modulo: return quotient(node, values[0], values[1]);
+    case Operation::Absolute: {
+        const std::vector<Id<Expr>> one = {values[0]};
+        const Id<Expr> negative = exprs_.apply(Op::Less, values[0], exprs_.integer(0));
+        return in_range(node, exprs_.conditional(negative, exprs_.apply(Op::Negate, one), values[0]));
+    }
+    case Operation::Minimum: return chosen(Op::Less);
+    case Operation::Maximum: return chosen(Op::Greater);
+    case Operation::Limit: {
+        const Id<Expr> low = exprs_.conditional(exprs_.apply(Op::Less, values[1], values[0]), values[0], values[1]);
+        return exprs_.conditional(exprs_.apply(Op::Greater, low, values[2]), values[2], low);
+    }
+    case Operation::Select: return exprs_.conditional(values[0], values[2], values[1]);
+    case Operation::IsNonzero: return exprs_.apply(Op::NotEqual, values[0], exprs_.integer(0));
+    case Operation::Convert: {
+        const Program::Type& from = program_.types[program_.nodes[node.operands[0]].type];
+        const Program::Type& to = program_.types[node.type];
+        if (from.kind == Program::Type::Kind::Boolean)
+            return exprs_.conditional(values[0], exprs_.integer(1), exprs_.integer(0));
+        const std::int64_t count = to.high - to.low + 1;
+        const bool once = from.high <= to.high + count && from.low >= to.low - count;
+        return from.low >= to.low && from.high <= to.high ? values[0] : wrapped_term(to, values[0], once);
+    }
+    case Operation::Constant:
+    case Operation::Read:
+    case Operation::Call: break;
+    }
+    return values[0];
+}
+
+/// With a divisor of zero: a fault, and any value.
+Id<Expr> SymbolicExecution::quotient(const Program::Node& node, Id<Expr> left, Id<Expr> right) {
+    const Id<Expr> zero = exprs_.apply(Op::Equal, right, exprs_.integer(0));
+    event(faults, zero, node.origin);
+    const Id<Expr> divisor = exprs_.conditional(zero, exprs_.integer(1), right);
+    return in_range(node, exprs_.apply(node.op == Operation::Divide ? Op::Divide : Op::Modulo, left, divisor));
+}
+
+Id<Expr> SymbolicExecution::in_range(const Program::Node& node, Id<Expr> value) {
+    if (node.op == Operation::Modulo) return value;
+    const Program::Type& type = program_.types[node.type];
+    const Id<Expr> high = exprs_.integer(type.high), low = exprs_.integer(type.low);
+    const bool only_up = node.op == Operation::Absolute || node.op == Operation::Divide;
+    const Id<Expr> above = exprs_.apply(Op::Greater, value, high);
+    const Id<Expr> below = only_up ? exprs_.constant(false) : exprs_.apply(Op::Less, value, low);
+    if ((only_up && type.low == 0) || (is_false(exprs_, above) && is_false(exprs_, below))) return value;
+    event(overflows, exprs_.disjunction(above, below), node.origin);
+    if (only_up) {  // the least number, negated
+        const std::int64_t count = type.high - type.low + 1;
+        return exprs_.conditional(above, exprs_.apply(Op::Minus, value, exprs_.integer(count)), value);
+    }
+    return wrapped_term(type, value, node.op != Operation::Times);
+}
+
+/// `once`: the value differs from the range by less than the number of its values.
+Id<Expr> SymbolicExecution::wrapped_term(const Program::Type& type, Id<Expr> value, bool once) {
+    const Id<Expr> count = exprs_.integer(type.high - type.low + 1);
+    if (once) {
+        const Id<Expr> above = exprs_.apply(Op::Greater, value, exprs_.integer(type.high));
+        const Id<Expr> below = exprs_.apply(Op::Less, value, exprs_.integer(type.low));
+        return exprs_.conditional(
+            above, exprs_.apply(Op::Minus, value, count),
+            exprs_.conditional(below, exprs_.apply(Op::Plus, value, count), value));
+    }
+    const Id<Expr> rest = exprs_.apply(Op::Modulo, exprs_.apply(Op::Minus, value, exprs_.integer(type.low)), count);
+    const Id<Expr> positive = exprs_.conditional(exprs_.apply(Op::Less, rest, exprs_.integer(0)),
+                                                 exprs_.apply(Op::Plus, rest, count), rest);
+    return exprs_.apply(Op::Plus, positive, exprs_.integer(type.low));
+}
+
+Id<Expr> SymbolicExecution::call(const Program::Node& node, std::uint32_t frame) {
+    std::vector<Id<Expr>> values;
+    for (const Id<Program::Node> operand : node.operands) values.push_back(value(operand, frame));
+    const Program::Unit& unit = program_.units[node.unit];
+    const auto own = static_cast<std::uint32_t>(memory_.size());
+    for (const Program::Variable& variable : unit.variables)
+        memory_.push_back(program_.types[variable.type].kind == Program::Type::Kind::Boolean
+                              ? exprs_.constant(variable.initial != 0)
+                              : exprs_.integer(variable.initial));
+    for (std::size_t i = 0; i < values.size(); ++i) memory_[own + unit.inputs[i]] = values[i];
+    const Id<Expr> returned = memory_[returned_], exited = memory_[exited_];
+    write(returned_, exprs_.constant(false));
+    write(exited_, exprs_.constant(false));
+    execute(unit.body, 0, own);
+    write(returned_, returned);
+    write(exited_, exited);
+    const Id<Expr> result = memory_[own + *unit.result];
+    memory_.resize(own);
+    return result;
+}
+
+}  // namespace grafverif

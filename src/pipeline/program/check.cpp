@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/program/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "check/together.hpp"
+#include "pipeline/check.hpp"
+#include "pipeline/models.hpp"
+#include "pipeline/program/replay.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Kind = ProgramProperty::Kind;
+
+std::string no_fault_reason(Outcome outcome) {
+    return outcome == Outcome::Violated ? "a division by zero is possible" : "divisions by zero are not excluded";
+}
+
+class Check {
+public:
+    Check(const Program& program, Scan scan, const std::vector<ProgramProperty>& properties)
+        : program_(program), scan_(std::move(scan)), properties_(properties) {}
+
+    bool prepare(const std::vector<std::string>& asked, Diagnostics& diagnostics) {
+        std::vector<std::string> known;
+        for (const ProgramProperty& property : properties_) known.push_back(property.name);
+        if (!all_known(asked, known, diagnostics)) return false;
+        bool ok = true;
+        for (const ProgramProperty& property : properties_) {
+            if (!asked.empty() && std::ranges::find(asked, property.name) == asked.end()) continue;
+            const auto condition = condition_of(property, diagnostics);
+            ok = ok && condition;
+            if (!condition) continue;
+            goals_.push_back({property.name, property.text, pattern_of(property.kind), *condition, property.origin});
+            about_.push_back(&property);
+        }
+        if (ok) system_ = schedule_program(scan_, goals_);
+        return ok;
+    }
+
+    Report report(const CheckOptions& options) {
+        TogetherOptions all;
+        all.witnesses = options.witnesses;
+        all.jobs = options.jobs;
+        all.alone = 50'000'000;
+        set_limits(all, options.limits);
+        TogetherResult result = check_together(system_.system, all);
+        report_.model = scan_.equations.name;
+        report_.basis.engine = result.alone ? "symbolic" : "auto";
+        report_.basis.untimed = "free inputs";
+        report_.basis.mode = program_.interval_ms ? fmt::format("a scan every {} ms", *program_.interval_ms)
+                             : scan_.elapsed.valid() ? "any time between scans"
+                                                     : "any number of scans";
+        report_.failures = std::move(result.failures);
+        if (result.fault)
+            report_.failures.push_back(fmt::format("the system of the program is ill-defined: {} {}",
+                                                   word(result.fault->kind), result.fault->variable));
+        Outcome no_fault = Outcome::Holds;
+        const std::size_t first = system_.no_fault.valid() ? 1 : 0;
+        if (first == 1) no_fault = fault(result.verdicts.front(), result.runs.front());
+        for (std::size_t i = first; i < result.verdicts.size(); ++i)
+            add(std::move(result.verdicts[i]), result.runs[i], i - first, no_fault, options.witnesses);
+        return std::move(report_);
+    }
+
+private:
+    static Pattern pattern_of(Kind kind) {
+        switch (kind) {
+        case Kind::Invariant:
+        case Kind::Assertion:
+        case Kind::Termination: return Pattern::Always;
+        case Kind::Reachable: return Pattern::Reachable;
+        case Kind::MutualExclusion:
+        case Kind::Absence:
+        case Kind::Reachability: break;
+        }
+        return Pattern::Never;
+    }
+
+    std::optional<Id<Expr>> condition_of(const ProgramProperty& property, Diagnostics& diagnostics) {
+        Exprs& exprs = scan_.equations.exprs;
+        std::vector<Id<Expr>> terms;
+        for (const Id<Program::Node> node : property.conditions) {
+            const auto term = value_after(program_, node, scan_, diagnostics);
+            if (!term) return {};
+            terms.push_back(*term);
+        }
+        if (property.kind == Kind::MutualExclusion) {
+            Id<Expr> any = exprs.constant(false), two = any;
+            for (const Id<Expr> term : terms) {
+                two = exprs.disjunction(two, exprs.conjunction(any, term));
+                any = exprs.disjunction(any, term);
+            }
+            return two;
+        }
+        if (property.kind == Kind::Termination) return exprs.constant(true);  // all loops were unrolled
+        if (property.kind != Kind::Absence) return terms.front();
+        const bool overflow = property.error == ProgramProperty::Error::Overflow;
+        std::vector<Id<Expr>> events;
+        if (overflow)
+            for (const Scan::Event& event : scan_.overflows) events.push_back(event.condition);
+        return exprs.disjunction(events);  // divisions by zero: see `fault`
+    }
+
+    /// The verdict on divisions by zero, which is a model error if no property is about it.
+    Outcome fault(const Verdict& verdict, const std::optional<SystemRun>& run) {
+        if (verdict.outcome != Outcome::Violated || !run) return verdict.outcome;
+        ProgramReplay replay = replay_program(program_, scan_, system_, *run, nullptr);
+        if (!replay.disagreement.empty())
+            report_.failures.push_back("a division by zero is not confirmed: " + replay.disagreement);
+        else fault_trace_ = std::move(replay.trace);
+        const bool asked = std::ranges::any_of(about_, is_about_division);
+        if (fault_trace_ && !asked)
+            report_.breakdowns.push_back({"no-value", "the program divides by zero", *fault_trace_});
+        return verdict.outcome;
+    }
+
+    static bool is_about_division(const ProgramProperty* property) {
+        return property->kind == Kind::Absence && property->error == ProgramProperty::Error::DivisionByZero;
+    }
+
+    void add(Verdict verdict, const std::optional<SystemRun>& run, std::size_t index, Outcome no_fault, bool witnesses) {
+        const ProgramProperty& property = *about_[index];
+        Answer answer;
+        answer.text = property.text;
+        const bool universal_holds = (verdict.pattern == Pattern::Reachable) == (verdict.outcome == Outcome::Violated);
+        if (is_about_division(&property)) {
+            verdict.outcome = no_fault;
+            if (no_fault == Outcome::Violated) answer.trace = fault_trace_;
+            if (no_fault == Outcome::Unknown) verdict.obstacle = Obstacle::Stopped;
+        } else if (verdict.outcome != Outcome::Unknown && universal_holds && no_fault != Outcome::Holds) {
+            verdict.outcome = Outcome::Unknown;
+            verdict.obstacle = no_fault == Outcome::Violated ? Obstacle::Faulty : Obstacle::Stopped;
+            verdict.reason = no_fault_reason(no_fault);
+        } else if (run && verdict.outcome != Outcome::Unknown &&
+                   (verdict.outcome == Outcome::Violated || witnesses)) {
+            ProgramReplay replay = replay_program(program_, scan_, system_, *run, &property);
+            if (replay.disagreement.empty()) answer.trace = std::move(replay.trace);
+            else {
+                report_.failures.push_back(
+                    fmt::format("the trace of `{}` is not confirmed: {}", property.name, replay.disagreement));
+                verdict.outcome = Outcome::Unknown;
+                verdict.obstacle = Obstacle::Failed;
+            }
+        }
+        answer.verdict = std::move(verdict);
+        report_.answers.push_back(std::move(answer));
+    }
+
+    const Program& program_;
+    Scan scan_;
+    const std::vector<ProgramProperty>& properties_;
+    std::vector<ScanProperty> goals_ = {};
+    std::vector<const ProgramProperty*> about_ = {};  ///< per goal
+    ProgramSystem system_ = {};
+    Report report_ = {};
+    std::optional<ChartRun> fault_trace_ = {};
+};
+
+}  // namespace
+
+std::optional<Report> check_program(Id<Source> source, Id<Source> property_source, Sources& sources,
+                                    const CheckOptions& options, Diagnostics& diagnostics) {
+    auto text = read_program(source, sources, diagnostics);
+    if (!text) return {};
+    const auto properties = read_properties(property_source, sources, *text, diagnostics);
+    auto scan = scan_of(text->program(), diagnostics);
+    if (!properties || !scan) return {};
+    Check check(text->program(), std::move(*scan), *properties);
+    if (!check.prepare(options.properties, diagnostics)) return {};
+    return check.report(options);
+}
+
+}  // namespace grafverif

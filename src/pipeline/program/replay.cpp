@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/program/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "run/program/interpreter.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Kind = ProgramProperty::Kind;
+
+/// True if the values after the last scan are those that the run has to show.
+bool shows(const ProgramProperty& property, ProgramRun& run) {
+    const auto holds = [&](Id<Program::Node> node) { return run.value(node) != 0; };
+    switch (property.kind) {
+    case Kind::Invariant:
+    case Kind::Assertion: return !holds(property.conditions.front());
+    case Kind::Reachability:
+    case Kind::Reachable: return holds(property.conditions.front());
+    case Kind::MutualExclusion: return std::ranges::count_if(property.conditions, holds) > 1;
+    case Kind::Absence: return property.error == ProgramProperty::Error::Overflow && run.overflowed();
+    case Kind::Termination: break;
+    }
+    return false;
+}
+
+class Replay {
+public:
+    Replay(const Program& program, const Scan& scan, const ProgramSystem& system, const SystemRun& run)
+        : program_(program), scan_(scan), system_(system), run_(run), interpreter_(program) {
+        trace_.name = scan.equations.name;
+        trace_.timed = false;
+        trace_.searches = false;
+        ChartRun::Controller controller;
+        controller.name = scan.equations.name;
+        controller.mode = ExecutionMode::EveryCycle;
+        for (std::size_t i = 0; i < scan.variables.size(); ++i) {
+            const Id<Equations::Variable> id = scan.variables[i];
+            const ProgramCell& cell = scan.layout.cells[i];
+            if (!id.valid() || (!cell.output && !symbol(i).valid())) continue;
+            const auto role = cell.input    ? ChartRun::Role::Input
+                              : cell.output ? ChartRun::Role::Output
+                                            : ChartRun::Role::Internal;
+            const auto signal = trace_.signals.add({role, cell.name, scan.equations.variables[id].type});
+            (cell.input ? controller.inputs : cell.output ? controller.outputs : controller.internals).push_back(signal);
+            shown_.push_back(i);
+        }
+        trace_.controllers.add(std::move(controller));
+    }
+
+    ProgramReplay replay(const ProgramProperty* property) {
+        event(0);
+        for (std::size_t k = 0; k < run_.states.size() && !interpreter_.fault(); ++k) {
+            const std::string difference = compare(k);
+            if (!difference.empty()) return {difference, {}};
+            scan(k);
+            event(k + 1);
+        }
+        add_rows();
+        const bool expected = property == nullptr ? interpreter_.fault().has_value()
+                              : property->kind == Kind::Absence && property->error == ProgramProperty::Error::DivisionByZero
+                                  ? interpreter_.fault().has_value()
+                                  : !interpreter_.fault() && shows(*property, interpreter_);
+        if (!expected) return {"the last scan does not show the claimed values", {}};
+        return {{}, std::move(trace_)};
+    }
+
+private:
+    Id<TransitionSystem::Symbol> symbol(std::size_t cell) const {
+        const Id<Equations::Variable> id = scan_.variables[cell];
+        return id.valid() ? system_.symbols[id.index] : Id<TransitionSystem::Symbol>{};
+    }
+
+    /// The cells before scan `k` are those of the state.
+    std::string compare(std::size_t k) {
+        for (std::size_t i = 0; i < scan_.layout.cells.size(); ++i) {
+            if (scan_.layout.cells[i].input || !symbol(i).valid()) continue;
+            const std::int64_t expected = run_.states[k][symbol(i).index];
+            if (interpreter_.cells()[i] != expected)
+                return fmt::format("before scan {}: `{}` is {}, not {}", k + 1, scan_.layout.cells[i].name,
+                                   interpreter_.cells()[i], expected);
+        }
+        return {};
+    }
+
+    void scan(std::size_t k) {
+        std::vector<std::int64_t> inputs;
+        for (std::size_t i = 0; i < scan_.layout.cells.size(); ++i)
+            if (scan_.layout.cells[i].input)
+                inputs.push_back(symbol(i).valid() ? run_.states[k][symbol(i).index] : scan_.layout.cells[i].initial);
+        std::int64_t elapsed = program_.interval_ms.value_or(0);
+        if (scan_.elapsed.valid() && system_.symbols[scan_.elapsed.index].valid())
+            elapsed = run_.states[k][system_.symbols[scan_.elapsed.index].index];
+        interpreter_.scan(inputs, elapsed);
+    }
+
+    void event(std::size_t number) {
+        ChartRun::Moment moment;
+        ChartRun::Act act{.controller = {0}, .begins = true, .starts = number == 0};
+        if (number > 0) {
+            act.samples = act.evolves = true;
+            act.writes = ChartRun::Act::Writes::Yes;
+        }
+        moment.move = number;
+        moment.after.time_ms = static_cast<std::int64_t>(number);
+        for (std::uint32_t i = 0; i < shown_.size(); ++i) {
+            const std::int64_t value = interpreter_.cells()[shown_[i]];
+            moment.after.values.push_back(value);
+            if (scan_.layout.cells[shown_[i]].input) act.inputs.push_back(value);
+            if (!trace_.moments.empty() && trace_.moments.back().after.values[i] != value) moment.changed.push_back({i});
+        }
+        moment.acts.push_back(std::move(act));
+        trace_.moments.push_back(std::move(moment));
+    }
+
+    /// One row for each scan that changes a Boolean variable, and for the last one: a run may have thousands of scans
+    /// that only count.
+    void add_rows() {
+        for (std::size_t i = 0; i < trace_.moments.size(); ++i) {
+            const bool visible = std::ranges::any_of(trace_.moments[i].changed, [&](Id<ChartRun::Signal> id) {
+                return trace_.signals[id].type.boolean || trace_.signals[id].role != ChartRun::Role::Internal;
+            });
+            if (i != 0 && !visible && i + 1 != trace_.moments.size()) continue;
+            ChartRun::Row row{.kind = ChartRun::Kind::Controller};
+            row.what = i == 0 ? "before the first scan" : "";
+            row.component = i == 0 ? "" : "scan";
+            row.moment = i;
+            trace_.rows.push_back(std::move(row));
+        }
+    }
+
+    const Program& program_;
+    const Scan& scan_;
+    const ProgramSystem& system_;
+    const SystemRun& run_;
+    ProgramRun interpreter_;
+    std::vector<std::size_t> shown_ = {};  ///< per signal: its cell
+    ChartRun trace_ = {};
+};
+
+}  // namespace
+
+ProgramReplay replay_program(const Program& program, const Scan& scan, const ProgramSystem& system, const SystemRun& run,
+                             const ProgramProperty* property) {
+    return Replay(program, scan, system, run).replay(property);
+}
+
+}  // namespace grafverif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// read_program: Structured Text of IEC 61131-3 (programs, function blocks, functions, types, a configuration) -> Program.
+// Names are resolved without regard to case, types are checked, and each construct that Program does not represent
+// exactly is an error. All errors of a file are reported together.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "grafverif/support/diagnostic.hpp"
+#include "grafverif/support/source.hpp"
+#include "ir/program/program.hpp"
+#include "syntax/st/parse_st.hpp"
+
+namespace grafverif {
+
+/// A program with its names, in which expressions over its variables can be read.
+class ProgramText {
+public:
+    ProgramText();
+    ProgramText(ProgramText&&) noexcept;
+    ProgramText& operator=(ProgramText&&) noexcept;
+    ~ProgramText();
+
+    const Program& program() const;
+    /// A Boolean expression over the variables of the program, with the operators of Structured Text or of C. It is added
+    /// to the nodes of the program. Nothing after an error.
+    std::optional<Id<Program::Node>> condition(const st::Text& text, const Sources& sources, Diagnostics& diagnostics);
+
+    struct Inside;
+
+private:
+    friend std::optional<ProgramText> read_program(Id<Source> source, Sources& sources, Diagnostics& diagnostics);
+    std::unique_ptr<Inside> inside_;
+};
+
+/// Empty after at least one error. The source of the standard function blocks is added to `sources`.
+std::optional<ProgramText> read_program(Id<Source> source, Sources& sources, Diagnostics& diagnostics);
+
+}  // namespace grafverif

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// program::Reader: name resolution and type checking of Structured Text, in three files: declarations, expressions and
+// statements.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "grafverif/support/diagnostic.hpp"
+#include "grafverif/support/source.hpp"
+#include "ir/program/program.hpp"
+#include "syntax/st/st_tree.hpp"
+
+namespace grafverif::program {
+
+using Node = Program::Node;
+using Type = Program::Type;
+using Unit = Program::Unit;
+using Statement = Program::Statement;
+using Variable = Program::Variable;
+
+class Reader {
+public:
+    Reader(st::File& file, const Sources& sources, Diagnostics& diagnostics);
+
+    /// `user`: the number of units of the user, which precede the standard ones.
+    void read(std::size_t user);
+    /// A Boolean expression over the variables of `main`, and of the instances in it.
+    std::optional<Id<Node>> condition(Id<st::Expr> root);
+
+    Program program = {};
+    Diagnostics* diagnostics;
+
+private:
+    /// A typed expression. `literal`: an integer without a type, which adapts to the type that it meets.
+    struct Typed {
+        Id<Node> node = {};
+        bool literal = false;
+    };
+    using MaybeTyped = std::optional<Typed>;
+
+    /// A variable with the cell that it names.
+    struct Found {
+        Program::Place place = {};
+        Id<Type> type = {};
+        Variable* variable = nullptr;    ///< in its unit
+        Variable* instance = nullptr;    ///< the block that contains it, if named through it
+        bool inside = false;             ///< named through an instance
+    };
+    struct Scope {
+        std::unordered_map<std::uint32_t, std::uint32_t> variables = {};  ///< word -> index in the variables of the unit
+        std::unordered_map<std::uint32_t, Span> externals = {};
+    };
+    enum class State { New, Open, Done };
+
+    // declarations.cpp
+    void declare_types();
+    void declare_units(std::size_t user);
+    void declare(std::size_t index);
+    void declare_variables(Id<Unit> unit, const std::vector<st::Variable>& variables, bool is_program);
+    void declare(Id<Unit> unit, const st::Variable& variable, bool is_program);
+    void check_addresses(const std::vector<const st::Variable*>& located);
+    std::optional<Id<Type>> type_of(const st::Type& type, Span where);
+    std::optional<Id<Type>> enumeration(std::string_view name, const st::Type& type, Span where);
+    std::optional<std::int64_t> constant(Id<st::Expr> expr, Id<Type> type);
+    void choose_main(std::size_t user);
+    void task_of(const st::Instance& instance);
+    void check_calls();
+
+    // expressions.cpp
+    MaybeTyped expression(Id<st::Expr> id);
+    MaybeTyped leaf(Id<st::Expr> id);
+    MaybeTyped junction(Id<st::Expr> id);
+    MaybeTyped comparison(Id<st::Expr> id);
+    MaybeTyped arithmetic(Id<st::Expr> id);
+    MaybeTyped call(Id<st::Expr> id);
+    MaybeTyped standard_function(Id<st::Expr> id, const std::string& name);
+    MaybeTyped conversion(Id<st::Expr> id, const std::string& name);
+    MaybeTyped user_function(Id<st::Expr> id, std::size_t index);
+    std::vector<Typed> arguments(Id<st::Expr> call, std::size_t least, std::size_t most, bool& ok);
+    bool unify(std::vector<Typed>& operands, Span where);
+    /// `value` as a node of `type`; an error names `what`.
+    std::optional<Id<Node>> converted(const Typed& value, Id<Type> type, Span where, std::string_view what);
+    std::optional<Found> variable(Id<st::Expr> path);
+    std::optional<Found> named(Id<st::Word> word, Span where);
+    Id<Node> add(Program::Op op, Id<Type> type, std::vector<Id<Node>> operands, Span where);
+    Id<Node> number(std::int64_t value, Id<Type> type, Span where);
+    std::optional<std::int64_t> value_of(Id<Node> node) const;
+    bool boolean(const Typed& value) const { return type(value).kind == Type::Kind::Boolean && !value.literal; }
+    const Type& type(const Typed& value) const { return program.types[program.nodes[value.node].type]; }
+    std::string described(const Typed& value) const;
+
+    // statements.cpp
+    Program::Body block(const st::Block& statements);
+    void statement(Id<st::Statement> id, Program::Body& body);
+    void assign(const Found& target, const Typed& value, Span where, Program::Body& body);
+    std::optional<Found> target(Id<st::Expr> path);
+    void invoke(Id<st::Expr> call, Program::Body& body);
+    void if_statement(const st::Statement& from, Program::Body& body);
+    void case_statement(const st::Statement& from, Program::Body& body);
+    void label(Id<st::Expr> expr, Id<Type> type, Program::Arm& arm);
+    void for_statement(const st::Statement& from, Program::Body& body);
+
+    std::string text(Id<st::Word> word) const { return std::string(file_->text(word)); }
+    std::string capitals(Id<st::Word> word) const { return st::capitals(file_->text(word)); }
+    void reject(Span where, std::string_view what, std::string_view hint);
+
+    st::File* file_;
+    const Sources* sources_;
+    std::unordered_map<std::uint32_t, std::size_t> units_ = {};        ///< word -> unit of the file
+    std::vector<Id<Unit>> declared_ = {};                              ///< per unit of the file
+    std::vector<State> states_ = {};
+    std::unordered_map<std::uint32_t, Id<Type>> types_ = {};           ///< word -> type
+    std::map<std::uint32_t, std::pair<Id<Type>, std::int64_t>> values_ = {};  ///< of enumerations, by word
+    std::vector<Scope> scopes_ = {};                                   ///< per unit of the program
+    std::vector<std::vector<std::uint32_t>> calls_ = {};               ///< per unit: the functions that it calls
+    Id<Unit> unit_ = {};                                               ///< the current one
+    bool any_member_ = false;                                          ///< local variables of instances can be read
+    int loops_ = 0;
+    Id<Type> bool_ = {}, int_ = {}, dint_ = {}, time_ = {};
+};
+
+}  // namespace grafverif::program

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// The standard function blocks of IEC 61131-3 (2.5.2.3) as Structured Text: bistable elements, edge detection, counters
+// and timers.
+#pragma once
+
+#include <string_view>
+
+namespace grafverif::program {
+
+/// Bodies of the standard. A variable ELAPSED advances between two scans while RUNNING is true, whether or not the block
+/// is called, and both are hidden from programs.
+///
+/// Readings where the standard leaves room: counters stop at the limits of INT; the output of TON and TP for the preset
+/// time zero changes in the scan of the edge; a preset time that changes while Q is true has no effect on TON.
+inline constexpr std::string_view standard_blocks = R"(
+FUNCTION_BLOCK SR
+VAR_INPUT S1, R : BOOL; END_VAR VAR_OUTPUT Q1 : BOOL; END_VAR
+Q1 := S1 OR (NOT R AND Q1);
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK RS
+VAR_INPUT S, R1 : BOOL; END_VAR VAR_OUTPUT Q1 : BOOL; END_VAR
+Q1 := NOT R1 AND (S OR Q1);
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK R_TRIG
+VAR_INPUT CLK : BOOL; END_VAR VAR_OUTPUT Q : BOOL; END_VAR VAR M : BOOL; END_VAR
+Q := CLK AND NOT M;
+M := CLK;
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK F_TRIG
+VAR_INPUT CLK : BOOL; END_VAR VAR_OUTPUT Q : BOOL; END_VAR VAR M : BOOL; END_VAR
+Q := NOT CLK AND NOT M;
+M := NOT CLK;
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK CTU
+VAR_INPUT CU, R : BOOL; PV : INT; END_VAR VAR_OUTPUT Q : BOOL; CV : INT; END_VAR VAR M : BOOL; END_VAR
+IF R THEN CV := 0;
+ELSIF CU AND NOT M AND CV < 32767 THEN CV := CV + 1;
+END_IF;
+M := CU;
+Q := CV >= PV;
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK CTD
+VAR_INPUT CD, LD : BOOL; PV : INT; END_VAR VAR_OUTPUT Q : BOOL; CV : INT; END_VAR VAR M : BOOL; END_VAR
+IF LD THEN CV := PV;
+ELSIF CD AND NOT M AND CV > -32768 THEN CV := CV - 1;
+END_IF;
+M := CD;
+Q := CV <= 0;
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK CTUD
+VAR_INPUT CU, CD, R, LD : BOOL; PV : INT; END_VAR
+VAR_OUTPUT QU, QD : BOOL; CV : INT; END_VAR VAR MU, MD : BOOL; END_VAR
+IF R THEN CV := 0;
+ELSIF LD THEN CV := PV;
+ELSIF NOT (CU AND NOT MU AND CD AND NOT MD) THEN
+  IF CU AND NOT MU AND CV < 32767 THEN CV := CV + 1;
+  ELSIF CD AND NOT MD AND CV > -32768 THEN CV := CV - 1;
+  END_IF;
+END_IF;
+MU := CU;
+MD := CD;
+QU := CV >= PV;
+QD := CV <= 0;
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK TON
+VAR_INPUT IN : BOOL; PT : TIME; END_VAR VAR_OUTPUT Q : BOOL; ET : TIME; END_VAR
+VAR RUNNING : BOOL; ELAPSED : TIME; END_VAR
+IF NOT IN THEN
+  RUNNING := FALSE;
+  ELAPSED := T#0s;
+  Q := FALSE;
+  ET := T#0s;
+ELSE
+  RUNNING := TRUE;
+  IF NOT Q THEN
+    IF ELAPSED >= PT THEN
+      Q := TRUE;
+      ET := PT;
+    ELSE
+      ET := ELAPSED;
+    END_IF;
+  END_IF;
+END_IF;
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK TOF
+VAR_INPUT IN : BOOL; PT : TIME; END_VAR VAR_OUTPUT Q : BOOL; ET : TIME; END_VAR
+VAR RUNNING : BOOL; ELAPSED : TIME; END_VAR
+IF IN THEN
+  RUNNING := FALSE;
+  ELAPSED := T#0s;
+  Q := TRUE;
+  ET := T#0s;
+ELSIF Q THEN
+  RUNNING := TRUE;
+  IF ELAPSED >= PT THEN
+    RUNNING := FALSE;
+    ELAPSED := T#0s;
+    Q := FALSE;
+    ET := PT;
+  ELSE
+    ET := ELAPSED;
+  END_IF;
+END_IF;
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK TP
+VAR_INPUT IN : BOOL; PT : TIME; END_VAR VAR_OUTPUT Q : BOOL; ET : TIME; END_VAR
+VAR RUNNING, OVER : BOOL; ELAPSED : TIME; END_VAR
+IF IN AND NOT RUNNING AND NOT OVER THEN
+  RUNNING := TRUE;
+  Q := TRUE;
+END_IF;
+IF RUNNING THEN
+  IF ELAPSED >= PT THEN
+    RUNNING := FALSE;
+    ELAPSED := T#0s;
+    OVER := TRUE;
+    Q := FALSE;
+    ET := PT;
+  ELSE
+    ET := ELAPSED;
+  END_IF;
+END_IF;
+IF OVER AND NOT IN THEN
+  OVER := FALSE;
+  ET := T#0s;
+END_IF;
+END_FUNCTION_BLOCK
+)";
+
+}  // namespace grafverif::program

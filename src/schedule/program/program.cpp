@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "schedule/program/program.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "ir/literal.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using System = TransitionSystem;
+
+class Translation {
+public:
+    Translation(const Scan& scan, const std::vector<ScanProperty>& properties) : scan_(scan), properties_(properties) {
+        made_.symbols.resize(scan.equations.variables.size());
+        made_.system.name = scan.equations.name;
+        made_.system.main = made_.system.modules.add({"main", {}, {}, {}, {}});
+    }
+
+    ProgramSystem translate() {
+        std::vector<Id<Expr>> faults;
+        for (const Scan::Event& event : scan_.faults) faults.push_back(event.condition);
+        std::vector<Id<Expr>> roots = faults;
+        for (const ScanProperty& property : properties_) roots.push_back(property.condition);
+        add_variables(roots);
+        TermCopier copy(scan_.equations.exprs, exprs(), [this](const Expr& leaf) {
+            return exprs().leaf(Op::Variable, made_.symbols[static_cast<std::size_t>(leaf.value)].index);
+        });
+        for (const Equations::Stored& stored : scan_.equations.stored) {
+            const Id<System::Symbol> symbol = made_.symbols[stored.variable.index];
+            if (!symbol.valid()) continue;
+            const Equations::Variable& variable = scan_.equations.variables[stored.variable];
+            main().symbols[symbol].kind =
+                System::StateSymbol{literal(exprs(), variable.type, variable.initial), copy(stored.next)};
+        }
+        Id<Expr> valid = exprs().constant(true);  // no fault until the end of the scan
+        if (!faults.empty()) {
+            for (Id<Expr>& fault : faults) fault = copy(fault);
+            const Id<Expr> fault = exprs().disjunction(faults);
+            const Id<System::Symbol> before = main().symbols.add({"division by zero", Type{}, System::StateSymbol{}, "", {}, {}});
+            const Id<Expr> faulted = exprs().leaf(Op::Variable, before.index);
+            main().symbols[before].kind =
+                System::StateSymbol{exprs().constant(false), exprs().disjunction(faulted, fault)};
+            valid = exprs().negation(exprs().disjunction(faulted, fault));
+            made_.no_fault = made_.system.properties.add(
+                property("no_division_by_zero", Pattern::Never, exprs().conjunction(exprs().negation(faulted), fault), {}));
+        }
+        for (const ScanProperty& one : properties_) {
+            Id<Expr> condition = copy(one.condition);
+            if (one.pattern == Pattern::Always) condition = exprs().disjunction(exprs().negation(valid), condition);
+            else condition = exprs().conjunction(valid, condition);
+            made_.system.properties.add(property(one.name, one.pattern, condition, one.origin));
+        }
+        made_.system.settled = exprs().constant(true);
+        return std::move(made_);
+    }
+
+private:
+    Exprs& exprs() { return made_.system.exprs; }
+    System::Module& main() { return made_.system.modules[made_.system.main]; }
+
+    static Property property(std::string name, Pattern pattern, Id<Expr> condition, Span origin) {
+        Property made;
+        made.name = std::move(name);
+        made.pattern = pattern;
+        made.operands = {condition};
+        made.origin = origin;
+        return made;
+    }
+
+    /// The variables on which `roots` depend, directly or through next values.
+    void add_variables(std::vector<Id<Expr>> roots) {
+        const Exprs& from = scan_.equations.exprs;
+        std::vector<Id<Expr>> next(scan_.equations.variables.size());
+        for (const Equations::Stored& stored : scan_.equations.stored) next[stored.variable.index] = stored.next;
+        std::vector<bool> seen(from.size()), read(next.size());
+        while (!roots.empty()) {
+            const Id<Expr> term = roots.back();
+            roots.pop_back();
+            if (seen[term.index]) continue;
+            seen[term.index] = true;
+            for (const Id<Expr> operand : from.operands(term)) roots.push_back(operand);
+            if (from[term].op != Op::Variable) continue;
+            const auto variable = static_cast<std::size_t>(from[term].value);
+            read[variable] = true;
+            if (next[variable].valid()) roots.push_back(next[variable]);
+        }
+        for (const Id<Equations::Variable> id : scan_.equations.variables.ids()) {
+            if (!read[id.index]) continue;
+            const Equations::Variable& variable = scan_.equations.variables[id];
+            made_.symbols[id.index] =
+                main().symbols.add({variable.name, variable.type, System::StateSymbol{}, "", variable.origin, {}});
+        }
+    }
+
+    const Scan& scan_;
+    const std::vector<ScanProperty>& properties_;
+    ProgramSystem made_ = {};
+};
+
+}  // namespace
+
+ProgramSystem schedule_program(const Scan& scan, const std::vector<ScanProperty>& properties) {
+    return Translation(scan, properties).translate();
+}
+
+}  // namespace grafverif

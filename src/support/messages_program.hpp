@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Texts of diagnostics about PLC programs (IEC 61131-3) and their properties.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "grafverif/support/diagnostic.hpp"
+
+namespace grafverif::messages {
+
+/// A construct that programs cannot contain here; `hint`: the remedy, in the imperative.
+Diagnostic not_in_program(Span where, std::string_view what, std::string_view hint);
+Diagnostic program_type_mismatch(Span where, std::string_view what, std::string_view expected, std::string_view found);
+Diagnostic not_a_number_of_type(Span where, std::int64_t value, std::string_view type);
+Diagnostic recursive_unit(Span where, std::string_view name);
+Diagnostic program_too_large(Span where, std::string_view what, std::uint64_t limit);
+Diagnostic unbounded_loop(Span where, std::uint64_t limit);
+Diagnostic no_program(Span where);
+Diagnostic several_programs(Span where, std::string_view name);
+Diagnostic bad_property(Span where, std::string_view what, std::string_view hint);
+
+}  // namespace grafverif::messages
