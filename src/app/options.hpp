@@ -86,10 +86,10 @@ struct Options {
     bool why = false;  ///< of `check`
     bool help = false;
 
-    std::vector<std::string> properties = {};  ///< of `check`; empty: all
+    std::vector<std::string> properties = {};       ///< of `check`; empty: all
     std::optional<std::string> property_file = {};  ///< of `check`: the operands are PLC programs
-    std::string marked = {};                   ///< of `supervise`: a term
-    Held held = Held::Both;                    ///< of `supervise`: the elements that get conditions
+    std::string marked = {};                        ///< of `supervise`: a term
+    Held held = Held::Both;                         ///< of `supervise`: the elements that get conditions
     Engine engine = Engine::Embedded;
     bool whole = false;                            ///< no independent subsystem and no fragment is decided separately
     unsigned jobs = 0;                             ///< threads; 0: one per core

@@ -16,8 +16,8 @@ Diagnostic program_type_mismatch(Span where, std::string_view what, std::string_
 }
 
 Diagnostic not_a_number_of_type(Span where, std::int64_t value, std::string_view type) {
-    return error("out-of-range", where, fmt::format("{} is outside the range of {}; convert the other operand", value,
-                                                    type));
+    return error("out-of-range", where,
+                 fmt::format("{} is outside the range of {}; convert the other operand", value, type));
 }
 
 Diagnostic recursive_unit(Span where, std::string_view name) {
@@ -30,9 +30,9 @@ Diagnostic program_too_large(Span where, std::string_view what, std::uint64_t li
 }
 
 Diagnostic unbounded_loop(Span where, std::uint64_t limit) {
-    return error("unbounded-loop", where,
-                 fmt::format("constants do not bound this loop by {} iterations; use a FOR loop with constant bounds",
-                             limit));
+    return error(
+        "unbounded-loop", where,
+        fmt::format("constants do not bound this loop by {} iterations; use a FOR loop with constant bounds", limit));
 }
 
 Diagnostic no_program(Span where) {

@@ -12,6 +12,7 @@ std::span<const Target> targets() {
         Target{"plcopen", import_complaint},
         Target{"sfc", import_complaint},
         Target{"structured_text", structured_text_complaint},
+        Target{"program", program_complaint},
         Target{"test_table", test_table_complaint},
         Target{"exclusions", exclusions_complaint},
         Target{"scan", scan_complaint},

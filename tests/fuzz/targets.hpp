@@ -23,6 +23,7 @@ std::span<const Target> targets();
 std::string text_complaint(std::string_view bytes);
 std::string import_complaint(std::string_view bytes);
 std::string structured_text_complaint(std::string_view bytes);
+std::string program_complaint(std::string_view bytes);
 std::string test_table_complaint(std::string_view bytes);
 std::string exclusions_complaint(std::string_view bytes);
 std::string scan_complaint(std::string_view bytes);

@@ -4,9 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "derive/program/scan.hpp"
 #include "fuzz/common.hpp"
 #include "fuzz/targets.hpp"
 #include "read/formats.hpp"
+#include "read/program/properties.hpp"
 #include "read/text.hpp"
 #include "support/print_model.hpp"
 #include "syntax/language/format.hpp"
@@ -107,6 +109,23 @@ std::string import_complaint(std::string_view bytes) {
     for (const bool lossy : {false, true})
         if (std::string complaint = imported_complaint(bytes, lossy); !complaint.empty()) return complaint;
     return {};
+}
+
+std::string program_complaint(std::string_view bytes) {
+    Sources sources;
+    Diagnostics diagnostics;
+    const std::size_t end = std::min(bytes.find("\n---\n"), bytes.size());  // the properties follow
+    auto text = read_program(sources.add({"fuzzed.st", std::string(bytes.substr(0, end))}), sources, diagnostics);
+    std::string complaint = answer_complaint(text.has_value(), diagnostics, sources);
+    if (!complaint.empty() || !text) return complaint;
+    const auto scan = scan_of(text->program(), diagnostics);
+    complaint = answer_complaint(scan.has_value(), diagnostics, sources);
+    if (!complaint.empty() || !scan) return complaint;
+    for (const std::string& broken : verify(scan->equations)) complaint += "not well formed: " + broken + '\n';
+    const Id<Source> properties =
+        sources.add({"fuzzed.yaml", std::string(bytes.substr(std::min(end + 5, bytes.size())))});
+    const bool read = read_properties(properties, sources, *text, diagnostics).has_value();
+    return complaint + answer_complaint(read, diagnostics, sources);
 }
 
 std::string structured_text_complaint(std::string_view bytes) {

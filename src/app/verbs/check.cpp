@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `check`: decides every property of a closed loop with the built-in or external engines.
+#include "pipeline/program/check.hpp"
+
 #include <fmt/format.h>
 
 #include <ostream>
@@ -11,7 +13,6 @@
 #include "app/system/guard.hpp"
 #include "app/traces.hpp"
 #include "app/verbs.hpp"
-#include "pipeline/program/check.hpp"
 #include "report/basis.hpp"
 #include "report/json.hpp"
 #include "report/terminal.hpp"
@@ -166,7 +167,8 @@ Verb check_usage() {
         "  abc                external hardware model checker; --engine-command CMD for others\n"
         "What an untimed verdict implies for the real plant is printed before the verdicts.\n"
         "\n"
-        "With --properties FILE, each FILE operand is a PLC program in Structured Text (IEC 61131-3). Its properties are\n"
+        "With --properties FILE, each FILE operand is a PLC program in Structured Text (IEC 61131-3). Its properties "
+        "are\n"
         "decided for all input sequences, and counterexamples are replayed on an interpreter of the program.\n"
         "\n"
         "Output: text, JSON (--format json, --json-lines), JUnit XML (--junit), SARIF (--sarif); traces also as VCD\n"

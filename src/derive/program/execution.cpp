@@ -16,6 +16,7 @@ using Kind = Program::Statement::Kind;
 
 constexpr std::uint64_t most_statements = 2'000'000;  ///< executed in one scan
 constexpr std::size_t most_branches = 1000;           ///< nested; each is a recursion
+constexpr std::uint64_t most_iterations = 100'000;    ///< of a loop with constant bounds
 constexpr std::size_t most_terms = 20'000'000;
 
 }  // namespace
@@ -42,7 +43,9 @@ bool SymbolicExecution::counts(const Program::Statement& statement) {
     if (failed_) return false;
     if (++executed_ > most_statements)
         fail(messages::program_too_large(statement.origin, "statements per scan", most_statements));
-    if (exprs_.size() > most_terms) fail(messages::program_too_large(statement.origin, "operations per scan", most_terms));
+    if (exprs_.size() > most_terms)
+        fail(messages::program_too_large(statement.origin, "operations per scan", most_terms));
+    if (path_.size() > most_branches && loop_ != nullptr) fail(messages::unbounded_loop(loop_->origin, most_branches));
     if (path_.size() > most_branches)
         fail(messages::program_too_large(statement.origin, "nested conditions", most_branches));
     return !failed_;
@@ -138,10 +141,7 @@ void SymbolicExecution::execute(const Program::Statement& statement, std::uint32
     case Kind::Case: return arms(statement, 0, value(statement.value, frame), frame);
     case Kind::For: return for_loop(statement, frame);
     case Kind::While:
-    case Kind::Repeat:
-        iterate(statement, {}, frame);
-        write(exited_, exprs_.constant(false));
-        return;
+    case Kind::Repeat: return loop(statement, {}, frame);
     case Kind::Exit: return write(exited_, exprs_.constant(true));
     case Kind::Return: return write(returned_, exprs_.constant(true));
     }
@@ -159,21 +159,29 @@ void SymbolicExecution::arms(const Program::Statement& statement, std::size_t fr
         std::vector<Id<Expr>> matches;
         for (const auto& [low, high] : arm.labels) {
             const Id<Expr> first = exprs_.integer(low);
-            matches.push_back(low == high ? exprs_.apply(Op::Equal, selector, first)
-                                          : exprs_.conjunction(exprs_.apply(Op::GreaterEqual, selector, first),
-                                                               exprs_.apply(Op::LessEqual, selector,
-                                                                            exprs_.integer(high))));
+            matches.push_back(low == high
+                                  ? exprs_.apply(Op::Equal, selector, first)
+                                  : exprs_.conjunction(exprs_.apply(Op::GreaterEqual, selector, first),
+                                                       exprs_.apply(Op::LessEqual, selector, exprs_.integer(high))));
         }
         condition = exprs_.disjunction(matches);
     }
-    branch(condition, [&] { execute(arm.body, 0, frame); }, [&] { arms(statement, from + 1, selector, frame); });
+    branch(
+        condition, [&] { execute(arm.body, 0, frame); }, [&] { arms(statement, from + 1, selector, frame); });
 }
 
 void SymbolicExecution::for_loop(const Program::Statement& statement, std::uint32_t frame) {
     const Id<Expr> first = value(statement.value, frame);
     const Id<Expr> last = value(statement.last, frame);
     write(address(statement.place, frame), first);
+    loop(statement, last, frame);
+}
+
+void SymbolicExecution::loop(const Program::Statement& statement, Id<Expr> last, std::uint32_t frame) {
+    const Program::Statement* const outer = loop_;
+    if (outer == nullptr) loop_ = &statement;
     iterate(statement, last, frame);
+    loop_ = outer;
     write(exited_, exprs_.constant(false));
 }
 
@@ -189,9 +197,11 @@ void SymbolicExecution::iterate(const Program::Statement& statement, Id<Expr> la
                   wrapped_term(program_.types[statement.type],
                                exprs_.apply(Op::Plus, memory_[variable], exprs_.integer(statement.step)), false));
     };
-    while (!failed_) {
-        if (++executed_ > most_statements || path_.size() > most_branches)
-            return fail(messages::unbounded_loop(statement.origin, most_branches));
+    for (std::uint64_t count = 0; !failed_; ++count) {
+        if (count > most_iterations || path_.size() > most_branches)
+            return fail(
+                messages::unbounded_loop(statement.origin, count > most_iterations ? count - 1 : most_branches));
+        ++executed_;
         Id<Expr> condition = exprs_.constant(true);
         if (statement.kind == Kind::While) condition = value(statement.value, frame);
         if (statement.kind == Kind::For)
@@ -209,8 +219,9 @@ void SymbolicExecution::iterate(const Program::Statement& statement, Id<Expr> la
                         [&] {
                             rest();
                             if (is_true(exprs_, value(statement.value, frame))) return;
-                            branch(exprs_.negation(value(statement.value, frame)),
-                                   [&] { iterate(statement, last, frame); }, [] {});
+                            branch(
+                                exprs_.negation(value(statement.value, frame)),
+                                [&] { iterate(statement, last, frame); }, [] {});
                         },
                         [] {});
                     return false;
@@ -234,7 +245,12 @@ void SymbolicExecution::iterate(const Program::Statement& statement, Id<Expr> la
         if (is_true(exprs_, condition)) {
             ends = !once();
         } else {
-            branch(condition, [&] { if (once()) iterate(statement, last, frame); }, [] {});
+            branch(
+                condition,
+                [&] {
+                    if (once()) iterate(statement, last, frame);
+                },
+                [] {});
             ends = true;
         }
         if (ends) return;
@@ -245,10 +261,10 @@ void SymbolicExecution::invoke(Id<Program::Unit> id, std::uint32_t frame) {
     const Program::Unit& unit = program_.units[id];
     for (const Program::Variable& one : unit.variables)
         if (one.section == Program::Variable::Section::Temporary)
-            write(frame + one.offset, literal(exprs_, program_.types[one.type].kind == Program::Type::Kind::Boolean
-                                                          ? Type{}
-                                                          : integer_type(0, 1),
-                                              one.initial));
+            write(frame + one.offset,
+                  literal(exprs_,
+                          program_.types[one.type].kind == Program::Type::Kind::Boolean ? Type{} : integer_type(0, 1),
+                          one.initial));
     execute(unit.body, 0, frame);
     write(returned_, exprs_.constant(false));
     write(exited_, exprs_.constant(false));

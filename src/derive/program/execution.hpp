@@ -38,6 +38,7 @@ private:
     void execute(const Program::Statement& statement, std::uint32_t frame);
     void arms(const Program::Statement& statement, std::size_t from, Id<Expr> selector, std::uint32_t frame);
     void for_loop(const Program::Statement& statement, std::uint32_t frame);
+    void loop(const Program::Statement& statement, Id<Expr> last, std::uint32_t frame);
     void iterate(const Program::Statement& statement, Id<Expr> last, std::uint32_t frame);
     void invoke(Id<Program::Unit> unit, std::uint32_t frame);
     Id<Expr> call(const Program::Node& node, std::uint32_t frame);
@@ -65,6 +66,7 @@ private:
     std::vector<Id<Expr>> path_ = {};  ///< conditions of the open branches
     std::uint32_t main_ = 0, returned_ = 0, exited_ = 0;
     std::uint64_t executed_ = 0;
+    const Program::Statement* loop_ = nullptr;  ///< the outermost open loop
     bool failed_ = false;
 };
 

@@ -39,8 +39,8 @@ public:
         scan_.faults = std::move(execution.faults);
         scan_.overflows = std::move(execution.overflows);
         if (is_too_deep()) {
-            diagnostics_.add(messages::program_too_large(scan_.equations.origin, "dependent operations per scan",
-                                                         deepest_term));
+            diagnostics_.add(
+                messages::program_too_large(scan_.equations.origin, "dependent operations per scan", deepest_term));
             return {};
         }
         store();
@@ -79,16 +79,15 @@ private:
         if (program_.interval_ms) {
             step = exprs().integer(*program_.interval_ms);
         } else {
-            scan_.elapsed = scan_.equations.variables.add({unused_name("elapsed_ms"), Equations::Role::Input,
-                                                           integer_type(0, std::max<std::int64_t>(scan_.layout.longest, 1)),
-                                                           0, scan_.equations.origin});
+            scan_.elapsed = scan_.equations.variables.add(
+                {unused_name("elapsed_ms"), Equations::Role::Input,
+                 integer_type(0, std::max<std::int64_t>(scan_.layout.longest, 1)), 0, scan_.equations.origin});
             step = exprs().leaf(Op::Variable, scan_.elapsed.index);
         }
         for (const ProgramTimer& timer : scan_.layout.timers) {
             const Id<Expr> longest = exprs().integer(timer.longest);
             const Id<Expr> later = exprs().apply(Op::Plus, memory[timer.elapsed], step);
-            const Id<Expr> capped =
-                exprs().conditional(exprs().apply(Op::Less, later, longest), later, longest);
+            const Id<Expr> capped = exprs().conditional(exprs().apply(Op::Less, later, longest), later, longest);
             memory[timer.elapsed] = exprs().conditional(memory[timer.running], capped, memory[timer.elapsed]);
         }
     }

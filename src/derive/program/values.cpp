@@ -120,13 +120,12 @@ Id<Expr> SymbolicExecution::wrapped_term(const Program::Type& type, Id<Expr> val
     if (once) {
         const Id<Expr> above = exprs_.apply(Op::Greater, value, exprs_.integer(type.high));
         const Id<Expr> below = exprs_.apply(Op::Less, value, exprs_.integer(type.low));
-        return exprs_.conditional(
-            above, exprs_.apply(Op::Minus, value, count),
-            exprs_.conditional(below, exprs_.apply(Op::Plus, value, count), value));
+        return exprs_.conditional(above, exprs_.apply(Op::Minus, value, count),
+                                  exprs_.conditional(below, exprs_.apply(Op::Plus, value, count), value));
     }
     const Id<Expr> rest = exprs_.apply(Op::Modulo, exprs_.apply(Op::Minus, value, exprs_.integer(type.low)), count);
-    const Id<Expr> positive = exprs_.conditional(exprs_.apply(Op::Less, rest, exprs_.integer(0)),
-                                                 exprs_.apply(Op::Plus, rest, count), rest);
+    const Id<Expr> positive =
+        exprs_.conditional(exprs_.apply(Op::Less, rest, exprs_.integer(0)), exprs_.apply(Op::Plus, rest, count), rest);
     return exprs_.apply(Op::Plus, positive, exprs_.integer(type.low));
 }
 

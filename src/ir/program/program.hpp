@@ -66,12 +66,12 @@ struct Program {
         Modulo,  // truncated towards zero
         Absolute,
         Minimum,
-        Maximum,   // any number of operands
-        Limit,     // least value, value, greatest value
-        Select,    // condition, value if false, value if true
-        Convert,   // wraps a number to `type`; a Boolean is 0 or 1
+        Maximum,  // any number of operands
+        Limit,    // least value, value, greatest value
+        Select,   // condition, value if false, value if true
+        Convert,  // wraps a number to `type`; a Boolean is 0 or 1
         IsNonzero,
-        Call,      // a function, with one operand for each input
+        Call,  // a function, with one operand for each input
     };
     struct Node {
         Op op = Op::Constant;
@@ -106,12 +106,12 @@ struct Program {
         };
         Kind kind = Kind::Return;
         Place place = {};
-        Id<Type> type = {};               ///< of the cell
-        Id<Node> value = {};              ///< assigned; selector; condition of a loop; first value of FOR
-        Id<Node> last = {};               ///< of FOR, evaluated once
-        std::int64_t step = 1;            ///< of FOR
+        Id<Type> type = {};     ///< of the cell
+        Id<Node> value = {};    ///< assigned; selector; condition of a loop; first value of FOR
+        Id<Node> last = {};     ///< of FOR, evaluated once
+        std::int64_t step = 1;  ///< of FOR
         Id<Unit> unit = {};
-        std::vector<Arm> arms = {};       ///< body of a loop: one arm
+        std::vector<Arm> arms = {};  ///< body of a loop: one arm
         Span origin = {};
         bool operator==(const Statement&) const = default;
     };
@@ -124,9 +124,9 @@ struct Program {
         std::uint32_t offset = 0;
         std::int64_t initial = 0;  ///< not of a block
         bool constant = false;
-        bool input = false;             ///< a free input of the program: VAR_INPUT of the program, or `AT %I`
-        bool output = false;            ///< VAR_OUTPUT of the program, or `AT %Q`
-        std::int64_t longest = 0;       ///< of a timer: the greatest preset time in milliseconds
+        bool input = false;        ///< a free input of the program: VAR_INPUT of the program, or `AT %I`
+        bool output = false;       ///< VAR_OUTPUT of the program, or `AT %Q`
+        std::int64_t longest = 0;  ///< of a timer: the greatest preset time in milliseconds
         Span origin = {};
         bool operator==(const Variable&) const = default;
     };
@@ -137,8 +137,8 @@ struct Program {
         std::vector<Variable> variables = {};
         std::uint32_t size = 0;  ///< of the frame, with its instances
         Body body = {};
-        std::optional<std::uint32_t> result = {};   ///< of a function: the cell of its value
-        std::vector<std::uint32_t> inputs = {};     ///< cells of VAR_INPUT, in order
+        std::optional<std::uint32_t> result = {};  ///< of a function: the cell of its value
+        std::vector<std::uint32_t> inputs = {};    ///< cells of VAR_INPUT, in order
         /// Of a timer: a cell that is true while time counts, and the cell of the elapsed time.
         std::optional<std::uint32_t> running = {}, elapsed = {};
         Span origin = {};
@@ -170,7 +170,7 @@ struct ProgramTimer {
 struct ProgramLayout {
     std::vector<ProgramCell> cells = {};
     std::vector<ProgramTimer> timers = {};
-    std::uint32_t main = 0;  ///< address of the frame of `main`
+    std::uint32_t main = 0;    ///< address of the frame of `main`
     std::int64_t longest = 0;  ///< of all timers; a longer time between two scans has the same effect
 };
 ProgramLayout layout_of(const Program& program);

@@ -53,7 +53,7 @@ public:
         report_.model = scan_.equations.name;
         report_.basis.engine = result.alone ? "symbolic" : "auto";
         report_.basis.untimed = "free inputs";
-        report_.basis.mode = program_.interval_ms ? fmt::format("a scan every {} ms", *program_.interval_ms)
+        report_.basis.mode = program_.interval_ms    ? fmt::format("a scan every {} ms", *program_.interval_ms)
                              : scan_.elapsed.valid() ? "any time between scans"
                                                      : "any number of scans";
         report_.failures = std::move(result.failures);
@@ -124,7 +124,8 @@ private:
         return property->kind == Kind::Absence && property->error == ProgramProperty::Error::DivisionByZero;
     }
 
-    void add(Verdict verdict, const std::optional<SystemRun>& run, std::size_t index, Outcome no_fault, bool witnesses) {
+    void add(Verdict verdict, const std::optional<SystemRun>& run, std::size_t index, Outcome no_fault,
+             bool witnesses) {
         const ProgramProperty& property = *about_[index];
         Answer answer;
         answer.text = property.text;
@@ -137,8 +138,7 @@ private:
             verdict.outcome = Outcome::Unknown;
             verdict.obstacle = no_fault == Outcome::Violated ? Obstacle::Faulty : Obstacle::Stopped;
             verdict.reason = no_fault_reason(no_fault);
-        } else if (run && verdict.outcome != Outcome::Unknown &&
-                   (verdict.outcome == Outcome::Violated || witnesses)) {
+        } else if (run && verdict.outcome != Outcome::Unknown && (verdict.outcome == Outcome::Violated || witnesses)) {
             ProgramReplay replay = replay_program(program_, scan_, system_, *run, &property);
             if (replay.disagreement.empty()) answer.trace = std::move(replay.trace);
             else {

@@ -47,7 +47,10 @@ public:
                               : cell.output ? ChartRun::Role::Output
                                             : ChartRun::Role::Internal;
             const auto signal = trace_.signals.add({role, cell.name, scan.equations.variables[id].type});
-            (cell.input ? controller.inputs : cell.output ? controller.outputs : controller.internals).push_back(signal);
+            (cell.input    ? controller.inputs
+             : cell.output ? controller.outputs
+                           : controller.internals)
+                .push_back(signal);
             shown_.push_back(i);
         }
         trace_.controllers.add(std::move(controller));
@@ -62,10 +65,11 @@ public:
             event(k + 1);
         }
         add_rows();
-        const bool expected = property == nullptr ? interpreter_.fault().has_value()
-                              : property->kind == Kind::Absence && property->error == ProgramProperty::Error::DivisionByZero
-                                  ? interpreter_.fault().has_value()
-                                  : !interpreter_.fault() && shows(*property, interpreter_);
+        const bool expected =
+            property == nullptr ? interpreter_.fault().has_value()
+            : property->kind == Kind::Absence && property->error == ProgramProperty::Error::DivisionByZero
+                ? interpreter_.fault().has_value()
+                : !interpreter_.fault() && shows(*property, interpreter_);
         if (!expected) return {"the last scan does not show the claimed values", {}};
         return {{}, std::move(trace_)};
     }
@@ -112,7 +116,8 @@ private:
             const std::int64_t value = interpreter_.cells()[shown_[i]];
             moment.after.values.push_back(value);
             if (scan_.layout.cells[shown_[i]].input) act.inputs.push_back(value);
-            if (!trace_.moments.empty() && trace_.moments.back().after.values[i] != value) moment.changed.push_back({i});
+            if (!trace_.moments.empty() && trace_.moments.back().after.values[i] != value)
+                moment.changed.push_back({i});
         }
         moment.acts.push_back(std::move(act));
         trace_.moments.push_back(std::move(moment));
@@ -145,8 +150,8 @@ private:
 
 }  // namespace
 
-ProgramReplay replay_program(const Program& program, const Scan& scan, const ProgramSystem& system, const SystemRun& run,
-                             const ProgramProperty* property) {
+ProgramReplay replay_program(const Program& program, const Scan& scan, const ProgramSystem& system,
+                             const SystemRun& run, const ProgramProperty* property) {
     return Replay(program, scan, system, run).replay(property);
 }
 

@@ -17,7 +17,7 @@ struct ProgramReplay {
 };
 
 /// `property`: the last scan has to violate it, or for `reachable` to reach it; nullptr: it has to divide by zero.
-ProgramReplay replay_program(const Program& program, const Scan& scan, const ProgramSystem& system, const SystemRun& run,
-                             const ProgramProperty* property);
+ProgramReplay replay_program(const Program& program, const Scan& scan, const ProgramSystem& system,
+                             const SystemRun& run, const ProgramProperty* property);
 
 }  // namespace grafverif

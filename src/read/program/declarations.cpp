@@ -91,8 +91,8 @@ std::optional<Id<Type>> Reader::enumeration(std::string_view name, const st::Typ
     Type made{Type::Kind::Enumeration, std::string(name), 0, static_cast<std::int64_t>(type.values.size()) - 1, {}, {}};
     const Id<Type> id{static_cast<std::uint32_t>(program.types.size())};
     for (const st::Name value : type.values) {
-        const auto [place, fresh] = values_.try_emplace(
-            value.word.index, id, static_cast<std::int64_t>(made.values.size()));
+        const auto [place, fresh] =
+            values_.try_emplace(value.word.index, id, static_cast<std::int64_t>(made.values.size()));
         if (!fresh) diagnostics->add(messages::duplicate_name(value.where, "value", text(value.word), value.where));
         made.values.push_back(text(value.word));
     }
@@ -101,7 +101,8 @@ std::optional<Id<Type>> Reader::enumeration(std::string_view name, const st::Typ
 
 std::optional<Id<Type>> Reader::type_of(const st::Type& type, Span where) {
     if (!type.values.empty()) return enumeration("enumeration", type, where);
-    if (type.composite) return reject(where, "an array, pointer or qualified type", "use elementary types"), std::nullopt;
+    if (type.composite)
+        return reject(where, "an array, pointer or qualified type", "use elementary types"), std::nullopt;
     if (type.low.valid()) return reject(where, "a subrange", "declare the complete type"), std::nullopt;
     if (const auto known = types_.find(type.name.word.index); known != types_.end()) return known->second;
     if (const auto unit = units_.find(type.name.word.index); unit != units_.end()) {
@@ -114,12 +115,14 @@ std::optional<Id<Type>> Reader::type_of(const st::Type& type, Span where) {
             diagnostics->add(messages::recursive_unit(type.name.where, text(type.name.word)));
             return {};
         }
-        const Id<Type> id = program.types.add({Type::Kind::Block, text(type.name.word), 0, 0, {}, declared_[unit->second]});
+        const Id<Type> id =
+            program.types.add({Type::Kind::Block, text(type.name.word), 0, 0, {}, declared_[unit->second]});
         types_[type.name.word.index] = id;
         return id;
     }
-    static constexpr std::array known_elsewhere = {"REAL",  "LREAL", "STRING", "WSTRING", "LINT", "ULINT", "LWORD",
-                                                   "LTIME", "DATE",  "TOD",    "DT",      "TIME_OF_DAY", "DATE_AND_TIME"};
+    static constexpr std::array known_elsewhere = {"REAL",  "LREAL",       "STRING",       "WSTRING", "LINT",
+                                                   "ULINT", "LWORD",       "LTIME",        "DATE",    "TOD",
+                                                   "DT",    "TIME_OF_DAY", "DATE_AND_TIME"};
     const std::string name = capitals(type.name.word);
     if (std::ranges::find(known_elsewhere, name) != known_elsewhere.end())
         reject(type.name.where, "the type " + quoted(name), "use BOOL, TIME or an integer of at most 32 bits");
@@ -138,9 +141,9 @@ void Reader::declare_units(std::size_t user) {
         const st::Unit& from = file_->units[index];
         const auto [place, fresh] = units_.try_emplace(from.name.word.index, index);
         if (!fresh)
-            diagnostics->add(messages::duplicate_name(index < user ? from.name.where : file_->units[place->second].name.where,
-                                                      "unit", text(from.name.word),
-                                                      file_->units[place->second].name.where));
+            diagnostics->add(
+                messages::duplicate_name(index < user ? from.name.where : file_->units[place->second].name.where,
+                                         "unit", text(from.name.word), file_->units[place->second].name.where));
         else if (index < user && types_.contains(from.name.word.index))
             diagnostics->add(messages::duplicate_name(from.name.where, "type", text(from.name.word), from.name.where));
         Unit unit;
@@ -173,8 +176,8 @@ void Reader::declare(std::size_t index) {
         Unit& unit = program.units[id];
         unit.result = 0;
         unit.size = 1;
-        unit.variables.push_back({unit.name, Variable::Section::Local, type.value_or(bool_), 0, 0, false, false, false,
-                                  0, from.name.where});
+        unit.variables.push_back(
+            {unit.name, Variable::Section::Local, type.value_or(bool_), 0, 0, false, false, false, 0, from.name.where});
         scopes_[id.index].variables[from.name.word.index] = 0;
     }
     declare_variables(id, from.variables, from.kind == st::UnitKind::Program);
@@ -221,7 +224,8 @@ void Reader::declare(Id<Unit> id, const st::Variable& from, bool is_program) {
             diagnostics->add(messages::unknown(from.name.where, "variable", text(from.name.word), ""));
         else if (const auto type = type_of(from.type, from.where);
                  type && *type != program.units[program.globals].variables[known->second].type)
-            reject(from.name.where, "an external variable of another type", "declare it with the type of the global one");
+            reject(from.name.where, "an external variable of another type",
+                   "declare it with the type of the global one");
         return;
     }
     if (from.section == st::Section::InOut)
@@ -238,7 +242,8 @@ void Reader::declare(Id<Unit> id, const st::Variable& from, bool is_program) {
     const bool block = program.types[*type].kind == Type::Kind::Block;
     const bool function = target.kind == Unit::Kind::Function;
     if (block && (function || from.section != st::Section::Local) && from.section != st::Section::Global)
-        return reject(from.name.where, "an instance in this section", "declare it in VAR of a program or function block");
+        return reject(from.name.where, "an instance in this section",
+                      "declare it in VAR of a program or function block");
     if (function && from.section == st::Section::Output)
         return reject(from.name.where, "an output of a function", "use a function block");
     if (block && from.initial.valid())
@@ -284,7 +289,8 @@ void Reader::check_addresses(const std::vector<const st::Variable*>& located) {
     for (const st::Variable* variable : located) {
         const std::string address = st::capitals(variable->address);
         if (address.size() < 3) continue;
-        const char size = address[2] == 'B' || address[2] == 'W' || address[2] == 'D' || address[2] == 'L' ? address[2] : 'X';
+        const char size =
+            address[2] == 'B' || address[2] == 'W' || address[2] == 'D' || address[2] == 'L' ? address[2] : 'X';
         const auto [place, fresh] = sizes.try_emplace(address[1], size);
         if (!fresh && place->second != size && !address.ends_with('*')) {
             place->second = size;
@@ -358,6 +364,7 @@ void Reader::task_of(const st::Instance& instance) {
 void Reader::check_calls() {
     enum class Mark { White, Grey, Black };
     std::vector<Mark> marks(program.units.size(), Mark::White);
+    std::vector<char> reported(marks.size());
     struct Frame {
         std::uint32_t unit = 0;
         std::size_t next = 0;
@@ -376,6 +383,7 @@ void Reader::check_calls() {
             const std::uint32_t callee = calls_[top.unit][top.next++];
             if (marks[callee] == Mark::Grey) {
                 const Unit& unit = program.units[{callee}];
+                if (std::exchange(reported[callee], char{1}) != 0) continue;
                 diagnostics->add(messages::recursive_unit(unit.origin, unit.name));
             } else if (marks[callee] == Mark::White) {
                 marks[callee] = Mark::Grey;

@@ -209,9 +209,8 @@ Reader::MaybeTyped Reader::comparison(Id<st::Expr> id) {
     const Type::Kind kind = type(both[0]).kind;
     const bool equality = from.op == st::Op::Equal || from.op == st::Op::NotEqual;
     if (!equality && !both[0].literal && (kind == Type::Kind::Boolean || kind == Type::Kind::Enumeration)) {
-        diagnostics->add(
-            messages::program_type_mismatch(from.where, "the operand of an order", "a number or a duration",
-                                            described(both[0])));
+        diagnostics->add(messages::program_type_mismatch(from.where, "the operand of an order",
+                                                         "a number or a duration", described(both[0])));
         return {};
     }
     return Typed{add(op_of(from.op), bool_, {both[0].node, both[1].node}, from.where), false};
@@ -231,8 +230,8 @@ Reader::MaybeTyped Reader::arithmetic(Id<st::Expr> id) {
     if (!is_number(own)) {
         if (own.kind == Type::Kind::Time) reject(from.where, "arithmetic on durations", "compare durations only");
         else
-            diagnostics->add(messages::program_type_mismatch(from.where, "an operand", "an integer",
-                                                             described(operands[0])));
+            diagnostics->add(
+                messages::program_type_mismatch(from.where, "an operand", "an integer", described(operands[0])));
         return {};
     }
     const Op op = op_of(from.op);
@@ -316,8 +315,9 @@ Reader::MaybeTyped Reader::standard_function(Id<st::Expr> id, const std::string&
     };
     static constexpr std::size_t many = 1000;
     static constexpr std::array functions = {
-        Function{"ABS", Op::Absolute, 1, 1},  Function{"MIN", Op::Minimum, 2, many}, Function{"MAX", Op::Maximum, 2, many},
-        Function{"LIMIT", Op::Limit, 3, 3},   Function{"SEL", Op::Select, 3, 3},     Function{"MOVE", Op::Constant, 1, 1},
+        Function{"ABS", Op::Absolute, 1, 1},   Function{"MIN", Op::Minimum, 2, many},
+        Function{"MAX", Op::Maximum, 2, many}, Function{"LIMIT", Op::Limit, 3, 3},
+        Function{"SEL", Op::Select, 3, 3},     Function{"MOVE", Op::Constant, 1, 1},
     };
     const auto known = std::ranges::find(functions, name, &Function::name);
     if (known == functions.end()) {
@@ -466,7 +466,8 @@ std::optional<Reader::Found> Reader::variable(Id<st::Expr> path) {
     Variable* found = known == scopes_[type.unit.index].variables.end()
                           ? nullptr
                           : &program.units[type.unit].variables[known->second];
-    const bool visible = found && (any_member_ || found->section == Variable::Section::Input ||
+    const bool readable = any_member_ && found && found->section != Variable::Section::Temporary;
+    const bool visible = found && (readable || found->section == Variable::Section::Input ||
                                    found->section == Variable::Section::Output);
     if (!visible) {
         std::vector<std::string> candidates;

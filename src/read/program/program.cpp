@@ -5,7 +5,7 @@
 
 #include "read/program/scope.hpp"
 #include "read/program/standard_blocks.hpp"
-#include "support/text/encoding.hpp"
+#include "support/messages_program.hpp"
 #include "syntax/language/readable.hpp"
 
 namespace grafverif {
@@ -35,6 +35,13 @@ std::optional<ProgramText> read_program(Id<Source> source, Sources& sources, Dia
     make_utf8(source, sources, diagnostics);
     const Span whole = without_mark({source, 0, static_cast<std::uint32_t>(sources[source].text.size())}, sources);
     if (!is_readable(whole, sources, diagnostics)) return {};
+    const std::string_view content = std::string_view(sources[source].text).substr(whole.begin);
+    if (const std::size_t first = content.find_first_not_of(" \t\r\n");
+        first < content.size() && content[first] == '<') {
+        const auto at = static_cast<std::uint32_t>(whole.begin + first);
+        diagnostics.add(messages::not_in_program({source, at, at + 1}, "PLCopen XML", "export Structured Text"));
+        return {};
+    }
     ProgramText text;
     st::File& file = text.inside_->file;
     file.source = source;

@@ -26,9 +26,9 @@ struct KindName {
     Kind kind = Kind::Invariant;
 };
 constexpr std::array kinds = {
-    KindName{"invariant", Kind::Invariant},       KindName{"mutual_exclusion", Kind::MutualExclusion},
-    KindName{"absence", Kind::Absence},           KindName{"reachability", Kind::Reachability},
-    KindName{"reachable", Kind::Reachable},       KindName{"assertion", Kind::Assertion},
+    KindName{"invariant", Kind::Invariant},     KindName{"mutual_exclusion", Kind::MutualExclusion},
+    KindName{"absence", Kind::Absence},         KindName{"reachability", Kind::Reachability},
+    KindName{"reachable", Kind::Reachable},     KindName{"assertion", Kind::Assertion},
     KindName{"termination", Kind::Termination},
 };
 
@@ -40,7 +40,8 @@ public:
     std::vector<ProgramProperty> read(const YAML::Node& root) {
         const YAML::Node list = root.IsMap() ? root["properties"] : YAML::Node(YAML::NodeType::Undefined);
         if (!list.IsDefined() || !list.IsSequence()) {
-            reject({source_, 0, 0}, "the file has no list `properties`", "add one, with an `id` and a `kind` per entry");
+            reject({source_, 0, 0}, "the file has no list `properties`",
+                   "add one, with an `id` and a `kind` per entry");
             return {};
         }
         for (const YAML::Node& one : list) property(one);
@@ -67,7 +68,8 @@ public:
 
 private:
     void property(const YAML::Node& from) {
-        if (!from.IsMap()) return reject(where(from), "this property is not a map", "write `id: P1` and `kind: invariant`");
+        if (!from.IsMap())
+            return reject(where(from), "this property is not a map", "write `id: P1` and `kind: invariant`");
         ProgramProperty made;
         made.origin = where(from);
         std::map<std::string, YAML::Node> entries;
@@ -118,7 +120,8 @@ private:
                              (key == "location" && kind == Kind::Assertion) ||
                              (key == "expression" && kind != Kind::MutualExclusion && kind != Kind::Absence &&
                               kind != Kind::Termination);
-        if (!belongs) reject(where(value), "the key `" + key + "` does not belong to this kind of property", "remove it");
+        if (!belongs)
+            reject(where(value), "the key `" + key + "` does not belong to this kind of property", "remove it");
     }
 
     void conditions(ProgramProperty& made, std::map<std::string, YAML::Node>& entries) {
@@ -132,7 +135,8 @@ private:
         case Kind::Assertion: break;
         }
         if (entries.contains("location"))
-            reject(where(entries["location"]), "an assertion inside the program", "give an `expression` for the end of the scan");
+            reject(where(entries["location"]), "an assertion inside the program",
+                   "give an `expression` for the end of the scan");
         const YAML::Node expression = entries["expression"];
         if (!expression.IsDefined() || !expression.IsScalar())
             return reject(made.origin, "the property has no `expression`", "add one over the variables of the program");
@@ -159,7 +163,8 @@ private:
         if (word == "overflow") made.error = Error::Overflow;
         else if (word == "div_zero") made.error = Error::DivisionByZero;
         else if (word == "array_bounds") made.error = Error::ArrayBounds;
-        else return reject(made.origin, "the property has no `subtype`", "use `overflow`, `div_zero` or `array_bounds`");
+        else
+            return reject(made.origin, "the property has no `subtype`", "use `overflow`, `div_zero` or `array_bounds`");
         made.text = "no " + word;
     }
 

@@ -47,12 +47,13 @@ private:
     struct Found {
         Program::Place place = {};
         Id<Type> type = {};
-        Variable* variable = nullptr;    ///< in its unit
-        Variable* instance = nullptr;    ///< the block that contains it, if named through it
-        bool inside = false;             ///< named through an instance
+        Variable* variable = nullptr;  ///< in its unit
+        Variable* instance = nullptr;  ///< the block that contains it, if named through it
+        bool inside = false;           ///< named through an instance
     };
     struct Scope {
-        std::unordered_map<std::uint32_t, std::uint32_t> variables = {};  ///< word -> index in the variables of the unit
+        std::unordered_map<std::uint32_t, std::uint32_t> variables =
+            {};  ///< word -> index in the variables of the unit
         std::unordered_map<std::uint32_t, Span> externals = {};
     };
     enum class State { New, Open, Done };
@@ -111,15 +112,15 @@ private:
 
     st::File* file_;
     const Sources* sources_;
-    std::unordered_map<std::uint32_t, std::size_t> units_ = {};        ///< word -> unit of the file
-    std::vector<Id<Unit>> declared_ = {};                              ///< per unit of the file
+    std::unordered_map<std::uint32_t, std::size_t> units_ = {};  ///< word -> unit of the file
+    std::vector<Id<Unit>> declared_ = {};                        ///< per unit of the file
     std::vector<State> states_ = {};
-    std::unordered_map<std::uint32_t, Id<Type>> types_ = {};           ///< word -> type
+    std::unordered_map<std::uint32_t, Id<Type>> types_ = {};                  ///< word -> type
     std::map<std::uint32_t, std::pair<Id<Type>, std::int64_t>> values_ = {};  ///< of enumerations, by word
-    std::vector<Scope> scopes_ = {};                                   ///< per unit of the program
-    std::vector<std::vector<std::uint32_t>> calls_ = {};               ///< per unit: the functions that it calls
-    Id<Unit> unit_ = {};                                               ///< the current one
-    bool any_member_ = false;                                          ///< local variables of instances can be read
+    std::vector<Scope> scopes_ = {};                                          ///< per unit of the program
+    std::vector<std::vector<std::uint32_t>> calls_ = {};                      ///< per unit: the functions that it calls
+    Id<Unit> unit_ = {};                                                      ///< the current one
+    bool any_member_ = false;  ///< local variables of instances can be read
     int loops_ = 0;
     Id<Type> bool_ = {}, int_ = {}, dint_ = {}, time_ = {};
 };

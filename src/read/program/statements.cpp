@@ -40,7 +40,8 @@ void Reader::statement(Id<st::Statement> id, Program::Body& body) {
     case st::StatementKind::Repeat: {
         made.kind = from.kind == st::StatementKind::While ? Kind::While : Kind::Repeat;
         const auto value = expression(from.value);
-        const auto node = value ? converted(*value, bool_, file_->exprs[from.value].where, "the condition") : std::nullopt;
+        const auto node =
+            value ? converted(*value, bool_, file_->exprs[from.value].where, "the condition") : std::nullopt;
         ++loops_;
         Program::Arm arm;
         arm.body = block(from.branches.front().body);
@@ -132,8 +133,8 @@ void Reader::invoke(Id<st::Expr> call, Program::Body& body) {
             continue;
         }
         Variable& formal = program.units[block].variables[*index];
-        const Found cell{{found->place.global, found->place.offset + formal.offset}, formal.type, &formal,
-                         found->variable, true};
+        const Found cell{
+            {found->place.global, found->place.offset + formal.offset}, formal.type, &formal, found->variable, true};
         if (part.op == st::Op::Result) {
             const auto to = target(part.first);
             const Id<Node> read = add(Program::Op::Read, cell.type, {}, part.where);
@@ -167,9 +168,9 @@ void Reader::if_statement(const st::Statement& from, Program::Body& body) {
         Program::Arm arm;
         if (!branch.conditions.empty()) {
             const auto value = expression(branch.conditions.front());
-            const auto node = value ? converted(*value, bool_, file_->exprs[branch.conditions.front()].where,
-                                                "the condition")
-                                    : std::nullopt;
+            const auto node =
+                value ? converted(*value, bool_, file_->exprs[branch.conditions.front()].where, "the condition")
+                      : std::nullopt;
             ok = ok && node;
             if (node) arm.condition = *node;
         }
@@ -187,8 +188,8 @@ void Reader::case_statement(const st::Statement& from, Program::Body& body) {
     std::optional<Id<Type>> of;
     if (selector) {
         const Type::Kind kind = type(*selector).kind;
-        if (selector->literal || (kind != Type::Kind::Integer && kind != Type::Kind::Enumeration &&
-                                  kind != Type::Kind::Bits))
+        if (selector->literal ||
+            (kind != Type::Kind::Integer && kind != Type::Kind::Enumeration && kind != Type::Kind::Bits))
             diagnostics->add(messages::program_type_mismatch(file_->exprs[from.value].where, "the selector",
                                                              "an integer or an enumeration", described(*selector)));
         else of = program.nodes[selector->node].type;

@@ -75,9 +75,9 @@ const Program::Arm* ProgramRun::chosen(const Program::Statement& statement, std:
     for (const Program::Arm& arm : statement.arms) {
         const bool otherwise = !arm.condition.valid() && arm.labels.empty();
         const bool matches =
-            selects ? std::ranges::any_of(arm.labels, [&](const auto& label) {
-                return label.first <= selector && selector <= label.second;
-            })
+            selects ? std::ranges::any_of(
+                          arm.labels,
+                          [&](const auto& label) { return label.first <= selector && selector <= label.second; })
                     : !otherwise && evaluate(arm.condition, frame) != 0;
         if (otherwise || matches) return &arm;
     }

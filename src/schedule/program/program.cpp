@@ -40,13 +40,14 @@ public:
         if (!faults.empty()) {
             for (Id<Expr>& fault : faults) fault = copy(fault);
             const Id<Expr> fault = exprs().disjunction(faults);
-            const Id<System::Symbol> before = main().symbols.add({"division by zero", Type{}, System::StateSymbol{}, "", {}, {}});
+            const Id<System::Symbol> before =
+                main().symbols.add({"division by zero", Type{}, System::StateSymbol{}, "", {}, {}});
             const Id<Expr> faulted = exprs().leaf(Op::Variable, before.index);
             main().symbols[before].kind =
                 System::StateSymbol{exprs().constant(false), exprs().disjunction(faulted, fault)};
             valid = exprs().negation(exprs().disjunction(faulted, fault));
-            made_.no_fault = made_.system.properties.add(
-                property("no_division_by_zero", Pattern::Never, exprs().conjunction(exprs().negation(faulted), fault), {}));
+            made_.no_fault = made_.system.properties.add(property(
+                "no_division_by_zero", Pattern::Never, exprs().conjunction(exprs().negation(faulted), fault), {}));
         }
         for (const ScanProperty& one : properties_) {
             Id<Expr> condition = copy(one.condition);

@@ -242,7 +242,9 @@ Token Lexer::sign(Kind kind) {
 }
 
 Token Lexer::lazy_sign(Kind kind, std::string_view match) {
-    if (goal_ == Parser::token::PROGRAMS_FOLLOW) diagnostics_->add(messages::not_in_program(here_, "`" + std::string(match) + "`", "write nested IF statements"));
+    if (goal_ == Parser::token::PROGRAMS_FOLLOW)
+        diagnostics_->add(
+            messages::not_in_program(here_, "`" + std::string(match) + "`", "write nested IF statements"));
     return sign(kind);
 }
 

@@ -192,7 +192,7 @@ struct Unit {
     std::vector<Variable> variables = {};
     std::vector<Network> networks = {};  ///< the chart, then expansions; empty: not a chart
     std::vector<Action> actions = {};
-    Block body = {};  ///< Structured Text outside a chart
+    Block body = {};   ///< Structured Text outside a chart
     Type result = {};  ///< of a function
     std::string comment = {};
     Span where = {};

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#include "support/random_program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace grafverif {
+
+namespace {
+
+struct Block {
+    std::string name = {}, type = {};
+};
+
+/// The body of one unit.
+class Writer {
+public:
+    Writer(Random& random, bool blocks, int functions) : random_(random), functions_(functions) {
+        if (!blocks) return;
+        for (const char* type : {"R_TRIG", "F_TRIG", "SR", "RS", "TON", "TOF", "TP", "CTU", "CTD", "CTUD"})
+            if (chance(random_, 35)) blocks_.push_back({fmt::format("k{}", blocks_.size()), type});
+    }
+
+    void add_instances(int inner) {
+        for (int i = 0; i < inner; ++i)
+            if (chance(random_, 60)) blocks_.push_back({fmt::format("k{}", blocks_.size()), fmt::format("Inner{}", i)});
+    }
+
+    std::string variables() const {
+        std::string text =
+            "VAR x0, x1 : BOOL; x2 : BOOL := TRUE; n0 : INT; n1 : INT := 32760; m0 : SINT; m1 : USINT := 250; d0 : "
+            "DINT; "
+            "u0 : UINT; c0 : Colour := Green; w0 : WORD; t0 : TIME := T#7ms; i : INT; END_VAR\n"
+            "VAR_TEMP y0 : BOOL; y1 : INT := 3; END_VAR\n";
+        for (const Block& block : blocks_) text += fmt::format("VAR {} : {}; END_VAR\n", block.name, block.type);
+        return text;
+    }
+
+    std::string body(int statements) {
+        std::string text;
+        for (int i = 0; i < statements; ++i) text += statement(0);
+        return text;
+    }
+
+    std::vector<std::string> booleans = {"x0", "x1", "x2", "y0", "a", "b"}, integers = {"n0", "n1", "y1", "e"};
+
+private:
+    bool is(int percent) { return chance(random_, percent); }
+    int below(int count) { return static_cast<int>(random_number(random_, 0, count - 1)); }
+    const std::string& any(const std::vector<std::string>& list) {
+        return list[static_cast<std::size_t>(below(static_cast<int>(list.size())))];
+    }
+
+    std::string boolean(int depth) {
+        if (depth > 2 || is(35)) {
+            if (!blocks_.empty() && is(25)) {
+                const Block& block = blocks_[static_cast<std::size_t>(below(static_cast<int>(blocks_.size())))];
+                const bool bistable = block.type == "SR" || block.type == "RS";
+                return block.name + (bistable ? ".Q1" : block.type == "CTUD" ? (is(50) ? ".QU" : ".qd") : ".Q");
+            }
+            return is(8) ? (is(50) ? "TRUE" : "FALSE") : any(booleans);
+        }
+        switch (below(11)) {
+        case 0: return "NOT " + parenthesised(boolean(depth + 1));
+        case 1: return fmt::format("({} AND {} & {})", boolean(depth + 1), boolean(depth + 1), boolean(depth + 1));
+        case 2: return fmt::format("({} OR {})", boolean(depth + 1), boolean(depth + 1));
+        case 3: return fmt::format("({} XOR {} XOR {})", boolean(depth + 1), boolean(depth + 1), boolean(depth + 1));
+        case 4: return fmt::format("({} = {})", boolean(depth + 1), boolean(depth + 1));
+        case 5: return fmt::format("(c0 {} {})", is(50) ? "=" : "<>", colour());
+        case 6: return fmt::format("(t0 {} T#{}ms)", comparison(), below(12));
+        case 7: return fmt::format("(w0 {} {})", comparison(), below(5));
+        case 8: return fmt::format("SEL({}, {}, {})", boolean(depth + 1), boolean(depth + 1), boolean(depth + 1));
+        case 9: return fmt::format("INT_TO_BOOL({})", integer(depth + 1));
+        default: return fmt::format("({} {} {})", integer(depth + 1), comparison(), integer(depth + 1));
+        }
+    }
+
+    std::string comparison() {
+        static constexpr std::array words = {"=", "<>", "<", "<=", ">", ">="};
+        return words[static_cast<std::size_t>(below(6))];
+    }
+    std::string colour() {
+        static constexpr std::array words = {"Red", "green", "BLUE", "Colour#Blue"};
+        return words[static_cast<std::size_t>(below(4))];
+    }
+    static std::string parenthesised(const std::string& text) { return "(" + text + ")"; }
+
+    std::string integer(int depth) {
+        if (depth > 2 || is(35)) {
+            if (is(30)) return std::to_string(is(80) ? below(9) - 4 : is(50) ? 32767 : -32768);
+            if (!blocks_.empty() && is(20)) {
+                const Block& block = blocks_[static_cast<std::size_t>(below(static_cast<int>(blocks_.size())))];
+                if (block.type.starts_with("CT")) return block.name + ".CV";
+                if (block.type.starts_with("Inner")) return block.name + ".v";
+            }
+            return any(integers);
+        }
+        switch (below(15)) {
+        case 0: return fmt::format("(n0 + {})", integer(depth + 1));
+        case 1: return fmt::format("({} - n1)", integer(depth + 1));
+        case 2: return fmt::format("(n1 * {})", integer(depth + 1));
+        case 3: return fmt::format("({} / (n0 * 2 + 1))", integer(depth + 1));
+        case 4: return fmt::format("(n1 MOD ({}))", is(80) ? "e * 2 + 1" : integer(depth + 1));
+        case 5: return "(-n0)";
+        case 6: return "ABS(n0)";
+        case 7: return fmt::format("MIN({}, n1, {})", integer(depth + 1), integer(depth + 1));
+        case 8: return fmt::format("MAX(n0, {})", integer(depth + 1));
+        case 9: return fmt::format("LIMIT({}, n0, {})", integer(depth + 1), integer(depth + 1));
+        case 10: return fmt::format("DINT_TO_INT(d0 + {})", integer(depth + 1));
+        case 11: return fmt::format("BOOL_TO_INT({})", boolean(depth + 1));
+        case 12: return fmt::format("INT_TO_SINT({}) + m0 + USINT_TO_INT(m1)", integer(depth + 1));
+        case 13: return "UINT_TO_INT(u0) + n0";
+        default:
+            if (functions_ == 0) return "MOVE(n1)";
+            return is(50) ? fmt::format("Fun{}({}, {})", below(functions_), integer(depth + 1), boolean(depth + 1))
+                          : fmt::format("Fun{}(q := {}, p := {})", below(functions_), boolean(depth + 1),
+                                        integer(depth + 1));
+        }
+    }
+
+    std::string statements(int depth) {
+        std::string text;
+        for (int i = below(3) + 1; i > 0; --i) text += statement(depth + 1);
+        return text;
+    }
+
+    std::string statement(int depth) {
+        switch (below(depth > 2 ? 8 : 14)) {
+        case 0:
+        case 1: return fmt::format("{} := {};\n", any({"x0", "x1", "x2", "y0", "o"}), boolean(0));
+        case 2:
+        case 3: return fmt::format("{} := {};\n", any({"n0", "n1", "y1", "r"}), integer(0));
+        case 4:
+            switch (below(7)) {
+            case 0: return fmt::format("m0 := m0 {} {};\n", is(50) ? "+" : "*", below(100));
+            case 1: return fmt::format("m1 := m1 {} {};\n", is(50) ? "-" : "+", below(100));
+            case 2: return fmt::format("d0 := d0 + {} * INT_TO_DINT(n1);\n", below(30000));
+            case 3: return fmt::format("u0 := u0 {} {};\n", is(50) ? "-" : "*", below(1000));
+            case 4: return fmt::format("c0 := {};\n", colour());
+            case 5: return fmt::format("w0 := {};\n", below(5));
+            default: return fmt::format("t0 := T#{}ms;\n", below(12));
+            }
+        case 5:
+        case 6: return invocation();
+        case 7: return is(12) ? (loops_ > 0 && is(60) ? "EXIT;\n" : "RETURN;\n") : ";\n";
+        case 8:
+        case 9:
+        case 10: {
+            std::string text = fmt::format("IF {} THEN\n{}", boolean(0), statements(depth));
+            while (is(35)) text += fmt::format("ELSIF {} THEN\n{}", boolean(0), statements(depth));
+            if (is(50)) text += "ELSE\n" + statements(depth);
+            return text + "END_IF;\n";
+        }
+        case 11:
+            if (is(30))
+                return fmt::format("CASE c0 OF\nRed: {}Green, Blue: {}END_CASE;\n", statements(depth),
+                                   statements(depth));
+            return fmt::format("CASE {} OF\n-1, 1..3: {}0: {}{}END_CASE;\n", any({"n0", "n1", "e"}), statements(depth),
+                               statements(depth), is(50) ? "ELSE " + statements(depth) : "");
+        default: return loop(depth);
+        }
+    }
+
+    std::string loop(int depth) {
+        if (loops_ > 0) return ";\n";
+        ++loops_;
+        const std::string inner = statements(depth + 1);
+        const std::string leave = is(40) ? fmt::format("IF {} THEN EXIT; END_IF;\n", boolean(1)) : "";
+        --loops_;
+        switch (below(4)) {
+        case 0:
+            return fmt::format("FOR i := {} TO {} BY {} DO\n{}{}END_FOR;\n", below(3), below(5), below(2) + 1, inner,
+                               leave);
+        case 1: return fmt::format("FOR i := 3 TO {} BY -1 DO\n{}{}END_FOR;\n", below(4), leave, inner);
+        case 2:
+            return fmt::format("i := 0;\nWHILE i < 3 {} DO\ni := i + 1;\n{}{}END_WHILE;\n",
+                               is(40) ? "AND " + boolean(1) : "", inner, leave);
+        default:
+            return fmt::format("i := 0;\nREPEAT\ni := i + 1;\n{}{}UNTIL i >= 3 {} END_REPEAT;\n", leave, inner,
+                               is(40) ? "OR " + boolean(1) : "");
+        }
+    }
+
+    std::string invocation() {
+        if (blocks_.empty()) return ";\n";
+        const Block& block = blocks_[static_cast<std::size_t>(below(static_cast<int>(blocks_.size())))];
+        const std::string& type = block.type;
+        const auto call = [&](const std::string& arguments) { return block.name + "(" + arguments + ");\n"; };
+        if (is(10)) return call("");
+        if (type == "R_TRIG" || type == "F_TRIG") return call(fmt::format("CLK := {}, Q => x0", boolean(1)));
+        if (type == "SR") return call(fmt::format("S1 := {}, R := {}", boolean(1), boolean(1)));
+        if (type == "RS") return call(fmt::format("{}, {}", boolean(1), boolean(1)));
+        if (type == "CTU") return call(fmt::format("CU := {}, R := {}, PV := {}", boolean(1), boolean(1), below(4)));
+        if (type == "CTD")
+            return call(fmt::format("CD := {}, LD := {}, PV := {}, CV => n0", boolean(1), boolean(1), below(4)));
+        if (type == "CTUD")
+            return call(fmt::format("CU := {}, CD := {}, R := {}, LD := {}, PV := 2", boolean(1), boolean(1),
+                                    boolean(1), boolean(1)));
+        if (type.starts_with("Inner")) return call(fmt::format("a := {}, e := {}, o => x1", boolean(1), integer(1)));
+        return call(fmt::format("IN := {}, PT := {}{}", boolean(1), is(85) ? fmt::format("T#{}ms", below(25)) : "t0",
+                                is(40) ? ", ET => t0" : ""));
+    }
+
+    Random& random_;
+    int functions_;
+    std::vector<Block> blocks_ = {};
+    int loops_ = 0;
+};
+
+}  // namespace
+
+std::string random_program(Random& random) {
+    std::string text = "TYPE Colour : (Red, Green, Blue); END_TYPE\nVAR_GLOBAL g : INT := 5; h : BOOL; END_VAR\n";
+    const int functions = static_cast<int>(random_number(random, 0, 2));
+    for (int i = 0; i < functions; ++i) {
+        Writer writer(random, false, i);
+        writer.booleans = {"x0", "x1", "x2", "y0", "q"};
+        writer.integers = {"n0", "n1", "y1", "p", "g"};
+        std::string body = writer.body(4) + fmt::format("Fun{} := n0 + p;\n", i);
+        text += fmt::format(
+            "FUNCTION Fun{} : INT\nVAR_INPUT p : INT; q : BOOL; END_VAR\nVAR o : BOOL; r, e : INT; "
+            "END_VAR\n{}{}END_FUNCTION\n",
+            i, writer.variables(), body);
+    }
+    const int inner = static_cast<int>(random_number(random, 0, 2));
+    for (int i = 0; i < inner; ++i) {
+        Writer writer(random, true, functions);
+        writer.add_instances(i);
+        std::string body = writer.body(static_cast<int>(random_number(random, 2, 6)));
+        text += fmt::format(
+            "FUNCTION_BLOCK Inner{}\nVAR_INPUT a, b : BOOL; e : INT; END_VAR\nVAR_OUTPUT o, Q : BOOL; r, v : INT; "
+            "END_VAR\n"
+            "VAR_EXTERNAL g : INT; END_VAR\n{}{}Q := o; v := r + n0; g := g + 1;\nEND_FUNCTION_BLOCK\n",
+            i, writer.variables(), body);
+    }
+    Writer writer(random, true, functions);
+    writer.add_instances(inner);
+    writer.booleans.emplace_back("h");
+    writer.integers.emplace_back("g");
+    std::string body = writer.body(static_cast<int>(random_number(random, 3, 9)));
+    text += fmt::format(
+        "PROGRAM Main\nVAR a AT %IX0.0 : BOOL; b AT %IX0.1 : BOOL; END_VAR\nVAR_INPUT e : INT; END_VAR\n"
+        "VAR_OUTPUT o : BOOL; r : INT; END_VAR\n{}{}END_PROGRAM\n",
+        writer.variables(), body);
+    if (chance(random, 50))
+        text +=
+            "CONFIGURATION Plant RESOURCE Cpu ON PLC\nTASK Fast(INTERVAL := T#10ms, PRIORITY := 1);\n"
+            "PROGRAM One WITH Fast : Main;\nEND_RESOURCE END_CONFIGURATION\n";
+    return text;
+}
+
+}  // namespace grafverif
