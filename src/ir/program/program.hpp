@@ -3,7 +3,7 @@
 //
 // Semantics of one scan, which `run/program` executes literally and `derive/program` as equations:
 //   - the inputs take new values, the elapsed times of timers advance, and the body of `main` is executed once;
-//   - statements execute in order; function blocks and functions execute where they are called; a function block keeps
+//   - statements execute in order; function blocks and functions execute at each call; a function block keeps
 //     its cells between calls, a function and the section VAR_TEMP begin each call with their initial values;
 //   - integers wrap around within the range of their type; a comparison, a quotient or a remainder has the value of the
 //     operands as numbers; a division by zero is a run-time fault, after which nothing is stated about the program;
@@ -139,7 +139,7 @@ struct Program {
         Body body = {};
         std::optional<std::uint32_t> result = {};  ///< of a function: the cell of its value
         std::vector<std::uint32_t> inputs = {};    ///< cells of VAR_INPUT, in order
-        /// Of a timer: a cell that is true while time counts, and the cell of the elapsed time.
+        /// In a timer: a cell that is true while time counts, and the cell of the elapsed time.
         std::optional<std::uint32_t> running = {}, elapsed = {};
         Span origin = {};
         bool operator==(const Unit&) const = default;

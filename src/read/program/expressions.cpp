@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Expressions with their types. An integer literal has no type of its own; integers of different types meet in the type
+// Expressions with their types. An integer literal adapts to the type that it meets; integers of different types meet in the type
 // that contains the other.
 #include <algorithm>
 #include <string>

@@ -103,7 +103,7 @@ private:
             for (const KindName& each : kinds) names.emplace_back(each.name);
             const std::string nearest = nearest_of(*kind, names);
             return reject(where(entries["kind"]), "`" + *kind + "` is not a kind of property",
-                          nearest.empty() ? "use one of the kinds of format 0.1" : "did you mean `" + nearest + "`?");
+                          nearest.empty() ? "use a kind of format 0.1" : "did you mean `" + nearest + "`?");
         }
         made.kind = known->kind;
         for (const auto& [key, value] : entries) check_key(made.kind, key, value);
