@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "derive/program/scan.hpp"
 #include "grafverif/ir/transition_system.hpp"
+#include "ir/program/scan.hpp"
 
 namespace grafverif {
 
