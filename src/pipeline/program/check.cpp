@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "check/together.hpp"
+#include "derive/program/scan.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
 #include "pipeline/program/replay.hpp"
