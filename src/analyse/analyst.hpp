@@ -172,6 +172,7 @@ private:
     Bdd all_active(const std::vector<Step>& steps) const;
     bool covers(const std::vector<Step>& steps) const;
     std::string step_name(Step step) const { return step_variable(chart_, step); }
+    std::string false_part(Transition id);
     std::string steps_text(const std::vector<Step>& steps) const;
     const std::string& name(Transition transition) const { return chart_.transitions[transition].name; }
 

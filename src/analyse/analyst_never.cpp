@@ -2,8 +2,12 @@
 // Queries about events that never happen: the search looks for an occurrence; none in all reachable points is a
 // finding.
 #include <algorithm>
+#include <ostream>
 
 #include "analyse/analyst.hpp"
+#include "ir/words_of.hpp"
+#include "syntax/print/chart.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif::analysis {
 
@@ -124,6 +128,35 @@ void Analyst::dead_transitions() {
     for (const Transition id : chart_.transitions.ids()) dead_transition(id);
 }
 
+/// The first part of the condition that is false whenever the transition is enabled; empty if there is none with a name.
+std::string Analyst::false_part(Transition id) {
+    const Exprs& exprs = equations_.exprs;
+    const Id<Expr> condition = equations_.firings[id.index].condition;
+    bool named = true;
+    const auto leaf = [&](std::ostream& out, const Expr& of) {
+        const Id<Equations::Variable> variable{static_cast<std::uint32_t>(of.value)};
+        const auto step = std::ranges::find(equations_.steps, variable, &Equations::StepActivity::variable);
+        const auto timer = std::ranges::find(equations_.timers, variable, &Equations::Timer::end);
+        const Equations::Role role = equations_.variables[variable].role;
+        std::string text = step != equations_.steps.end() ? step->step.variable() : "";
+        if (timer != equations_.timers.end() && !watched_name(equations_, *timer).empty())
+            text = time_text(timer->rise_ms, watched_name(equations_, *timer), timer->fall_ms);
+        if (role == Equations::Role::Input || role == Equations::Role::Internal)
+            text = equations_.variables[variable].name;
+        named = named && !text.empty();
+        out << text;
+    };
+    std::vector<Id<Expr>> parts = {condition};
+    if (exprs[condition].op == Op::And)
+        parts.assign(exprs.operands(condition).begin(), exprs.operands(condition).end());
+    for (const Id<Expr> part : parts) {
+        named = true;
+        const std::string text = expr_text(exprs, part, chart_spelling, leaf);
+        if (named && !seen(enabled(id) & machine_.holds(part))) return text;
+    }
+    return {};
+}
+
 void Analyst::dead_transition(Transition id) {
     if (!unseen("transition-never-fired", id.index)) return;
     const Chart::Transition& transition = chart_.transitions[id];
@@ -138,6 +171,7 @@ void Analyst::dead_transition(Transition id) {
         finding("transition-never-fired", name(id), "`" + name(id) + "` is never cleared" + why, transition.origin);
     if (ready) {
         made.message = "`" + name(id) + "` is never cleared; its condition is never true while it is enabled";
+        if (const std::string part = false_part(id); !part.empty()) made.message += ", since `" + part + "` is false";
         show(made, enabled(id), {.ends = false}, "`" + name(id) + "` is enabled");
     }
     keep(std::move(made));

@@ -66,7 +66,7 @@ public:
     /// Adds the properties that the system cannot express, in the order of the properties.
     void add_omitted();
 
-    Report report() && { return std::move(report_); }
+    Report report() &&;
 
 private:
     bool replays(const SystemRun& run, const std::string& what);

@@ -201,8 +201,13 @@ public:
                 violations.push_back({report.answers.size(), *verdict.run});
             report.answers.push_back(answer_of(network_, std::move(verdict), detail_));
         }
-        if (!loop_.cures_left_out && !is_watched())
-            explain(network_, violations, again(result), options_.limits, report);
+        if (!loop_.cures_left_out && !is_watched()) {
+            explain(network_, violations, again(result, options_.limits), options_.limits, report);
+            Limits limits = options_.limits;
+            limits.states = std::min(limits.states.value_or(many_states), many_states);
+            limits.deadline = explanation_deadline(limits.deadline, result.seconds);
+            explain_dead_steps(network_, loop_.charts, again(result, limits), report);
+        }
         report.profile = std::move(result.profile);
         report.failures = std::move(failures_);
         return report;
@@ -210,11 +215,12 @@ public:
 
 private:
     /// Decides properties of a similar network; empty if that may take long.
-    Search again(const TimedResult& result) const {
+    Search again(const TimedResult& result, const Limits& limits) const {
         if (result.states >= many_states) return {};
-        return [this](const Network& network, std::vector<std::string> names) {
+        return [this, limits](const Network& network, std::vector<std::string> names) {
             CheckOptions options = options_;
             options.properties = std::move(names);
+            options.limits = limits;
             options.profile = false;
             return search({network}, options).verdicts;
         };

@@ -131,6 +131,11 @@ void SystemReporter::add_omitted() {
     }
 }
 
+Report SystemReporter::report() && {
+    if (of_ == Of::EmbeddedEngine) explain_dead_steps(check_, options_.limits, report_);
+    return std::move(report_);
+}
+
 bool SystemReporter::replays(const SystemRun& run, const std::string& what) {
     const std::optional<Disagreement> found = disagreement(project(check_.system, run), check_.charts);
     if (found) report_.failures.push_back(replay_failure(what, *found));

@@ -8,14 +8,19 @@
 #include <chrono>
 #include <utility>
 
+#include "check/parts/by_turns.hpp"
 #include "explain/causes.hpp"
 #include "explain/change.hpp"
+#include "explain/dead_steps.hpp"
 #include "explain/inputs.hpp"
 #include "explain/instants.hpp"
 #include "explain/moves.hpp"
 #include "explain/settling.hpp"
+#include "explain/standstill.hpp"
 #include "ir/network_run.hpp"
 #include "ir/patterns.hpp"
+#include "ir/step_names.hpp"
+#include "pipeline/models.hpp"
 
 namespace grafverif {
 
@@ -73,6 +78,16 @@ void explain_run(const Network& network, const Run& run, const Limits& limits, A
     if (change.exhausted) answer.verdict.notes.push_back(gave_up(change.free_moves, "free moves", change.tried));
 }
 
+/// For a violated `no timelock`: why time cannot pass at the end of `run`.
+void explain_standstill(const Network& network, const Run& run, Answer& answer) {
+    const Standstill found = standstill(network, run);
+    const std::string unsettled = unsettled_words(*answer.trace);
+    if (!unsettled.empty()) answer.verdict.notes.push_back(unsettled);
+    if (!unsettled.empty() && found.blockers.empty()) return;
+    if (std::string words = standstill_words(network, found); !words.empty())
+        answer.verdict.notes.push_back(std::move(words));
+}
+
 /// For a run without a plant, whose inputs are free.
 void explain_inputs(const TransitionSystem& system, const Property& property, const SystemRun& run,
                     const Limits& limits, Answer& answer) {
@@ -95,6 +110,15 @@ void explain_moves(const Network& timed, const TransitionSystem& system, const P
     if (change.exhausted) answer.verdict.notes.push_back(gave_up(change.free_moves, "free moves", change.tried));
 }
 
+/// In discrete time, `no timelock` is `always possible` a tick.
+void explain_time(const SystemToCheck& check, const Property& property, const SystemRun& run, Answer& answer) {
+    const std::optional<Network>* const network = check.network ? &check.network() : nullptr;
+    if (network == nullptr || !*network) return;
+    const auto asked = std::ranges::find((*network)->properties, property.name, &Property::name);
+    if (asked == (*network)->properties.end() || asked->pattern != Pattern::NoTimelock) return;
+    if (const auto moves = moves_of(**network, check.system, run)) explain_standstill(**network, moves->run, answer);
+}
+
 }  // namespace
 
 void explain(const Network& network, const std::vector<Violation>& violations, const Search& search,
@@ -104,8 +128,7 @@ void explain(const Network& network, const std::vector<Violation>& violations, c
         Answer& answer = report.answers[each.answer];
         explain_run(network, each.run, limits, answer);
         if (answer.verdict.pattern != Pattern::NoTimelock || !answer.trace) continue;
-        if (std::string words = unsettled_words(*answer.trace); !words.empty())
-            answer.verdict.notes.push_back(std::move(words));
+        explain_standstill(network, each.run, answer);
     }
 }
 
@@ -113,6 +136,7 @@ void explain(const SystemToCheck& check, const SystemRun& run, const Limits& lim
     const TransitionSystem& system = check.system;
     if (!answer.verdict.about.valid() || !answer.trace) return;
     const Property& property = system.properties[answer.verdict.about];
+    if (system.ticks.valid() && property.pattern == Pattern::AlwaysPossible) explain_time(check, property, run, answer);
     const auto causes = causes_of(system, property, run);
     if (!causes) return;
     mark(system, run, *causes, *answer.trace);
@@ -120,6 +144,113 @@ void explain(const SystemToCheck& check, const SystemRun& run, const Limits& lim
     const std::optional<Network>* const network = check.network ? &check.network() : nullptr;
     if (network != nullptr && *network) explain_moves(**network, system, property, run, limits, answer);
     else explain_inputs(system, property, run, limits, answer);
+}
+
+Deadline explanation_deadline(const Deadline& deadline, double seconds) {
+    using Clock = std::chrono::steady_clock;
+    const auto end =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(2 + seconds));
+    return std::min(deadline.value_or(end), end);
+}
+
+namespace {
+
+constexpr std::size_t most_candidates = 200;
+
+bool is_reachable(const Exprs& exprs, const Property& property, std::uint32_t variable) {
+    if (property.pattern != Pattern::Reachable) return false;
+    const Expr& term = exprs[property.operands[0]];
+    return term.op == Op::Variable && term.value == variable;
+}
+
+/// True if `answer` finds that the step with this variable is unreachable.
+bool is_about(const Network& network, const Answer& answer, Id<Network::Variable> step) {
+    const Property& property = network.properties[answer.verdict.about];
+    if (property.pattern == Pattern::ReachableAllSteps)
+        return answer.verdict.property == property.name + '.' + step_variable_name(network, step);
+    return is_reachable(network.exprs, property, step.index);
+}
+
+bool is_about(const TransitionSystem& system, const Answer& answer, Id<TransitionSystem::Symbol> step) {
+    return is_reachable(system.exprs, system.properties[answer.verdict.about], step.index);
+}
+
+/// A term that is true while a transition is cleared; the constant false if states do not show it.
+Id<Expr> clearing(Network& network, Id<Network::Variable> firing) {
+    // The condition is computed from the state before its edge, so that this state shows its parts.
+    return network.variables[firing].scratch ? network.exprs.constant(false)
+                                             : network.exprs.leaf(Op::Variable, firing.index);
+}
+
+Id<Expr> clearing(TransitionSystem& system, Id<TransitionSystem::Symbol> firing) {
+    return system.exprs.leaf(Op::Variable, firing.index);
+}
+
+/// `decide` returns the verdicts on the properties of these names of the model.
+template <class Model, class Decide>
+void name_dead_transitions(Model model, const std::vector<const Chart*>& charts, const Decide& decide, Report& report) {
+    struct Asked {
+        Answer* answer = nullptr;
+        std::string words = {};
+        std::pair<std::size_t, std::uint32_t> transition = {};  // controller, transition
+    };
+    std::vector<Asked> asked;
+    std::vector<std::string> names;
+    for (Answer& answer : report.answers) {
+        if (answer.verdict.outcome != Outcome::Violated || !answer.verdict.about.valid()) continue;
+        if (names.size() > most_candidates) break;
+        std::size_t index = 0;
+        for (const auto& controller : model.controllers) {
+            const Chart& chart = *charts[index++];
+            const std::string prefix = charts.size() > 1 ? controller.words.name + ": " : "";
+            for (const Id<Chart::Step> step : chart.steps.ids()) {
+                if (!is_about(model, answer, controller.words.steps[step.index].variable)) continue;
+                for (const DeadTransition& each :
+                     dead_transitions(chart, condition_leaves(controller.words), step, model.exprs)) {
+                    const auto firing = controller.words.transitions[each.transition.index].variable;
+                    Property property{.name = "dead.(" + std::to_string(names.size()) + ')', .pattern = Pattern::Never};
+                    property.operands = {model.exprs.disjunction(each.never, clearing(model, firing))};
+                    names.push_back(property.name);
+                    model.properties.add(std::move(property));
+                    asked.push_back({&answer, prefix + each.words, {index, each.transition.index}});
+                }
+            }
+        }
+    }
+    if (asked.empty()) return;
+    const std::vector<Verdict> verdicts = decide(std::as_const(model), names);
+    const Asked* last = nullptr;
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+        const bool again =
+            last != nullptr && last->answer == asked[k].answer && last->transition == asked[k].transition;
+        const auto found = std::ranges::find(verdicts, names[k], &Verdict::property);
+        if (again || found == verdicts.end() || found->outcome != Outcome::Holds) continue;
+        last = &asked[k];
+        last->answer->verdict.notes.push_back(last->words);
+    }
+}
+
+}  // namespace
+
+void explain_dead_steps(const Network& network, const std::vector<const Chart*>& charts, const Search& search,
+                        Report& report) {
+    if (!search || charts.size() != network.controllers.size()) return;
+    name_dead_transitions(network, charts, search, report);
+}
+
+void explain_dead_steps(const SystemToCheck& check, const Limits& limits, Report& report) {
+    if (check.charts.size() != check.system.controllers.size()) return;
+    double seconds = 0;
+    for (const Answer& answer : report.answers) seconds = std::max(seconds, answer.verdict.seconds);
+    name_dead_transitions(
+        check.system, check.charts,
+        [&](const TransitionSystem& system, std::vector<std::string> names) {
+            SymbolicOptions options{.properties = std::move(names), .witnesses = false};
+            set_limits(options, limits);
+            options.deadline = explanation_deadline(limits.deadline, seconds);
+            return check_symbolic_by_parts(system, options).verdicts;
+        },
+        report);
 }
 
 void explain(const Chart& chart, ExecutionMode mode, const Limits& limits, Answer& answer) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "check/shares.hpp"
 #include "grafverif/ir/network.hpp"
 #include "grafverif/ir/report.hpp"
 #include "grafverif/ir/verdict.hpp"
@@ -31,6 +32,16 @@ void explain(const Network& network, const std::vector<Violation>& violations, c
 
 /// Adds explanations to a result on an untimed model that `run` violates.
 void explain(const SystemToCheck& check, const SystemRun& run, const Limits& limits, Answer& answer);
+
+/// End of a search that only explains, after one of `seconds`: after two seconds more than that, or at `deadline`.
+Deadline explanation_deadline(const Deadline& deadline, double seconds);
+
+/// Explains each unreachable step of `report`: the transitions to it that are never cleared, with the part of their
+/// conditions that is never true. `search` proves each statement, or it is omitted.
+void explain_dead_steps(const Network& network, const std::vector<const Chart*>& charts, const Search& search,
+                        Report& report);
+/// The same for an untimed model, until `explanation_deadline`.
+void explain_dead_steps(const SystemToCheck& check, const Limits& limits, Report& report);
 
 /// Adds explanations to the result that `chart` does not become stable, if it has a trace.
 void explain(const Chart& chart, ExecutionMode mode, const Limits& limits, Answer& answer);

@@ -74,6 +74,18 @@ Leeway leeway(const Network& network, const NetworkState& state) {
     return leeway;
 }
 
+std::vector<Network::ClockConstraint> reached_bounds(const Network& network, const NetworkState& state,
+                                                     Id<Network::Process> id) {
+    const Network::Process& process = network.processes[id];
+    std::vector<Network::ClockConstraint> found =
+        automaton(network, process).locations[state.locations[id.index]].invariant;
+    std::erase_if(found, [&](const Network::ClockConstraint& bound) {
+        return greatest(bound.relation, bound_value(network, process, bound.bound)) >
+               state.clocks[id.index][bound.clock.index];
+    });
+    return found;
+}
+
 std::vector<Id<Network::Process>> impatient(const Network& network, const NetworkState& state) {
     std::vector<bool> urgent(network.processes.size());
     for (const Fire& move : enabled(network, state))
@@ -81,7 +93,7 @@ std::vector<Id<Network::Process>> impatient(const Network& network, const Networ
             urgent[move.process.index] = true;
     std::vector<Id<Network::Process>> found;
     for (const Id<Network::Process> id : network.processes.ids())
-        if (urgent[id.index] || patience(network, state, id).value_or(1) <= 0) found.push_back(id);
+        if (urgent[id.index] || !reached_bounds(network, state, id).empty()) found.push_back(id);
     return found;
 }
 

@@ -23,6 +23,10 @@ struct Leeway {
 
 Leeway leeway(const Network& network, const NetworkState& state);
 
+/// The constraints of the invariant of its location that another unit of time would violate.
+std::vector<Network::ClockConstraint> reached_bounds(const Network& network, const NetworkState& state,
+                                                     Id<Network::Process> id);
+
 /// The processes that block delay: an urgent edge is enabled, or an invariant is at its bound.
 std::vector<Id<Network::Process>> impatient(const Network& network, const NetworkState& state);
 

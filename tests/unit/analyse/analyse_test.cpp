@@ -74,12 +74,17 @@ TEST(Analyse, AStepThatNothingLeadsToIsNeverActiveNorAreTransitionsFromIt) {
         transition t1: 1 -> 2 when a && !a;
         transition t2: 2 -> 0 when b;
         transition t3: 1 -> 0 when b;
+        transition t4: 1 -> 0 when a && X0;
     )");
     ASSERT_NE(find(found, "step-never-active", "X2"), nullptr);
     ASSERT_NE(find(found, "output-never-set", "P"), nullptr);
     const Finding* const condition = find(found, "transition-never-fired", "t1");
     ASSERT_NE(condition, nullptr);
     EXPECT_EQ(condition->message, "`t1` is never cleared; its condition is never true while it is enabled");
+    const Finding* const part = find(found, "transition-never-fired", "t4");
+    ASSERT_NE(part, nullptr);
+    EXPECT_EQ(part->message,
+              "`t4` is never cleared; its condition is never true while it is enabled, since `X0` is false");
     ASSERT_TRUE(condition->evidence.has_value()) << "the way to the situation in which it is enabled";
     const Finding* const upstream = find(found, "transition-never-fired", "t2");
     ASSERT_NE(upstream, nullptr);

@@ -95,6 +95,118 @@ TEST(Explain, UnstableChartIsExplainedByItsSituations) {
               "instant; make a transition of the cycle wait for an input change\n");
 }
 
+/// A belt that must arrive after 2 s, but cannot while its motor runs.
+constexpr const char* stuck_belts = R"(component belt(input GO; output AT) {
+    clock t;
+    initial location still;
+    location moving invariant t <= 2s;
+    urgent still -> moving when GO do t := 0;
+    timed moving -> still when !GO && t >= 1s do AT := true;
+}
+grafcet c {
+    input a, AT, BT;
+    output M;
+    initial step 0;
+    step 1 { M; }
+    step 2;
+    transition t0: 0 -> 1 when a;
+    transition t1: 1 -> 2 when AT && 1s/X1;
+}
+closed_loop asked {
+    controller c;
+    plant Belt = belt(GO = M, AT = AT);
+    plant Other = belt(GO = M, AT = BT);
+    environment A = push_button(OUT = a);
+    property steps: reachable all steps;
+    property time: no timelock;
+})";
+
+const std::string blocked_belts =
+    "`Belt` blocks time: location `moving`, invariant `t <= 2s`, no edge enabled (to `still` when `!M && t >= 1s`); "
+    "`Other` blocks time: location `moving`, invariant `t <= 2s`, no edge enabled (to `still` when `!M && t >= 1s`); "
+    "add an edge that can leave the location by then, or relax the invariant\n";
+
+TEST(Explain, TimelockNamesEveryInstanceAndInvariantThatBlockTime) {
+    Reading reading = read_string(stuck_belts, "c");
+    ASSERT_TRUE(reading.model) << reading.complaints();
+    const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
+    ASSERT_TRUE(report) << reading.complaints();
+    EXPECT_EQ(notes(*report, "time"), blocked_belts);
+    EXPECT_NE(json_of(*report).find("invariant `t <= 2s`"), std::string::npos);
+    // The input abstraction and the complete search report the same.
+    const auto whole = check(*reading.model, {0}, {}, {.whole = true}, reading.diagnostics);
+    ASSERT_TRUE(whole);
+    EXPECT_EQ(notes(*whole, "time"), blocked_belts);
+}
+
+TEST(Explain, TimelockInDiscreteTimeNamesTheBlockingInvariants) {
+    Reading reading = read_string(stuck_belts, "c");
+    ASSERT_TRUE(reading.model) << reading.complaints();
+    ModelOptions how;
+    how.untimed.plant = PlantApproach::Automata;
+    how.untimed.time = TimeModel::Discrete;
+    const auto report = check_untimed(*reading.model, Id<ClosedLoop>{0}, how, {}, reading.diagnostics);
+    ASSERT_TRUE(report) << reading.complaints();
+    EXPECT_EQ(answer(*report, "time").verdict.outcome, Outcome::Violated);
+    const std::string found = notes(*report, "time");
+    EXPECT_NE(found.find(blocked_belts), std::string::npos) << found;
+}
+
+TEST(Explain, InstancesThatNeverLetTimePassAreNamed) {
+    Reading reading = read_string(R"(component flicker(input IN; output OUT) {
+    initial location off;
+    location on with OUT := true;
+    urgent off -> on when IN do OUT := true;
+    urgent on -> off when IN do OUT := false;
+}
+grafcet c { input a, b; output M; initial step 0; step 1 { M; } transition t0: 0 -> 1 when a;
+            transition t1: 1 -> 0 when !a; }
+closed_loop asked {
+    controller c;
+    environment A = push_button(OUT = a);
+    plant Flicker = flicker(IN = M, OUT = b);
+    property time: no timelock;
+})",
+                                  "c");
+    ASSERT_TRUE(reading.model) << reading.complaints();
+    const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
+    ASSERT_TRUE(report) << reading.complaints();
+    EXPECT_EQ(answer(*report, "time").verdict.outcome, Outcome::Violated);
+    EXPECT_NE(notes(*report, "time").find("`Flicker` repeat forever within one instant"), std::string::npos)
+        << notes(*report, "time");
+}
+
+TEST(Explain, UnreachableStepNamesTheTransitionAndTheTermThatIsNeverTrue) {
+    const std::string chart = R"(grafcet c {
+    input a;
+    output green;
+    initial step 0;
+    step 1 { green; }
+    step 2;
+    step 3;
+    step 4;
+    step 5;
+    transition t0: 0 -> 1 when a;
+    transition t1: 1 -> 2 when a && X0;
+    transition t2: 2 -> 3 when a;
+    transition t3: 0, 1 -> 4 when a;
+    transition t4: 1 -> 5 when a && green && !a;
+    transition t5: 1 -> 0 when !a;
+})";
+    const std::string properties = "property all: reachable all steps; property r: reachable X3;";
+    for (const Report& report :
+         {report_of(chart, properties), report_of(chart, properties, Grain::Atomic),
+          untimed_report_of(chart, properties), untimed_report_of(chart, properties, PlantApproach::Automata)}) {
+        EXPECT_EQ(notes(report, "all.X1"), "");
+        EXPECT_EQ(notes(report, "all.X2"), "`t1` is never cleared: `X0` is never true while `X1` is active\n");
+        EXPECT_EQ(notes(report, "all.X3"), "`t2` is never enabled: `X2` is never active\n");
+        EXPECT_EQ(notes(report, "r"), notes(report, "all.X3"));
+        EXPECT_EQ(notes(report, "all.X4"), "`t3` is never enabled: `X0`, `X1` are never active together\n");
+        EXPECT_EQ(notes(report, "all.X5"),
+                  "`t4` is never cleared: `a`, `!a` are never true together while `X1` is active\n");
+    }
+}
+
 TEST(Explain, PropertiesLeftOpenByAModelErrorNameItsPlaceInTheChart) {
     const Report report = report_of(R"(grafcet c {
     input a;
