@@ -158,7 +158,7 @@ TEST(AdviceLaw, NamedTransitionsAreNeverClearedAndNamedTermsAreNeverTrue) {
         Diagnostics diagnostics;
         const auto network = network_of(model, {0}, how, diagnostics);
         if (!network) continue;
-        const States states = states_of(*network, 1000);
+        const States states = states_of(*network, 500);
         if (states.all.empty()) continue;
         const std::vector<const Chart*> charts = charts_of(model, loop);
         CheckOptions options;
@@ -167,6 +167,7 @@ TEST(AdviceLaw, NamedTransitionsAreNeverClearedAndNamedTermsAreNeverTrue) {
         options.limits.memory = std::uint64_t{2} << 20U;
         if (const auto report = check(model, {0}, how, options, diagnostics))
             timed += statements_checked(*report, *network, charts, states);
+        if (states.all.size() > 150) continue;  // the symbolic engine may need seconds
         how.untimed.plant = PlantApproach::Automata;
         for (const TimeModel time : {TimeModel::Abstract, TimeModel::Discrete}) {
             how.untimed.time = time;
