@@ -306,7 +306,9 @@ std::string LoopSimulation::act(std::string_view instance, std::string_view loca
 std::optional<std::int64_t> LoopSimulation::soonest_ms() const {
     const Leeway way = leeway(network_, state_);
     if (!way.limit && !way.change) return {};
-    return std::min(way.limit.value_or(*way.change), way.change.value_or(*way.limit)) * network_.time_unit_ms;
+    const std::int64_t soonest =
+        way.limit && way.change ? std::min(*way.limit, *way.change) : way.limit.value_or(way.change.value_or(0));
+    return soonest * network_.time_unit_ms;
 }
 
 std::optional<std::string> LoopSimulation::location_of(std::string_view instance, std::size_t moment) const {
