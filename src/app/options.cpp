@@ -57,6 +57,11 @@ std::string settle_engine(bool modelled, const po::variables_map& values, Option
         options.engine = Engine::Hwmcc;
     }
     options.check_untimed = options.check_untimed || modelled || options.untimed.fairness;
+    if (options.property_file && (options.check_untimed || options.engine != Engine::Embedded || options.loop ||
+                                  options.chart || options.all || options.list || options.stats || options.why))
+        return "`--properties` checks a PLC program with the embedded engines; remove the options that select an "
+               "engine, "
+               "a model, a loop or a chart, and `--list`, `--stats` and `--why`";
     const bool timed = options.engine == Engine::Timed || options.engine == Engine::Verifyta;
     if (timed && options.check_untimed)
         return fmt::format("`--engine {}` checks only timed models; remove `--untimed` and its options",

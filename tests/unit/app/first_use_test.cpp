@@ -153,6 +153,8 @@ TEST(FirstUse, OptionWithoutEffectIsRejected) {
              {{"check", file, "--engine-command", ""}, "the value of `--engine-command` is empty"},
              {{"check", file, "--chart", "c", "--loop", "l"},
               "`--chart` and `--loop` are mutually exclusive; remove one"},
+             {{"check", file, "--properties", "p.yaml", "--untimed"}, "`--properties` checks a PLC program"},
+             {{"check", file, "--properties", "p.yaml", "--list"}, "`--properties` checks a PLC program"},
              {{"simulate", file, "--chart", "c", "--grain", "atomic"},
               "`--chart` and `--grain` are mutually exclusive; remove one"},
              {{"simulate", file, "--steps", "3"}, "`--steps` needs `--random`"},
