@@ -270,11 +270,11 @@ class Serve(browser.Case):
         browser.eventually(lambda: "not as expected" in self.page.text("#status"), 30, "the verdicts")
         names = [words.split()[1] for words in self.page.texts(".property .outcome")]
         self.assertEqual(names[:3], ["BAD", "EXPECTED", "HOLDS"])
-        self.assertEqual(self.page.text("#diagnostics-text-title"), "Warnings")
-        self.assertFalse(self.page.all("#diagnostics-text.errors"))
+        self.assertEqual(self.page.text("#diagnostics-title"), "Warnings")
+        self.assertFalse(self.page.all("#diagnostics.errors"))
         self.file.write_text("grafcet")
-        self.page.wait_for_text("#diagnostics-text-title", "Errors")
-        self.assertTrue(self.page.all("#diagnostics-text.errors"))
+        self.page.wait_for_text("#diagnostics-title", "Errors")
+        self.assertTrue(self.page.all("#diagnostics.errors"))
 
     def test_operator_inputs_are_apart_from_sensors(self):
         self.serve(OVEN.read_text())
