@@ -156,7 +156,7 @@ Diagnostic several_programs(Span where, std::string_view name) {
 }
 
 Diagnostic bad_property(Span where, std::string_view what, std::string_view hint) {
-    return error("bad-property", where, fmt::format("{}; {}", what, hint));
+    return error("bad-property", where, fmt::format("invalid property: {}; {}", what, hint));
 }
 
 }  // namespace grafverif::messages
