@@ -178,7 +178,7 @@ class FinishedSite(unittest.TestCase):
         self.assert_warning("reference/versions.md", lambda text: text + "\n[missing](missing.md)\n", "missing")
 
     def test_page_without_title_fails_the_build(self):
-        self.assert_warning("reference/versions.md", lambda text: text.replace("# Versions\n", ""), "title")
+        self.assert_warning("reference/versions.md", lambda text: text.replace("# Versions\n", ""), "Document headings start at H2")
 
 
 if __name__ == "__main__":
