@@ -2,9 +2,11 @@
 // bench_engine WHAT [safety] [jobs=N] [atomic|text]: checks one model with the timed engine. Prints states, transitions
 // per second, bytes per state and verdicts.
 // safety: only state properties. jobs: number of threads. text: prints the generated model instead.
-// WHAT is one of `station`, `two` (two stations in one network, explored as one), `cylinders N`, `stations N` (in one
-// loop, checked compositionally), `line N` (a transfer line of N cells, its safety by localization).
-// Otherwise WHAT is the path of a sample.
+// WHAT is the path of a sample or one of:
+//   `station`, `cylinders N`
+//   `two`: two stations in one network, explored as one
+//   `stations N`: N stations in one loop, checked compositionally
+//   `line N`: a transfer line of N cells, its safety by localization
 #include <fmt/core.h>
 #include <sys/resource.h>
 
@@ -14,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "check/cells/cells.hpp"
+#include "check/localization/localization.hpp"
 #include "check/timed/timed.hpp"
 #include "engine_loops.hpp"
 

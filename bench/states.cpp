@@ -16,7 +16,7 @@
 
 #include "app/engines.hpp"
 #include "app/system/process.hpp"
-#include "check/together.hpp"
+#include "check/portfolio.hpp"
 #include "grafverif/grafverif.hpp"
 #include "ir/patterns.hpp"
 #include "pipeline/check.hpp"
@@ -62,9 +62,9 @@ std::string row(const SystemToCheck& check, const std::string& property, double 
     words += column(bmc, property, limit, by_circuit);
     words += column(SymbolicOptions(), property, limit,
                     [&](const SymbolicOptions& options) { return check_symbolic(system, options).verdicts.at(0); });
-    return words + column(TogetherOptions(), property, limit, [&](const TogetherOptions& asked) {
-               CheckOptions options{.properties = asked.properties};
-               options.limits.deadline = asked.deadline;
+    return words + column(PortfolioOptions(), property, limit, [&](const PortfolioOptions& requested) {
+               CheckOptions options{.properties = requested.properties};
+               options.limits.deadline = requested.deadline;
                return check_together(check, options).answers.at(0).verdict;
            });
 }
@@ -74,7 +74,7 @@ std::string row(const SystemToCheck& check, const std::string& property, double 
 int main(int count, char** arguments) {
     if (count < 2) return 2;
     const double limit = count > 2 ? std::atof(arguments[2]) : 60;
-    Reading reading = read_file(arguments[1]);
+    ParseResult reading = read_file(arguments[1]);
     ModelOptions how;
     how.grain = Grain::Atomic;
     how.untimed.plant = PlantApproach::Automata;
@@ -85,8 +85,8 @@ int main(int count, char** arguments) {
     if (!system) return 2;
     const SystemToCheck check = system_to_check(*system, *reading.model, Id<ClosedLoop>{0}, how);
     const auto abc = app::find_program("berkeley-abc");
-    const std::set<std::string> asked(arguments + std::min(count, 3), arguments + count);
+    const std::set<std::string> requested(arguments + std::min(count, 3), arguments + count);
     for (const Property& property : system->properties)
-        if (is_about_single_states(property.pattern) && (asked.empty() || asked.contains(property.name)))
+        if (is_about_single_states(property.pattern) && (requested.empty() || requested.contains(property.name)))
             std::cout << row(check, property.name, limit, abc) << std::endl;
 }

@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "check/parts/by_turns.hpp"
+#include "check/decomposition/interleaved.hpp"
 #include "compose/compose.hpp"
 #include "derive/derive.hpp"
 #include "emit/nusmv/nusmv.hpp"

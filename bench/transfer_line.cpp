@@ -39,7 +39,7 @@ constexpr std::string_view chart_of = R"(
 )";
 
 constexpr std::string_view components =
-    R"(// A buffer takes a part when it is asked to and has room, and gives one when it has any; each request is answered, and the
+    R"(// A buffer takes a part on request if it has space, and gives one on request if it has any; each request is answered, and the
 // answer falls with the request.
 component buffer(input PUT, TAKE; output STORED, GIVEN; output N: int 0..CAPACITY; CAPACITY = 8) {
     initial location idle;

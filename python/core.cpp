@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The front door of the library for Python: texts, JSON and drawings of what it gives. The package `grafverif` beside
-// it makes objects of these. Whatever may take long runs on a thread of its own, without the lock of the interpreter,
-// while the caller listens for Ctrl-C.
+// Binds the public API to Python: functions on texts that return JSON and drawings. The package `grafverif` converts
+// their results to objects. Long computations run on a separate thread without the lock of the interpreter, so that
+// Ctrl-C interrupts them.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -30,9 +30,9 @@ namespace py = pybind11;
 namespace grafverif::python {
 namespace {
 
-/// Runs `work(stop)` to its end, or until Ctrl-C, which it is told by `stop`; then KeyboardInterrupt.
+/// Runs `work(stop)` to its end. Ctrl-C sets `stop`; the function then throws KeyboardInterrupt.
 template <class Work>
-auto uninterrupted(Work work) -> decltype(work(std::declval<const std::atomic<bool>&>())) {
+auto run_interruptibly(Work work) -> decltype(work(std::declval<const std::atomic<bool>&>())) {
     std::optional<decltype(work(std::declval<const std::atomic<bool>&>()))> result;
     std::exception_ptr failure;
     std::atomic<bool> stop = false;
@@ -108,13 +108,14 @@ std::optional<ExecutionMode> mode_of(const std::optional<std::string>& word) {
 
 /// One of `words`, which are those of `values`.
 template <class Value>
-Value chosen(const std::string& asked, const char* what, std::initializer_list<std::pair<const char*, Value>> words) {
+Value chosen(const std::string& requested, const char* what,
+             std::initializer_list<std::pair<const char*, Value>> words) {
     std::string all;
     for (const auto& [word, value] : words) {
-        if (asked == word) return value;
+        if (requested == word) return value;
         all += (all.empty() ? "`" : ", `") + std::string(word) + "`";
     }
-    throw py::value_error(std::string(what) + " is one of " + all + ", not `" + asked + "`");
+    throw py::value_error(std::string(what) + " is one of " + all + ", not `" + requested + "`");
 }
 
 /// How a model is made.
@@ -158,7 +159,7 @@ struct How {
 struct Checked {
     Report report;
     Sources sources;
-    std::shared_ptr<const Reading> reading = {};
+    std::shared_ptr<const ParseResult> reading = {};
     Id<ClosedLoop> loop = {};
     Id<Chart> chart = {};
     std::optional<ExecutionMode> mode = {};
@@ -170,7 +171,7 @@ struct Moved {
 };
 
 class File {
-    std::shared_ptr<const Reading> reading_;
+    std::shared_ptr<const ParseResult> reading_;
 
     const Model& model() const { return *reading_->model; }
 
@@ -178,7 +179,7 @@ class File {
     template <class Make>
     auto made(Make make) const {
         Diagnostics diagnostics;
-        auto result = uninterrupted([&](const std::atomic<bool>& stop) { return make(stop, diagnostics); });
+        auto result = run_interruptibly([&](const std::atomic<bool>& stop) { return make(stop, diagnostics); });
         if (!result) refuse(diagnostics, reading_->sources);
         for (const Diagnostic& each : diagnostics.all())
             if (PyErr_WarnEx(PyExc_UserWarning, (each.message + " [" + each.code + "]").c_str(), 2) != 0)
@@ -188,10 +189,10 @@ class File {
 
 public:
     static File read(const std::string& path, const ReadOptions& options) {
-        return File(uninterrupted([&](const std::atomic<bool>&) { return read_file(path, options); }));
+        return File(run_interruptibly([&](const std::atomic<bool>&) { return read_file(path, options); }));
     }
     static File parse(const std::string& text, const std::string& name, const ReadOptions& options) {
-        return File(uninterrupted([&](const std::atomic<bool>&) { return read_string(text, name, options); }));
+        return File(run_interruptibly([&](const std::atomic<bool>&) { return read_string(text, name, options); }));
     }
 
     std::vector<std::string> charts() const { return names(model().charts); }
@@ -201,12 +202,12 @@ public:
         return names(model().loops[loop_of(loop)].properties);
     }
 
-    Checked check(const std::string& loop, const How& how, const CheckOptions& asked, const Bounds& bounds,
+    Checked check(const std::string& loop, const How& how, const CheckOptions& requested, const Bounds& bounds,
                   bool untimed) const {
         const ModelOptions options = how.options();
         const Id<ClosedLoop> id = loop_of(loop);
         Report report = made([&](const std::atomic<bool>& stop, Diagnostics& diagnostics) {
-            CheckOptions check = asked;
+            CheckOptions check = requested;
             check.limits = bounds.limits(stop);
             return untimed ? check_untimed(model(), id, options, check, diagnostics)
                            : grafverif::check(model(), id, options, check, diagnostics);
@@ -235,7 +236,7 @@ public:
         DrawOptions options;
         options.notation = chosen<Notation>(notation, "notation", {{"iec", Notation::Iec}, {"text", Notation::Text}});
         const Id<Chart> id = chart_of(chart);
-        return uninterrupted([&](const std::atomic<bool>&) { return svg_of(drawing_of(model(), id, options)); });
+        return run_interruptibly([&](const std::atomic<bool>&) { return svg_of(drawing_of(model(), id, options)); });
     }
     /// Text, JSON and SVG.
     std::tuple<std::string, std::string, std::string> automaton(const std::string& chart, const How& how,
@@ -309,17 +310,17 @@ public:
         });
     }
     std::string structured_text(const std::string& chart, const How& how, bool plcopen_xml) const {
-        const auto asked = mode_of(how.mode);
+        const auto requested = mode_of(how.mode);
         const Id<Chart> id = chart_of(chart);
         return made([&](const std::atomic<bool>&, Diagnostics& diagnostics) -> std::optional<std::string> {
             const auto equations = equations_of(model(), id, diagnostics);
             if (!equations) return {};
-            return structured_text_of(*equations, execution_mode(model(), id, asked), diagnostics, plcopen_xml);
+            return structured_text_of(*equations, execution_mode(model(), id, requested), diagnostics, plcopen_xml);
         });
     }
 
 private:
-    explicit File(Reading reading) : reading_(std::make_shared<const Reading>(std::move(reading))) {
+    explicit File(ParseResult reading) : reading_(std::make_shared<const ParseResult>(std::move(reading))) {
         if (!reading_->model) refuse(reading_->diagnostics, reading_->sources);
     }
 
@@ -347,7 +348,7 @@ private:
 
 std::string html_of(const Checked& checked, const std::string& date, const Bounds& bounds) {
     Diagnostics diagnostics;
-    auto page = uninterrupted([&](const std::atomic<bool>& stop) {
+    auto page = run_interruptibly([&](const std::atomic<bool>& stop) {
         return report_page(*checked.reading, checked.loop, checked.chart, checked.report, checked.mode, date,
                            bounds.limits(stop), diagnostics);
     });
@@ -410,7 +411,7 @@ PYBIND11_MODULE(_core, module) {
         .def("html", &html_of, py::arg("date"), py::arg("bounds"));
     py::class_<Moved> simulator(module, "Simulator");
     forbid_new(simulator);
-    simulator.def("obey", [](Moved& moved, const std::string& command) { return moved.simulator.obey(command); })
+    simulator.def("obey", [](Moved& moved, const std::string& command) { return moved.simulator.execute(command); })
         .def("problem", [](const Moved& moved) { return moved.simulator.problem(); })
         .def("choices",
              [](const Moved& moved) {
@@ -421,7 +422,7 @@ PYBIND11_MODULE(_core, module) {
         .def("json", [](const Moved& moved) { return json_of(moved.simulator.run()); })
         .def("text", [](const Moved& moved) { return text_of(moved.simulator.run()); })
         .def("svg", [](const Moved& moved) { return svg_of(moved.simulator.run(), moved.simulator.run().name); })
-        .def("trial_row", [](const Moved& moved) { return moved.simulator.trial_row(); })
+        .def("trial_row", [](const Moved& moved) { return moved.simulator.what_if_row(); })
         .def("disagreement", [](const Moved& moved) { return moved.simulator.disagreement(); });
     py::class_<File> file_class(module, "File");
     forbid_new(file_class);

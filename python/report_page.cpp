@@ -8,7 +8,7 @@
 
 namespace grafverif::python {
 
-std::optional<std::string> report_page(const Reading& reading, Id<ClosedLoop> loop, Id<Chart> chart,
+std::optional<std::string> report_page(const ParseResult& reading, Id<ClosedLoop> loop, Id<Chart> chart,
                                        const Report& report, std::optional<ExecutionMode> mode, std::string date,
                                        const Limits& limits, Diagnostics& diagnostics) {
     auto made = page_content(*reading.model, reading.sources, loop, chart, mode, limits, diagnostics);

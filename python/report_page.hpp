@@ -10,7 +10,7 @@
 namespace grafverif::python {
 
 /// The page of a report on `loop`, or on `chart` alone if `loop` is not valid; empty after an error.
-std::optional<std::string> report_page(const Reading& reading, Id<ClosedLoop> loop, Id<Chart> chart,
+std::optional<std::string> report_page(const ParseResult& reading, Id<ClosedLoop> loop, Id<Chart> chart,
                                        const Report& report, std::optional<ExecutionMode> mode, std::string date,
                                        const Limits& limits, Diagnostics& diagnostics);
 

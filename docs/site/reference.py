@@ -145,10 +145,10 @@ def templates(source):
 HEADER = re.compile(r"^(?P<file>[\w./-]+?\.\w+)(?::\d+:\d+)?: (?P<level>error|warning): (?P<message>.*) \[(?P<code>[a-z0-9-]+)\]$")
 
 
-def examples(rejects):
+def examples(folder):
     """code -> (file, printed text) of the smallest reject that shows it; its own file is preferred."""
     found = {}
-    for expected in sorted(rejects.glob("*.expected")):
+    for expected in sorted(folder.glob("*.expected")):
         source = expected.with_suffix(".grafcet")
         blocks, current = [], None
         for line in expected.read_text().splitlines():
@@ -171,7 +171,7 @@ def diagnostics_page(root, problems):
         for level, code, message in templates(path.read_text()):
             if code not in known or len(message) > len(known[code][1]):
                 known[code] = (level, message)
-    shown = examples(root / "tests/rejects")
+    shown = examples(root / "tests/diagnostics")
     codes = sorted({*known, *shown})  # some codes, such as `unknown-variable`, are put together
     lines = ["", "## Index", "", ", ".join(f"[{code}](#{code})" for code in codes), ""]
     for code in codes:
@@ -180,7 +180,7 @@ def diagnostics_page(root, problems):
         if example:
             level, message = example[2], example[3]
         if not message:
-            problems.append(f"undocumented diagnostic `{code}`; add tests/rejects/{code}.grafcet")
+            problems.append(f"undocumented diagnostic `{code}`; add tests/diagnostics/{code}.grafcet")
             continue
         cause, _, remedy = message.partition("; ")
         lines += [f"## {code}", "", f"**{level.capitalize()}.** {sentence(cause)}", ""]

@@ -63,7 +63,7 @@ struct ReadOptions {
 };
 
 /// Parse result: sources, diagnostics and, without errors, the model.
-struct Reading {
+struct ParseResult {
     Sources sources = {};
     Diagnostics diagnostics = {};  ///< receives the diagnostics of later stages as well
     std::optional<Model> model = {};
@@ -73,9 +73,9 @@ struct Reading {
 };
 
 /// Reads a file and all its includes. The format is detected: input language, AGRAFE, PLCopen XML or textual SFC.
-Reading read_file(const std::string& path, const ReadOptions& options = {});
+ParseResult read_file(const std::string& path, const ReadOptions& options = {});
 /// The same for a text; `name` is its name in diagnostics.
-Reading read_string(std::string text, const std::string& name, const ReadOptions& options = {});
+ParseResult read_string(std::string text, const std::string& name, const ReadOptions& options = {});
 
 /// The chart, or closed loop, of that name.
 std::optional<Id<Chart>> find_chart(const Model& model, std::string_view name);
@@ -99,8 +99,8 @@ std::optional<TransitionSystem> transition_system_of(const Model& model, Id<Clos
 std::optional<TransitionSystem> transition_system_of(const Model& model, Id<Chart> chart, const ModelOptions& options,
                                                      Diagnostics& diagnostics);
 
-/// Execution mode of `chart` outside a loop: `asked`, or that of all its loops if they agree, or stability search.
-ExecutionMode execution_mode(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> asked);
+/// Execution mode of `chart` outside a loop: `requested`, or that of all its loops if they agree, or stability search.
+ExecutionMode execution_mode(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> requested);
 
 struct UppaalProject {
     std::string project = {};  ///< XML, including its queries
@@ -231,7 +231,7 @@ public:
 
     /// Executes one command, such as `START = true`, `wait 3s`, `do Gate open`, `back`, and the automatic moves after
     /// it. Returns an error message or an empty string.
-    std::string obey(std::string_view command);
+    std::string execute(std::string_view command);
     /// The error message of the last command, or of the initialization.
     const std::string& problem() const;
     /// The currently possible choices.
@@ -239,7 +239,7 @@ public:
     /// The complete run since power-on.
     const ChartRun& run() const;
     /// The first of its rows that is not part of a run of the model, because a step was forced; empty: none.
-    std::optional<std::size_t> trial_row() const;
+    std::optional<std::size_t> what_if_row() const;
     /// Internal error: difference between the run, up to a forced step, and the rules of IEC 60848; empty: none.
     std::string disagreement() const;
 

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "analyse/analyst.hpp"
+#include "analyse/chart_analyzer.hpp"
 #include "analyse/cones.hpp"
 #include "analyse/counters.hpp"
 #include "analyse/structure.hpp"
@@ -64,9 +64,9 @@ std::string obstacle_text(const BddExhausted& exhausted, const AnalyseOptions& o
 constexpr std::uint64_t most_for_ways = 16;
 
 /// Schedules the parts of a chart: each is searched in turns until no query is open or no part can continue.
-class Course {
+class ConeSchedule {
 public:
-    Course(const Chart& chart, const Equations& equations, const AnalyseOptions& options, Analysis& result)
+    ConeSchedule(const Chart& chart, const Equations& equations, const AnalyseOptions& options, Analysis& result)
         : chart_(chart),
           equations_(equations),
           options_(options),
@@ -86,7 +86,7 @@ public:
                 break;
             }
         result_.questions = questions_.all().size();
-        for (const Question& question : questions_.all())
+        for (const Query& question : questions_.all())
             if (!question.decided)
                 result_.open.push_back(
                     {std::string(question.code), question.subject, question.instants, question.evolutions});
@@ -97,12 +97,12 @@ public:
     }
 
 private:
-    struct Part {
+    struct ConeSearch {
         Cone cone = {};
         AnalyseOptions options = {};
         bool loosely = false;  ///< the over-approximating search was started
         bool complete = false, given_up = false, doubtful = false;
-        bool ways_known = false;  ///< the absorbing regions of the part were searched for
+        bool paths_known = false;  ///< the absorbing regions of the part were searched for
     };
 
     bool counts_on() const {
@@ -111,14 +111,14 @@ private:
         });
     }
 
-    bool is_last(const Part& part) const { return part.options.longest_count != options_.longest_count; }
+    bool is_last(const ConeSearch& part) const { return part.options.longest_count != options_.longest_count; }
 
     /// One turn of each part; false if none can continue.
     bool turns(std::uint64_t slice) {
         bool any = false;
         for (std::size_t k = 0; k < parts_.size() && questions_.any_open(); ++k) {
-            Part& part = parts_[k];
-            if (part.given_up || (part.complete && (part.ways_known || !questions_.any_trap_open()))) continue;
+            ConeSearch& part = parts_[k];
+            if (part.given_up || (part.complete && (part.paths_known || !questions_.any_trap_open()))) continue;
             if (is_last(part) && !parts_[k - 1].complete && !parts_[k - 1].given_up) continue;
             if (stopped_) return false;
             any = true;
@@ -132,7 +132,7 @@ private:
     /// Decides the queries that follow once all parts are complete and together contain all of the chart: every
     /// infinite evolution is infinite in one of them.
     void add_up() {
-        for (const Part& part : parts_)
+        for (const ConeSearch& part : parts_)
             if (!whole(part) && (!part.complete || part.doubtful)) return;
         if (!all_in_parts()) return;
         questions_.decide("total-instability");
@@ -147,30 +147,30 @@ private:
     bool all_in_parts() const {
         const auto in_parts = [this](Id<Equations::Variable> variable) {
             return std::ranges::any_of(
-                parts_, [&](const Part& part) -> bool { return !whole(part) && part.cone[variable.index]; });
+                parts_, [&](const ConeSearch& part) -> bool { return !whole(part) && part.cone[variable.index]; });
         };
         return std::ranges::all_of(equations_.firings, in_parts, &Equations::Firing::variable) &&
                std::ranges::all_of(equations_.stored, in_parts, &Equations::Stored::variable) &&
                std::ranges::all_of(equations_.previous, in_parts, &Equations::Previous::variable);
     }
 
-    static bool whole(const Part& part) { return std::ranges::find(part.cone, false) == part.cone.end(); }
+    static bool whole(const ConeSearch& part) { return std::ranges::find(part.cone, false) == part.cone.end(); }
 
     static bool ends_runs(const Finding& finding) {
         return finding.code == "total-instability" || is_break(finding.code);
     }
 
     bool any_break_open() const {
-        return std::ranges::any_of(
-            questions_.all(), [](const Question& question) { return !question.decided && is_break(question.code); });
+        return std::ranges::any_of(questions_.all(),
+                                   [](const Query& question) { return !question.decided && is_break(question.code); });
     }
 
     /// Under stability search, begins with a cheaper over-approximation of the part: inputs change before every
     /// evolution. What does not happen in it never happens.
     void turn(std::size_t k, std::uint64_t slice) {
-        Part& part = parts_[k];
+        ConeSearch& part = parts_[k];
         if (options_.mode == ExecutionMode::StabilitySearch && !part.loosely && !is_last(part)) {
-            part.loosely = spend(part, slice, [&](BddSpace& space) { look_loosely(k, space); });
+            part.loosely = spend(part, slice, [&](BddSpace& space) { search_loosely(k, space); });
             if (stopped_ || contradictory_ || !questions_.any_open()) return;
             part.given_up = false;
         }
@@ -179,7 +179,7 @@ private:
 
     /// True if `look` ran to completion.
     template <class Look>
-    bool spend(Part& part, std::uint64_t slice, const Look& look) {
+    bool spend(ConeSearch& part, std::uint64_t slice, const Look& look) {
         if (is_over()) {
             stopped_ = true;
             obstacle_ = obstacle_text(BddExhausted(BddExhausted::Cause::Stopped), options_);
@@ -201,17 +201,17 @@ private:
         return false;
     }
 
-    void look_loosely(std::size_t k, BddSpace& space) {
+    void search_loosely(std::size_t k, BddSpace& space) {
         Machine machine(equations_, parts_[k].options, parts_[k].cone, space);
         if (is_contradictory(machine)) return;
-        Search search(machine, ExecutionMode::EveryCycle, false);
-        Analyst analyst(chart_, equations_, options_, machine, search, questions_, result_);
+        PathSearch search(machine, ExecutionMode::EveryCycle, false);
+        ChartAnalyzer analyzer(chart_, equations_, options_, machine, search, questions_, result_);
         while (!search.done()) {
             search.next();
-            analyst.look_loosely();
+            analyzer.search_loosely();
             show_progress(k, search.instants().size());
         }
-        analyst.conclude_loosely();
+        analyzer.conclude_loosely();
     }
 
     bool is_contradictory(const Machine& machine) {
@@ -225,11 +225,11 @@ private:
     }
 
     void look_at(std::size_t k, BddSpace& space) {
-        Part& part = parts_[k];
+        ConeSearch& part = parts_[k];
         Machine machine(equations_, part.options, part.cone, space);
         if (is_contradictory(machine)) return;
-        Search search(machine, options_.mode);
-        Analyst analyst(chart_, equations_, options_, machine, search, questions_, result_);
+        PathSearch search(machine, options_.mode);
+        ChartAnalyzer analyzer(chart_, equations_, options_, machine, search, questions_, result_);
         std::uint64_t searching = 0, looking = 0;  // work: deep searches of small sets are examined only occasionally
         try {
             while (!search.done()) {
@@ -238,27 +238,27 @@ private:
                 result_.instants = std::max(result_.instants, search.instants().size());
                 const std::uint64_t found = space.work();
                 searching += found - start;
-                if (looking <= searching || search.done()) analyst.look();
+                if (looking <= searching || search.done()) analyzer.look();
                 looking += space.work() - found;
                 show_progress(k, search.instants().size());
             }
-            analyst.conclude();
+            analyzer.conclude();
         } catch (const BddExhausted&) {
-            analyst.leave();
+            analyzer.leave();
             throw;
         }
         part.complete = true;
-        part.doubtful = analyst.doubtful();
+        part.doubtful = analyzer.doubtful();
         if (whole(part) && !part.doubtful) questions_.decide("total-instability");
-        analyst.leave();
-        analyst.look_for_traps();
-        part.ways_known = true;
+        analyzer.leave();
+        analyzer.find_traps();
+        part.paths_known = true;
     }
 
     void show_progress(std::size_t part, std::size_t instant) const {
         if (!options_.progress) return;
         const auto open =
-            std::ranges::count_if(questions_.all(), [](const Question& question) { return !question.decided; });
+            std::ranges::count_if(questions_.all(), [](const Query& question) { return !question.decided; });
         options_.progress({questions_.all().size(), static_cast<std::size_t>(open), result_.findings.size(), part + 1,
                            parts_.size(), instant});
     }
@@ -267,8 +267,8 @@ private:
     const Equations& equations_;
     const AnalyseOptions& options_;
     Analysis& result_;
-    Questions questions_;
-    std::vector<Part> parts_ = {};
+    Queries questions_;
+    std::vector<ConeSearch> parts_ = {};
     std::string obstacle_ = {};
     bool stopped_ = false, contradictory_ = false;
 };
@@ -313,7 +313,7 @@ Analysis analyse(const Chart& chart, const Equations& equations, const AnalyseOp
     result.chart = chart.name;
     result.mode = options.mode;
     add_structural(chart, equations, result);
-    Course(chart, equations, options, result).run();
+    ConeSchedule(chart, equations, options, result).run();
     sort(result.findings);
     add_notes(equations, options, result);
     accept(chart, result);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "analyse/moments.hpp"
+#include "analyse/event_times.hpp"
 #include "run/interpreter.hpp"
 #include "run/project.hpp"
 
@@ -15,9 +15,9 @@ namespace {
 using Kind = Chart::VariableKind;
 
 /// Maximum number of evolutions printed of a loop.
-constexpr std::size_t told_of_loop = 60;
+constexpr std::size_t reported_of_loop = 60;
 
-std::string fault_words(RunFault::Kind kind) {
+std::string fault_text(RunFault::Kind kind) {
     switch (kind) {
     case RunFault::Kind::NoValue: return "undefined value";
     case RunFault::Kind::OutOfRange: return "value out of range";
@@ -26,12 +26,13 @@ std::string fault_words(RunFault::Kind kind) {
     return {};
 }
 
-class Teller {
+class WitnessTraceBuilder {
 public:
-    Teller(const Chart& chart, const Equations& equations, const Machine& machine, ExecutionMode mode, const Path& path)
+    WitnessTraceBuilder(const Chart& chart, const Equations& equations, const Machine& machine, ExecutionMode mode,
+                        const Path& path)
         : chart_(chart), equations_(equations), machine_(machine), mode_(mode), path_(path), state_(power_on(chart)) {}
 
-    Evidence tell(const Demand& demand) {
+    WitnessTrace build(const EvolutionRequirement& demand) {
         const auto moments = analysis::moments(machine_, path_);
         if (!moments) {
             result_.timing = Finding::Timing::Unconfirmed;
@@ -43,7 +44,7 @@ public:
         const std::size_t last = path_.instants.size() - 1;
         begin(0);
         add_row("power-on", {});
-        for (std::size_t instant = 0; instant < last && result_.failure.empty(); ++instant) whole_instant(instant);
+        for (std::size_t instant = 0; instant < last && result_.failure.empty(); ++instant) complete_instant(instant);
         if (result_.failure.empty()) last_instant(last, demand);
         return std::move(result_);
     }
@@ -67,7 +68,7 @@ private:
         return cycle.endless.empty() && !cycle.gave_up ? "" : "the instant does not end";
     }
 
-    void whole_instant(std::size_t instant) {
+    void complete_instant(std::size_t instant) {
         begin(instant);
         Cycle done = cycle(chart_, state_, inputs_, mode_);
         if (const std::string found = problem(done); !found.empty()) return fail(instant, found);
@@ -75,7 +76,7 @@ private:
         add_row("", done.fired);
     }
 
-    void last_instant(std::size_t instant, const Demand& demand) {
+    void last_instant(std::size_t instant, const EvolutionRequirement& demand) {
         begin(instant);
         const State at_start = state_;
         const std::vector<Point>& points = path_.instants[instant];
@@ -94,23 +95,23 @@ private:
         }
         const Evolution shown = evolve();
         if (!shows(shown, demand)) return fail(instant, "the last evolution does not confirm the finding");
-        if (demand.endless) return tell_loop(instant, fired);
+        if (demand.endless) return report_loop(instant, fired);
         if (demand.settles && (shown.race || shown.fault)) return fail(instant, "the last evolution has a model error");
         if (shown.race && shown.race->variable == demand.race) result_.racing = {shown.race->first, shown.race->second};
         if (shown.fault) result_.fault = shown.fault->where;
         if (shown.race || shown.fault) {
             fired.push_back(shown.fired);
             state_.situation = shown.state.situation;
-            add_row(shown.race ? "race" : fault_words(shown.fault->kind), fired);
+            add_row(shown.race ? "race" : fault_text(shown.fault->kind), fired);
             return;
         }
         fired.push_back(shown.fired);
-        tell_rest(at_start, shown, fired);
+        report_rest(at_start, shown, fired);
         if (demand.settles && !settles_) fail(instant, "the instant does not end or has a model error");
     }
 
     /// The complete instant or, if it never ends or aborts later, its evolutions up to the end of the path.
-    void tell_rest(const State& at_start, const Evolution& shown, const Fired& fired) {
+    void report_rest(const State& at_start, const Evolution& shown, const Fired& fired) {
         Cycle done = cycle(chart_, at_start, inputs_, mode_);
         const bool ends = problem(done).empty();
         settles_ = ends;
@@ -119,13 +120,13 @@ private:
     }
 
     /// The path ends on the loop.
-    void tell_loop(std::size_t instant, const Fired& fired) {
+    void report_loop(std::size_t instant, const Fired& fired) {
         result_.endless = cycle(chart_, state_, inputs_, mode_).endless;
         if (result_.endless.empty()) return fail(instant, "the instant ends");
         if (!fired.empty()) add_row("", fired);
         ChartRun& run = result_.trace;
-        if (result_.endless.size() <= told_of_loop) run.loop = run.loop_from = run.rows.size();
-        for (std::size_t k = 0; k < std::min(result_.endless.size(), told_of_loop); ++k) {
+        if (result_.endless.size() <= reported_of_loop) run.loop = run.loop_from = run.rows.size();
+        for (std::size_t k = 0; k < std::min(result_.endless.size(), reported_of_loop); ++k) {
             Evolution made = evolve();
             state_ = std::move(made.state);
             add_row("immediately", {made.fired});
@@ -142,7 +143,7 @@ private:
         return true;
     }
 
-    static bool shows(const Evolution& made, const Demand& demand) {
+    static bool shows(const Evolution& made, const EvolutionRequirement& demand) {
         const bool fired = std::ranges::all_of(demand.fired, [&](Id<Chart::Transition> wanted) {
             return std::ranges::find(made.fired, wanted) != made.fired.end();
         });
@@ -167,15 +168,15 @@ private:
     std::vector<std::int64_t> moments_ = {};
     std::int64_t time_ = 0;
     std::vector<std::int64_t> inputs_ = {};
-    Evidence result_ = {};
+    WitnessTrace result_ = {};
     bool settles_ = false;
 };
 
 }  // namespace
 
-Evidence evidence(const Chart& chart, const Equations& equations, const Machine& machine, ExecutionMode mode,
-                  const Path& path, const Demand& demand) {
-    return Teller(chart, equations, machine, mode, path).tell(demand);
+WitnessTrace evidence(const Chart& chart, const Equations& equations, const Machine& machine, ExecutionMode mode,
+                      const Path& path, const EvolutionRequirement& demand) {
+    return WitnessTraceBuilder(chart, equations, machine, mode, path).build(demand);
 }
 
 }  // namespace grafverif::analysis

@@ -13,7 +13,7 @@
 namespace grafverif::analysis {
 
 /// Required properties of the evolution at the end of a path.
-struct Demand {
+struct EvolutionRequirement {
     std::vector<Id<Chart::Transition>> fired = {};
     Id<Chart::Variable> race = {};  ///< two actions store different values in it
     bool fault = false;             ///< a value is undefined or out of range
@@ -22,7 +22,7 @@ struct Demand {
     bool ends = true;               ///< print the instant to its end; otherwise to the end of the path
 };
 
-struct Evidence {
+struct WitnessTrace {
     ChartRun trace = {};
     Finding::Timing timing = Finding::Timing::Untimed;
     std::vector<Id<Chart::StoredAction>> racing = {};  ///< the two actions of a race
@@ -31,7 +31,7 @@ struct Evidence {
     std::string failure = {};                          ///< the reason why the interpreter does not confirm it
 };
 
-Evidence evidence(const Chart& chart, const Equations& equations, const Machine& machine, ExecutionMode mode,
-                  const Path& path, const Demand& demand);
+WitnessTrace evidence(const Chart& chart, const Equations& equations, const Machine& machine, ExecutionMode mode,
+                      const Path& path, const EvolutionRequirement& demand);
 
 }  // namespace grafverif::analysis

@@ -43,7 +43,7 @@ Machine::Machine(const Equations& equations, const AnalyseOptions& options, cons
       whole_(std::ranges::find(cone, false) == cone.end()),
       clocks_(equations.timers) {
     std::erase_if(clocks_, [&](const Equations::Timer& clock) { return !cone_[clock.end.index]; });
-    look_inside();
+    search_inside();
     choose_counters(options);
     add_words(options);
     terms_.emplace(equations.exprs, [this](const Expr& leaf) { return before(leaf); });
@@ -63,7 +63,7 @@ Machine::Machine(const Equations& equations, const AnalyseOptions& options, cons
 // -- the cone ---------------------------------------------------------------------------------------------------------
 
 /// Firing conditions read no firing condition, so two passes suffice.
-void Machine::look_inside() {
+void Machine::search_inside() {
     std::vector<bool> known(cone_);
     for (const Equations::Firing& firing : equations_.firings) known[firing.variable.index] = false;
     for (int pass = 0; pass < 2; ++pass) {
@@ -101,7 +101,8 @@ void Machine::add_words(const AnalyseOptions& options) {
     for (const Equations::Assumption& assumption : equations_.assumptions)
         for (const Id<Expr> leaf : leaves(equations_.exprs, assumption.condition))
             matters_[static_cast<std::size_t>(equations_.exprs[leaf].value)] = true;
-    for (const Equations::Watch& watch : equations_.watches) watches_ = watches_ || matters_[watch.variable.index];
+    for (const Equations::ObservedTerm& watch : equations_.watches)
+        watches_ = watches_ || matters_[watch.variable.index];
     words_.resize(equations_.variables.size());
     firing_of_.resize(equations_.variables.size());
     const std::vector<std::uint32_t> group = integer_groups(equations_);
@@ -162,7 +163,7 @@ void Machine::restrict_inputs(const AnalyseOptions& options) {
 
 // -- one evolution ----------------------------------------------------------------------------------------------------
 
-void Machine::add_break(Break found) {
+void Machine::add_break(FaultCondition found) {
     const Bdd later = found.race | found.out_of_range | found.no_value;
     const Bdd first = found.first_race | found.first_out_of_range | found.first_no_value;
     if (!later.is_false()) sound_.push_back(~later);
@@ -178,7 +179,7 @@ void Machine::keep(Next next) {
 }
 
 void Machine::add_firings() {
-    Break found;
+    FaultCondition found;
     for (std::size_t k = 0; k < equations_.firings.size(); ++k) {
         const Equations::Firing& firing = equations_.firings[k];
         fires_.emplace_back();
@@ -221,11 +222,11 @@ void Machine::add_stored() {
 }
 
 /// If two orders conflict (not `obeyed`), the evolution is undefined, and nothing further is reported about it.
-Machine::Break Machine::break_of(const Equations::Stored& stored, const Bdd& obeyed) {
+Machine::FaultCondition Machine::break_of(const Equations::Stored& stored, const Bdd& obeyed) {
     const Type type = equations_.variables[stored.variable].type;
     const std::optional<Counter>& counter = counters_[stored.variable.index];
     const BddTerm &race = (*terms_)(stored.race), &first_race = (*first_terms_)(stored.first_race);
-    Break found{stored.variable};
+    FaultCondition found{stored.variable};
     found.race = race.bits.front() & ~race.undefined & obeyed;
     found.first_race = first_race.bits.front() & ~first_race.undefined;
     found.no_value = race.undefined;
@@ -276,7 +277,7 @@ void Machine::add_remembered() {
         BddTerms& terms = each.after ? later : *terms_;
         BddTerms& firsts = each.after ? at_first : *first_terms_;
         const BddTerm &value = terms(each.next), &first = firsts(each.next);
-        Break undefined;
+        FaultCondition undefined;
         undefined.no_value = value.undefined;
         undefined.first_no_value = first.undefined;
         add_break(std::move(undefined));
@@ -346,7 +347,7 @@ Bdd Machine::going_on(const Bdd& points) const {
 
 Bdd Machine::followed(const Bdd& points) const {
     Bdd result = points;
-    for (const Break& each : all_breaks_)
+    for (const FaultCondition& each : all_breaks_)
         if (!each.beyond.is_false()) result &= ~each.beyond;
     return result;
 }
@@ -448,7 +449,7 @@ Bdd Machine::changes(Id<Variable> variable) const {
     const std::vector<std::uint32_t>& bits = words_[variable.index].bits;
     for (const KeptBit& bit : kept_)
         if (std::ranges::find(bits, bit.before) != bits.end()) result |= bit.next ^ space_.variable(bit.before);
-    for (const Break& each : all_breaks_)
+    for (const FaultCondition& each : all_breaks_)
         if (each.variable == variable) result |= each.beyond;
     return result;
 }

@@ -84,14 +84,14 @@ public:
     Bdd holds(Id<Expr> term);
     const Bdd& active(std::size_t step) const { return value_of_step_[step]; }
     const Bdd& fires(std::size_t firing) const { return fires_[firing]; }
-    struct Break {
+    struct FaultCondition {
         Id<Equations::Variable> variable = {};  ///< not valid for conditions
         Bdd race = {}, out_of_range = {}, no_value = {};
         Bdd first_race = {}, first_out_of_range = {}, first_no_value = {};  ///< for the first evolution, over inputs
         Bdd beyond = {};        ///< the points at which a counter exceeds its represented values
         std::int64_t safe = 0;  ///< number of evolutions in which it stays in its range nevertheless
     };
-    const std::vector<Break>& all_breaks() const { return all_breaks_; }
+    const std::vector<FaultCondition>& all_breaks() const { return all_breaks_; }
     /// Per Equations::conflicts: the points at which it aborts the evolution.
     const std::vector<Bdd>& conflicts() const { return conflicts_; }
     /// `points` with arbitrary timer outputs.
@@ -122,7 +122,7 @@ private:
         BddTerm value = {}, first = {};
     };
 
-    void look_inside();
+    void search_inside();
     void choose_counters(const AnalyseOptions& options);
     void add_words(const AnalyseOptions& options);
     void add_word_bits(const std::vector<Id<Equations::Variable>>& together);
@@ -133,8 +133,8 @@ private:
     void add_unwritten();
     void add_remembered();
     void add_timers();
-    void add_break(Break found);
-    Break break_of(const Equations::Stored& stored, const Bdd& obeyed);
+    void add_break(FaultCondition found);
+    FaultCondition break_of(const Equations::Stored& stored, const Bdd& obeyed);
     void add_stability();
     void keep(Next next);
     void relate();
@@ -160,7 +160,7 @@ private:
     std::vector<KeptBit> kept_ = {};
     std::optional<bdd::Relation> relation_ = {};
     bdd::Relation::Quantified kept_gone_ = {}, all_gone_ = {};  ///< kept variables, or these and the inputs
-    std::vector<Break> all_breaks_ = {};
+    std::vector<FaultCondition> all_breaks_ = {};
     std::vector<Bdd> conflicts_ = {};
     std::vector<Bdd> calm_ = {}, sound_ = {};  ///< conjuncts of stability, and of not aborting
     std::vector<std::uint32_t> input_bits_ = {}, kept_bits_ = {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "analyse/analyst.hpp"
+#include "analyse/chart_analyzer.hpp"
 #include "analyse/order.hpp"
 #include "analyse/structure.hpp"
 
@@ -18,7 +18,7 @@ bool any_arithmetic(const Exprs& exprs) {
 
 }  // namespace
 
-Questions::Questions(const Chart& chart, const Equations& equations, const AnalyseOptions& options) {
+Queries::Queries(const Chart& chart, const Equations& equations, const AnalyseOptions& options) {
     const bool searching = options.mode == ExecutionMode::StabilitySearch;
     const bool computes = any_arithmetic(equations.exprs);
     if (searching) add("total-instability", 0, "");
@@ -65,37 +65,35 @@ Questions::Questions(const Chart& chart, const Equations& equations, const Analy
         add("forced-and-enclosed", k, chart.partial_charts[chart.forcing[governed[k].first].forced].name);
 }
 
-void Questions::add(std::string_view code, std::size_t index, std::string subject) {
+void Queries::add(std::string_view code, std::size_t index, std::string subject) {
     if (places_.try_emplace({code, index}, all_.size()).second)
         all_.push_back({code, index, std::move(subject), false, false, 0, 0});
 }
 
-Question* Questions::open(std::string_view code, std::size_t index) {
+Query* Queries::open(std::string_view code, std::size_t index) {
     const auto found = places_.find({code, index});
     if (found == places_.end() || all_[found->second].decided) return nullptr;
     return &all_[found->second];
 }
 
-void Questions::trust_parts() {
-    for (Question& question : all_) question.decided = question.decided || question.seen_in_part;
+void Queries::trust_parts() {
+    for (Query& question : all_) question.decided = question.decided || question.seen_in_part;
 }
 
-bool Questions::any_open() const {
-    return std::ranges::any_of(all_, [](const Question& question) { return !question.decided; });
+bool Queries::any_open() const {
+    return std::ranges::any_of(all_, [](const Query& question) { return !question.decided; });
 }
 
-bool Questions::any_trap_open() const {
-    return std::ranges::any_of(all_,
-                               [](const Question& question) { return !question.decided && is_trap(question.code); });
+bool Queries::any_trap_open() const {
+    return std::ranges::any_of(all_, [](const Query& question) { return !question.decided && is_trap(question.code); });
 }
 
-bool Questions::only_traps_open() const {
-    return std::ranges::all_of(all_,
-                               [](const Question& question) { return question.decided || is_trap(question.code); });
+bool Queries::only_traps_open() const {
+    return std::ranges::all_of(all_, [](const Query& question) { return question.decided || is_trap(question.code); });
 }
 
-void Questions::decide(std::string_view code, std::size_t index) {
-    if (Question* const question = open(code, index)) question->decided = true;
+void Queries::decide(std::string_view code, std::size_t index) {
+    if (Query* const question = open(code, index)) question->decided = true;
 }
 
 }  // namespace grafverif::analysis

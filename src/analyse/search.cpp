@@ -13,13 +13,13 @@ Bdd widened(const Bdd& fresh, const Bdd& known) {
     return care.is_false() ? fresh : simplify(fresh, care);
 }
 
-void Search::next() {
+void PathSearch::next() {
     if (instants_.empty()) return first_instant();
     const Bdd rest = instants_.back().rest;
     make_instant(machine_.sampled(widened(rest, rested_)));
 }
 
-void Search::first_instant() {
+void PathSearch::first_instant() {
     evolutions_ = 1;
     if (mode_ == ExecutionMode::StabilitySearch) return make_instant(machine_.started());
     landings_ = machine_.started();
@@ -29,7 +29,7 @@ void Search::first_instant() {
 
 /// Under stability search the instant continues with the points that are not stable; in every_cycle mode it is
 /// complete.
-void Search::make_instant(Bdd points) {
+void PathSearch::make_instant(Bdd points) {
     Instant made{rings_.each.size(), 0, {}};
     Bdd ended, fresh;
     while (rings_.add(points)) {
@@ -53,7 +53,7 @@ void Search::make_instant(Bdd points) {
     instants_.push_back(std::move(made));
 }
 
-Bdd Search::first() const {
+Bdd PathSearch::first() const {
     Bdd all;
     for (std::size_t ring = 0; ring < instants_.front().end; ++ring) all |= rings_.each[ring];
     return all;
@@ -61,7 +61,7 @@ Bdd Search::first() const {
 
 /// Evolutions with constant inputs are a function. On finitely many points, an infinite path of a function reaches a
 /// cycle. All points of a cycle are reached in one instant.
-Bdd Search::endless(const Bdd& within) const {
+Bdd PathSearch::endless(const Bdd& within) const {
     if (mode_ == ExecutionMode::EveryCycle) return {};
     Bdd now = within;
     for (Bdd before; !(now == before);) {
@@ -72,14 +72,14 @@ Bdd Search::endless(const Bdd& within) const {
 }
 
 /// A path within an instant, traced back from `last` in ring `ring` to the first ring.
-std::vector<Point> Search::back_through(const Instant& instant, std::size_t ring, const Point& last) const {
+std::vector<Point> PathSearch::back_through(const Instant& instant, std::size_t ring, const Point& last) const {
     return bdd::path_back(ring - instant.first, last, [&](std::size_t before, const Point& next) {
         const Bdd going_on = machine_.going_on(rings_.each[instant.first + before]);
         return machine_.pick(machine_.with_inputs_of(machine_.origins(going_on, next), last));
     });
 }
 
-std::optional<std::pair<std::size_t, Point>> Search::end_of(const Instant& instant, const Point& next) const {
+std::optional<std::pair<std::size_t, Point>> PathSearch::end_of(const Instant& instant, const Point& next) const {
     const Bdd rest = machine_.origins_in_time(instant.rest, next);
     if (rest.is_false()) return {};
     if (instant.first == instant.end) return std::pair{instant.first, machine_.pick(machine_.started() & rest)};
@@ -94,12 +94,12 @@ std::optional<std::pair<std::size_t, Point>> Search::end_of(const Instant& insta
     return {};
 }
 
-Bdd Search::nearest(const Bdd& goal) const {
+Bdd PathSearch::nearest(const Bdd& goal) const {
     const std::optional<std::size_t> ring = rings_.nearest(goal);
     return ring ? rings_.each[*ring] & goal : Bdd();
 }
 
-std::optional<Path> Search::path_to(const Bdd& goal) const {
+std::optional<Path> PathSearch::path_to(const Bdd& goal) const {
     const std::optional<std::size_t> nearest = rings_.nearest(goal);
     if (!nearest || instants_.empty() || *nearest >= instants_.back().end) return {};
     std::size_t ring = *nearest;

@@ -32,10 +32,10 @@ struct Path {
     bool at_first = false;  ///< the path ends before the first evolution: its only point contains the inputs
 };
 
-class Search {
+class PathSearch {
 public:
     /// `landings`: true to collect the points directly after evolutions.
-    Search(const Machine& machine, ExecutionMode mode, bool landings = true)
+    PathSearch(const Machine& machine, ExecutionMode mode, bool landings = true)
         : machine_(machine), mode_(mode), lands_(landings) {}
 
     /// True if all points are found.

@@ -6,12 +6,12 @@
 #include <sstream>
 
 #include "app/engines.hpp"
-#include "app/stop_words.hpp"
+#include "app/stop_text.hpp"
 #include "pipeline/models.hpp"
 #include "pipeline/why.hpp"
-#include "report/basis.hpp"
 #include "report/profile.hpp"
 #include "report/report.hpp"
+#include "report/settings_text.hpp"
 #include "support/messages.hpp"
 #include "support/messages_choice.hpp"
 #include "syntax/resolve/nearest_of.hpp"
@@ -21,17 +21,18 @@ namespace grafverif::app {
 namespace {
 
 /// Runs the timed engine selected by the options; nothing after an error.
-std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, Job& job, const CheckOptions& options) {
+std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, CommandContext& job,
+                                   const CheckOptions& options) {
     const auto network = network_of(model, id, job);
     if (!network || !all_known(options.properties, property_names(*network), job.diagnostics)) return {};
     LoopToCheck loop = loop_to_check(model, id, *network);
-    loop.cures_left_out = !job.options.cures_left_out.empty();
+    loop.disabled_corrections = !job.options.disabled_corrections.empty();
     return job.options.engine == Engine::Verifyta ? check_by_verifyta(loop, options, job.diagnostics)
                                                   : check(loop, options);
 }
 
 /// Decides the properties of a transition system with the selected engine, by default with the portfolio.
-std::optional<Report> system_report(const SystemToCheck& system, Job& job, const CheckOptions& options) {
+std::optional<Report> system_report(const SystemToCheck& system, CommandContext& job, const CheckOptions& options) {
     switch (job.options.engine) {
     case Engine::Embedded:
     case Engine::Auto: return check_together(system, options);
@@ -48,53 +49,57 @@ std::optional<Report> system_report(const SystemToCheck& system, Job& job, const
     return check(system, options);
 }
 
-std::optional<Report> untimed_report(const Model& model, Id<ClosedLoop> id, Job& job, const CheckOptions& options) {
+std::optional<Report> untimed_report(const Model& model, Id<ClosedLoop> id, CommandContext& job,
+                                     const CheckOptions& options) {
     const ModelOptions how = model_options(job.options);
     const auto system = system_with_probes(model, id, how, job.diagnostics);
     if (!system || !all_known(options.properties, property_names(*system), job.diagnostics)) return {};
     return system_report(system_to_check(*system, model, id, how), job, options);
 }
 
-std::optional<Report> chart_report(const Model& model, Id<Chart> chart, Job& job, const CheckOptions& options) {
+std::optional<Report> chart_report(const Model& model, Id<Chart> chart, CommandContext& job,
+                                   const CheckOptions& options) {
     const auto decide = [&](const SystemToCheck& system) { return system_report(system, job, options); };
     return check_chart(model, chart, model_options(job.options), options, job.diagnostics, decide);
 }
 
 void say_who_stopped(Report& report, bool by_user, const Options& options) {
-    for (Answer& answer : report.answers)
-        if (answer.verdict.obstacle == Obstacle::Stopped)
+    for (PropertyResult& answer : report.answers)
+        if (answer.verdict.obstacle == UnknownReason::Stopped)
             answer.verdict.reason = with_who_stopped(std::move(answer.verdict.reason), by_user, options);
 }
 
 /// The properties to decide if single steps of them are selected (`S.X7`).
-std::vector<std::string> whole_properties(std::vector<std::string> asked) {
-    for (std::string& name : asked) name.resize(std::min(name.size(), name.find('.')));
-    return asked;
+std::vector<std::string> complete_properties(std::vector<std::string> requested) {
+    for (std::string& name : requested) name.resize(std::min(name.size(), name.find('.')));
+    return requested;
 }
 
 /// Removes the results of steps that were not selected; false if a selected step does not exist.
-bool keep_asked(const std::vector<std::string>& asked, Report& report, Diagnostics& diagnostics) {
+bool keep_requested(const std::vector<std::string>& requested, Report& report, Diagnostics& diagnostics) {
     const auto has = [](const std::vector<std::string>& names, const std::string& name) {
         return std::ranges::find(names, name) != names.end();
     };
     std::vector<std::string> known;
-    for (const Answer& answer : report.answers) known.push_back(answer.verdict.property);
-    for (const std::string& name : asked) {
+    for (const PropertyResult& answer : report.answers) known.push_back(answer.verdict.property);
+    for (const std::string& name : requested) {
         if (name.find('.') == std::string::npos || has(known, name)) continue;
         diagnostics.add(messages::no_such_choice("property", name, known, nearest_of(name, known)));
         return false;
     }
-    std::erase_if(report.answers, [&](const Answer& answer) {
+    std::erase_if(report.answers, [&](const PropertyResult& answer) {
         const std::string family = family_of(answer);
-        return !asked.empty() && !family.empty() && !has(asked, family) && !has(asked, answer.verdict.property);
+        return !requested.empty() && !family.empty() && !has(requested, family) &&
+               !has(requested, answer.verdict.property);
     });
     return true;
 }
 
 }  // namespace
 
-std::optional<Decided> decide(const Model& model, Job& job, Bounds& bounds, bool witnesses, const Streams& streams) {
-    CheckOptions options{whole_properties(job.options.properties), witnesses, job.options.verbose, bounds.limits(),
+std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceLimits& bounds, bool witnesses,
+                              const Streams& streams) {
+    CheckOptions options{complete_properties(job.options.properties), witnesses, job.options.verbose, bounds.limits(),
                          job.options.stats};
     options.whole = job.options.whole;
     options.jobs = job.options.jobs;
@@ -103,7 +108,7 @@ std::optional<Decided> decide(const Model& model, Job& job, Bounds& bounds, bool
             std::ostringstream text;
             name_places(profile, job.sources);
             print_profile(profile, text);
-            bounds.tell(std::move(text).str());
+            bounds.print(std::move(text).str());
         };
     Decided decided;
     std::optional<Report> found;
@@ -124,7 +129,7 @@ std::optional<Decided> decide(const Model& model, Job& job, Bounds& bounds, bool
         found = decided.timed ? timed_report(model, *loop, job, options) : untimed_report(model, *loop, job, options);
     }
     if (!found) return {};
-    if (!keep_asked(job.options.properties, *found, job.diagnostics)) return {};
+    if (!keep_requested(job.options.properties, *found, job.diagnostics)) return {};
     decided.report = std::move(*found);
     if (job.options.why && decided.timed)
         decided.why = why_it_holds(model, decided.loop, model_options(job.options), options, decided.report);
@@ -136,7 +141,7 @@ std::optional<Decided> decide(const Model& model, Job& job, Bounds& bounds, bool
 ExitCode exit_code(const Report& report, bool stopped) {
     const Tally count = tally(report);
     if (!report.failures.empty()) return ExitCode::Failure;
-    if (count.unexpected != 0 || !report.breakdowns.empty()) return ExitCode::Verdict;
+    if (count.unexpected != 0 || !report.error_traces.empty()) return ExitCode::Verdict;
     return count.unknown != 0 || stopped ? ExitCode::Unknown : ExitCode::Done;
 }
 

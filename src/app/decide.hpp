@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "app/job.hpp"
+#include "app/command_context.hpp"
 #include "grafverif/ir/why.hpp"
 
 namespace grafverif::app {
@@ -15,11 +15,12 @@ struct Decided {
     Id<ClosedLoop> loop = {};  ///< not valid: a chart alone
     Id<Chart> chart = {};      ///< valid of a chart alone
     bool timed = false;
-    std::optional<Why> why = {};  ///< if requested, of a loop
+    std::optional<ProofExplanation> why = {};  ///< if requested, of a loop
 };
 /// Nothing after an error. `witnesses`: also return runs of properties that hold. For a chart alone, a notice is first
 /// written to `streams`.
-std::optional<Decided> decide(const Model& model, Job& job, Bounds& bounds, bool witnesses, const Streams& streams);
+std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceLimits& bounds, bool witnesses,
+                              const Streams& streams);
 
 /// The exit code that the verdicts of a report imply.
 ExitCode exit_code(const Report& report, bool stopped);

@@ -70,7 +70,7 @@ std::string depfile_text(const std::vector<std::string>& results, const std::vec
     return text;
 }
 
-std::optional<OutputFile> depfile_of(const std::vector<OutputFile>& made, Job& job) {
+std::optional<OutputFile> depfile_of(const std::vector<OutputFile>& made, CommandContext& job) {
     if (!job.options.depfile || job.depfile_written) return {};
     std::vector<std::string> results, files;
     if (job.options.depfile_target) results = {*job.options.depfile_target};

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/job.hpp"
+#include "app/command_context.hpp"
 #include "app/options.hpp"
 #include "app/system/write_files.hpp"
 
@@ -27,6 +27,6 @@ std::string depfile_text(const std::vector<std::string>& results, const std::vec
 
 /// The depfile that the options request, from the files read so far, at most once per job. Nothing if none is
 /// requested, if no result was made, or after an error.
-std::optional<OutputFile> depfile_of(const std::vector<OutputFile>& made, Job& job);
+std::optional<OutputFile> depfile_of(const std::vector<OutputFile>& made, CommandContext& job);
 
 }  // namespace grafverif::app

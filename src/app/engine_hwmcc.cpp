@@ -17,21 +17,23 @@ namespace {
 
 constexpr const char *model_file = "model.aig", *witness_file = "witness", *invariant_file = "invariant.pla";
 
-[[noreturn]] void no_answer(const ProgramResult& said) {
+[[noreturn]] void no_result(const ProgramResult& said) {
     const bool stopped = said.end == ProgramResult::End::TimedOut || said.end == ProgramResult::End::Stopped;
-    throw Undecided{stopped ? Obstacle::Stopped : Obstacle::Failed, hwmcc::failure_of(said)};
+    throw Undecided{stopped ? UnknownReason::Stopped : UnknownReason::Failed, hwmcc::failure_of(said)};
 }
 
 [[noreturn]] void disbelieve(const std::string& why) {
-    throw Undecided{Obstacle::Disagrees, std::string(word(Obstacle::Disagrees)) + ": " + why};
+    throw Undecided{UnknownReason::Disagrees, std::string(word(UnknownReason::Disagrees)) + ": " + why};
 }
 
 /// One query, in a separate temporary folder.
-class Question {
+class HwmccQuery {
 public:
-    Question(const Circuit& circuit, Gates::Literal bad, const pdr::Watch& watch, const std::atomic<bool>* stop)
+    HwmccQuery(const Circuit& circuit, Gates::Literal bad, const pdr::LimitMonitor& watch,
+               const std::atomic<bool>* stop)
         : circuit_(hwmcc::with_numbers(circuit)), watch_(watch), stop_(stop) {
-        aiger::Written written = aiger::written(circuit_, {{"b0", bad, {}}}, aiger::Form::Binary, aiger::Extent::Cone);
+        aiger::AigerText written =
+            aiger::written(circuit_, {{"b0", bad, {}}}, aiger::Form::Binary, aiger::Extent::Cone);
         numbering_ = {std::move(written.inputs), std::move(written.latches)};
         folder_.write(model_file, written.text);
     }
@@ -45,52 +47,53 @@ public:
         return content_of_file(folder_.path() / name, why).value_or("");
     }
     /// The run that a witness describes, not yet validated.
-    pdr::Answer reached(const std::string& witness) const {
+    pdr::PdrAnswer reached(const std::string& witness) const {
         auto inputs = hwmcc::read_witness(circuit_, numbering_, witness);
         if (!inputs) disbelieve("the program gives no trace for its verdict");
         return {.reached = true, .inputs = std::move(*inputs)};
     }
     const Circuit& circuit() const { return circuit_; }
-    const pdr::Watch& watch() const { return watch_; }
+    const pdr::LimitMonitor& watch() const { return watch_; }
 
 private:
     Circuit circuit_;
-    const pdr::Watch& watch_;
+    const pdr::LimitMonitor& watch_;
     const std::atomic<bool>* stop_ = nullptr;
     hwmcc::Numbering numbering_ = {};
     TemporaryFolder folder_ = TemporaryFolder();
 };
 
 /// `bmc3` finds short counterexamples within a tenth of the time; then `pdr` decides.
-pdr::Answer ask_abc(const std::string& program, const Question& question) {
+pdr::PdrAnswer ask_abc(const std::string& program, const HwmccQuery& question) {
     using Seconds = std::chrono::duration<double>;
     const auto deadline = question.watch().deadline();
     const double left = deadline ? Seconds(*deadline - std::chrono::steady_clock::now()).count() : 20;
     const int near = std::clamp(static_cast<int>(left / 10), 1, 60);
     const std::string read = std::string("read_aiger ") + model_file + "; ";
-    const std::string tell = std::string("; write_cex -a ") + witness_file;
-    const ProgramResult bounded = question.run({program, "-q", read + "bmc3 -F 70 -T " + std::to_string(near) + tell});
-    if (bounded.end != ProgramResult::End::Exited) no_answer(bounded);
+    const std::string write_trace = std::string("; write_cex -a ") + witness_file;
+    const ProgramResult bounded =
+        question.run({program, "-q", read + "bmc3 -F 70 -T " + std::to_string(near) + write_trace});
+    if (bounded.end != ProgramResult::End::Exited) no_result(bounded);
     if (const std::string witness = question.left(witness_file); !witness.empty())
         return question.reached(hwmcc::witness_of_abc(witness));
-    const ProgramResult said = question.run({program, "-q", read + "pdr -d -I " + invariant_file + tell});
-    if (said.end != ProgramResult::End::Exited) no_answer(said);
+    const ProgramResult said = question.run({program, "-q", read + "pdr -d -I " + invariant_file + write_trace});
+    if (said.end != ProgramResult::End::Exited) no_result(said);
     if (const std::string witness = question.left(witness_file); !witness.empty())
         return question.reached(hwmcc::witness_of_abc(witness));
     const std::string text = question.left(invariant_file);
-    if (text.empty()) no_answer(said);
+    if (text.empty()) no_result(said);
     auto invariant = hwmcc::read_invariant(question.circuit(), text);
     if (!invariant) disbelieve("the program gives no invariant for its verdict");
     return {.invariant = std::move(*invariant)};
 }
 
-pdr::Answer ask_command(const std::string& command, const Question& question) {
+pdr::PdrAnswer ask_command(const std::string& command, const HwmccQuery& question) {
     const ProgramResult said = question.run({"/bin/sh", "-c", command + " " + model_file});
-    if (said.end != ProgramResult::End::Exited) no_answer(said);
-    const std::optional<bool> reached = hwmcc::claim_of(said.out);
-    if (!reached) no_answer(said);
+    if (said.end != ProgramResult::End::Exited) no_result(said);
+    const std::optional<bool> reached = hwmcc::preservation_class_of(said.out);
+    if (!reached) no_result(said);
     if (*reached) return question.reached(said.out);
-    throw Undecided{Obstacle::Unchecked,
+    throw Undecided{UnknownReason::Unchecked,
                     "unchecked: the program reports the state as unreachable, but gives no certificate to check"};
 }
 
@@ -107,17 +110,17 @@ std::optional<Report> check_by_abc(const SystemToCheck& check, const CheckOption
 }
 
 decltype(PdrOptions::reach) search_by_abc(std::string program, const std::atomic<bool>* stop) {
-    return [program = std::move(program), stop](const Circuit& circuit, Gates::Literal bad, pdr::Watch& watch) {
-        return ask_abc(program, Question(circuit, bad, watch, stop));
+    return [program = std::move(program), stop](const Circuit& circuit, Gates::Literal bad, pdr::LimitMonitor& watch) {
+        return ask_abc(program, HwmccQuery(circuit, bad, watch, stop));
     };
 }
 
 std::optional<Report> check_by_command(const SystemToCheck& check, const std::string& command,
                                        const CheckOptions& options) {
-    return check_states(check, options, {command, [&](const Circuit& circuit, Gates::Literal bad, pdr::Watch& watch) {
-                                             return ask_command(command,
-                                                                Question(circuit, bad, watch, options.limits.stop));
-                                         }});
+    return check_states(check, options,
+                        {command, [&](const Circuit& circuit, Gates::Literal bad, pdr::LimitMonitor& watch) {
+                             return ask_command(command, HwmccQuery(circuit, bad, watch, options.limits.stop));
+                         }});
 }
 
 }  // namespace grafverif::app

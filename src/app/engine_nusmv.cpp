@@ -25,7 +25,7 @@ std::optional<Report> check_by_nusmv(const SystemToCheck& whole, const std::stri
     add_external_probes(narrow.exprs, narrow.properties, narrow.settled.valid());
     const SystemToCheck check{narrow, whole.charts, whole.abstraction, whole.network};
     const SystemSpelling spelling = nusmv::spelling(check.system);
-    const std::vector<std::size_t> properties = asked_properties(check.system, options.properties);
+    const std::vector<std::size_t> properties = selected_properties(check.system, options.properties);
     std::ostringstream model;
     nusmv::emit(check.system, model);
     const TemporaryFolder folder;

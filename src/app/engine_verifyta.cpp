@@ -17,7 +17,7 @@ std::optional<Report> check_by_verifyta(const LoopToCheck& loop, const CheckOpti
         return {};
     }
     const Network network = network_with_probes(loop.network);
-    const UppaalQuestions uppaal = uppaal_questions(network, diagnostics);
+    const UppaalQueries uppaal = uppaal_queries(network, diagnostics);
     if (diagnostics.has_errors()) return {};
     const TemporaryFolder folder;
     folder.write("model.xml", uppaal.project);
@@ -30,7 +30,7 @@ std::optional<Report> check_by_verifyta(const LoopToCheck& loop, const CheckOpti
     };
     Report report{network.name, basis_of(network, "verifyta")};
     for (Verdict& verdict : check_verifyta(network, uppaal.questions, options))
-        report.answers.push_back(answer_of(network, std::move(verdict), Detail::Chart));
+        report.answers.push_back(result_of(network, std::move(verdict), Detail::Chart));
     return report;
 }
 

@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "pipeline/check.hpp"
-#include "report/written.hpp"
+#include "report/report_source.hpp"
 #include "support/json_text.hpp"
 #include "support/printable.hpp"
 
@@ -24,7 +24,7 @@ struct Listed {
 };
 
 /// The selected properties of the loop; nothing after an error.
-std::optional<std::vector<Listed>> listed(const Model& model, Id<ClosedLoop> id, Job& job) {
+std::optional<std::vector<Listed>> listed(const Model& model, Id<ClosedLoop> id, CommandContext& job) {
     const ClosedLoop& loop = model.loops[id];
     std::vector<Property> found;
     if (job.options.check_untimed) {
@@ -43,11 +43,11 @@ std::optional<std::vector<Listed>> listed(const Model& model, Id<ClosedLoop> id,
     std::vector<Listed> list;
     for (Property& property : found) {
         const std::string stem = property.name.substr(0, property.name.find('.'));
-        const bool asked =
+        const bool requested =
             job.options.properties.empty() || std::ranges::any_of(job.options.properties, [&](const std::string& name) {
                 return name == property.name || name == stem;
             });
-        if (asked) list.push_back({loop.name, true, std::move(property)});
+        if (requested) list.push_back({loop.name, true, std::move(property)});
     }
     if (list.empty()) {
         list.push_back({loop.name});
@@ -56,7 +56,7 @@ std::optional<std::vector<Listed>> listed(const Model& model, Id<ClosedLoop> id,
     return list;
 }
 
-Json as_json(const Listed& each, const Job& job) {
+Json as_json(const Listed& each, const CommandContext& job) {
     const auto where = file_place(job.sources, each.property.origin);
     return {{"file", job.options.operands[0]},
             {"place", where ? Json{{"file", where->file}, {"line", where->at.line}, {"column", where->at.column}}
@@ -70,7 +70,7 @@ Json as_json(const Listed& each, const Job& job) {
 
 }  // namespace
 
-ExitCode list_properties(const Model& model, Job& job, const Streams& streams) {
+ExitCode list_properties(const Model& model, CommandContext& job, const Streams& streams) {
     std::vector<Listed> list;
     if (job.options.chart || (model.loops.empty() && !job.options.loop)) {
         for (const Chart& chart : model.charts)

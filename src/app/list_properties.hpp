@@ -2,7 +2,7 @@
 // `check --list`: lists the available checks, for tools that run each one separately.
 #pragma once
 
-#include "app/job.hpp"
+#include "app/command_context.hpp"
 
 namespace grafverif::app {
 
@@ -10,6 +10,6 @@ namespace grafverif::app {
 /// loop: file, loop and property, separated by tabs. A loop without properties, and a chart, has a line without a
 /// property. As JSON, and as JSON lines,
 /// `{"file","line","column","model","kind":"loop|chart","property","text","expected"}`.
-ExitCode list_properties(const Model& model, Job& job, const Streams& streams);
+ExitCode list_properties(const Model& model, CommandContext& job, const Streams& streams);
 
 }  // namespace grafverif::app

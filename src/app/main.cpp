@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/program.hpp"
-#include "app/system/guard.hpp"
+#include "app/system/watchdog.hpp"
 #include "support/printable.hpp"
 
 namespace {
@@ -19,9 +19,9 @@ namespace {
 constexpr int closed_pipe = 128 + SIGPIPE;
 
 /// True if the reader of the pipe at `descriptor` has closed it.
-bool nobody_reads(int descriptor) {
-    pollfd asked{descriptor, POLLOUT, 0};
-    return ::poll(&asked, 1, 0) == 1 && (asked.revents & POLLERR) != 0;
+bool reader_is_gone(int descriptor) {
+    pollfd requested{descriptor, POLLOUT, 0};
+    return ::poll(&requested, 1, 0) == 1 && (requested.revents & POLLERR) != 0;
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ int main(int count, char** values) {
         streams.typed = screen_of(STDIN_FILENO).terminal && streams.out_screen.rewrites;
         const ExitCode code = run(arguments, streams);
         std::cout.flush();
-        if (!std::cout && nobody_reads(STDOUT_FILENO)) return closed_pipe;
+        if (!std::cout && reader_is_gone(STDOUT_FILENO)) return closed_pipe;
         if (!std::cout) {
             std::cerr << "grafverif: error: cannot write to standard output\n";
             return static_cast<int>(ExitCode::Input);

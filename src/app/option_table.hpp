@@ -12,7 +12,7 @@ namespace grafverif::app {
 
 /// An option of the commands that accept its group.
 struct Option {
-    Accepts accepts = Accepts::Always;
+    OptionGroup accepts = OptionGroup::Always;
     std::string name = {};   ///< with its letter, if any: `output,o`
     std::string value = {};  ///< placeholder of its value in the help; empty: a switch, which has no value
     std::string help = {};   ///< empty: not shown in the help
@@ -26,6 +26,6 @@ struct Option {
     std::string letter() const { return name.find(',') == std::string::npos ? "" : name.substr(name.find(',') + 1); }
 };
 /// The options of a command, in the order of --help.
-std::vector<Option> options_of(const Verb& verb);
+std::vector<Option> options_of(const CliCommand& verb);
 
 }  // namespace grafverif::app

@@ -9,7 +9,7 @@
 #include <ostream>
 
 #include "app/option_table.hpp"
-#include "app/settle.hpp"
+#include "app/validate_options.hpp"
 #include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif::app {
@@ -50,7 +50,7 @@ std::string take_all(const std::vector<Option>& known, const po::variables_map& 
 // ---------------------------------------------------------------------------------------------
 
 /// `modelled`: true if an option of untimed models was given.
-std::string settle_engine(bool modelled, const po::variables_map& values, Options& options) {
+std::string validate_engine(bool modelled, const po::variables_map& values, Options& options) {
     if (!options.engine_command.empty()) {
         if (options.engine != Engine::Embedded)
             return "`--engine` and `--engine-command` are mutually exclusive; remove one";
@@ -76,7 +76,7 @@ std::string settle_engine(bool modelled, const po::variables_map& values, Option
     if (options.why && (options.check_untimed || !(open || options.engine == Engine::Timed)))
         return "`--why` is supported only by the embedded timed engine for closed loops; remove `--why` or the other "
                "option";
-    if (options.why && (options.format == Format::JsonLines || !options.cures_left_out.empty()))
+    if (options.why && (options.format == Format::JsonLines || !options.disabled_corrections.empty()))
         return "`--why` is supported only in text and `--format json`, without `--ablate`; remove one of these "
                "options";
     options.check_untimed = options.check_untimed || (!timed && !open);
@@ -117,26 +117,27 @@ std::string unknown_option(const std::string& given, const std::vector<Option>& 
 
 }  // namespace
 
-bool accepts(const Verb& verb, Accepts what) {
-    if (what == Accepts::File) return verb.operand.starts_with("FILE");
-    if (what == Accepts::Timeout) {
-        const auto has_another = {Accepts::Bench, Accepts::Serve, Accepts::Lsp, Accepts::Command};
-        return std::ranges::none_of(has_another, [&](Accepts other) { return accepts(verb, other); });
+bool accepts(const CliCommand& verb, OptionGroup what) {
+    if (what == OptionGroup::File) return verb.operand.starts_with("FILE");
+    if (what == OptionGroup::Timeout) {
+        const auto has_another = {OptionGroup::Bench, OptionGroup::Serve, OptionGroup::Lsp, OptionGroup::Command};
+        return std::ranges::none_of(has_another, [&](OptionGroup other) { return accepts(verb, other); });
     }
-    if (what == Accepts::Writes)
-        return accepts(verb, Accepts::Output) || accepts(verb, Accepts::OutputDirectory) ||
-               accepts(verb, Accepts::Search) || accepts(verb, Accepts::Bench) || accepts(verb, Accepts::Traces);
-    return what == Accepts::Always || std::ranges::find(verb.accepts, what) != verb.accepts.end();
+    if (what == OptionGroup::Writes)
+        return accepts(verb, OptionGroup::Output) || accepts(verb, OptionGroup::OutputDirectory) ||
+               accepts(verb, OptionGroup::Search) || accepts(verb, OptionGroup::Bench) ||
+               accepts(verb, OptionGroup::Traces);
+    return what == OptionGroup::Always || std::ranges::find(verb.accepts, what) != verb.accepts.end();
 }
 
-ParsedOptions parse_options(const Verb& verb, std::span<const std::string> arguments) {
+ParsedOptions parse_options(const CliCommand& verb, std::span<const std::string> arguments) {
     const std::vector<Option> known = options_of(verb);
     const po::options_description all = described(known, true);
     po::positional_options_description positional;
     positional.add("operand", -1);
 
     const auto own =
-        accepts(verb, Accepts::Command)
+        accepts(verb, OptionGroup::Command)
             ? std::ranges::find_if_not(arguments, [](const std::string& word) { return word.starts_with('-'); })
             : arguments.end();
     po::variables_map values;
@@ -160,24 +161,24 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     }
 
     Options options;
-    if (accepts(verb, Accepts::FormatTest)) options.format = Format::Csv;
-    if (accepts(verb, Accepts::FormatXml)) options.format = Format::Xml;
+    if (accepts(verb, OptionGroup::FormatTest)) options.format = Format::Csv;
+    if (accepts(verb, OptionGroup::FormatXml)) options.format = Format::Xml;
     const bool modelled = values.count("plant") != 0 || values.count("schedule") != 0 || values.count("time") != 0;
     std::string complaint = take_all(known, values, options);
-    if (complaint.empty()) complaint = settle_untimed(options);
-    if (complaint.empty()) complaint = settle_engine(modelled, values, options);
-    if (complaint.empty()) complaint = settle_limits(options);
+    if (complaint.empty()) complaint = validate_untimed(options);
+    if (complaint.empty()) complaint = validate_engine(modelled, values, options);
+    if (complaint.empty()) complaint = validate_limits(options);
     if (complaint.empty())
-        complaint = settle_company(verb, options, [&](const char* name) { return values.count(name) != 0; });
+        complaint = validate_combinations(verb, options, [&](const char* name) { return values.count(name) != 0; });
     if (!complaint.empty()) return {{}, complaint};
     if (options.help) return {options, {}, former_names};
     options.operands.insert(options.operands.end(), own, arguments.end());
-    if (accepts(verb, Accepts::Bench) && options.against.empty()) return {{}, "`--against PROGRAM` is missing"};
+    if (accepts(verb, OptionGroup::Bench) && options.against.empty()) return {{}, "`--against PROGRAM` is missing"};
     if (options.format == Format::Sarif) {  // one of the reports, with its own name
         options.sarif = options.output.value_or("-");
         options.output.reset();
     }
-    if (complaint = settle_outputs(verb, options); !complaint.empty()) return {{}, complaint};
+    if (complaint = validate_outputs(verb, options); !complaint.empty()) return {{}, complaint};
     if (options.operands.size() < verb.least_operands) return {{}, fmt::format("`{}` is missing", verb.operand)};
     if (options.operands.size() > verb.most_operands)
         return {{}, fmt::format("unexpected argument `{}`; remove it", options.operands[verb.most_operands])};
@@ -196,14 +197,14 @@ std::vector<NamedPath> named_paths(const Options& options) {
     return paths;
 }
 
-std::vector<OptionText> option_texts(const Verb& verb) {
+std::vector<OptionText> option_texts(const CliCommand& verb) {
     std::vector<OptionText> texts;
     for (const Option& option : options_of(verb))
         if (!option.help.empty()) texts.push_back({option.long_name(), option.letter(), option.value, option.help});
     return texts;
 }
 
-void print_help(const Verb& verb, std::ostream& out) {
+void print_help(const CliCommand& verb, std::ostream& out) {
     out << fmt::format("Usage: grafverif {} {}[options]\n\n{}\n\n", verb.name,
                        verb.operand.empty() ? "" : verb.operand + " ", verb.description);
     out << described(options_of(verb), false) << "\nExamples:\n";

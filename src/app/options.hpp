@@ -58,7 +58,7 @@ struct Options {
     std::optional<std::string> loop = {};
     std::optional<std::string> chart = {};
     std::optional<std::string> other_chart = {};      ///< of `compare`
-    bool each_mode = false;                           ///< of `compare`
+    bool all_modes = false;                           ///< of `compare`
     std::optional<std::string> from_situation = {};   ///< of `compare`: names of steps, with commas
     std::optional<std::uint64_t> resolution_ms = {};  ///< of `compare`
     std::optional<ExecutionMode> mode = {};
@@ -91,12 +91,12 @@ struct Options {
     std::string marked = {};                        ///< of `supervise`: a term
     Held held = Held::Both;                         ///< of `supervise`: the elements that get conditions
     Engine engine = Engine::Embedded;
-    bool whole = false;                            ///< no independent subsystem and no fragment is decided separately
-    unsigned jobs = 0;                             ///< threads; 0: one per core
-    std::string engine_command = {};               ///< of Engine::Hwmcc
-    bool check_untimed = false;                    ///< --untimed, or an engine without time
-    Ablations without = {};                        ///< corrections of the method that are disabled
-    std::vector<std::string> cures_left_out = {};  ///< their names
+    bool whole = false;               ///< no independent subsystem and no fragment is decided separately
+    unsigned jobs = 0;                ///< threads; 0: one per core
+    std::string engine_command = {};  ///< of Engine::Hwmcc
+    bool check_untimed = false;       ///< --untimed, or an engine without time
+    Ablations without = {};           ///< corrections of the method that are disabled
+    std::vector<std::string> disabled_corrections = {};  ///< their names
     std::optional<std::uint64_t> max_states = {};
     std::optional<std::uint64_t> max_steps = {};                         ///< of Engine::Bmc
     std::optional<std::uint64_t> max_memory = {};                        ///< bytes
@@ -105,18 +105,20 @@ struct Options {
     std::optional<std::string> junit = {}, sarif = {};
     bool list = false;                                           ///< of `check`: list its properties
     std::optional<std::string> state_file = {}, survivors = {};  ///< of `mutate`
-    std::optional<std::uint64_t> limit = {}, each_ms = {};       ///< of `mutate`: number of mutants; time limit of each
-    std::uint64_t seed = 1;                                      ///< of `mutate`
-    std::string date = {};                                       ///< of `report`: the date shown
+    std::optional<std::uint64_t> limit = {},
+                                 mutant_timeout_ms = {};  ///< of `mutate`: number of mutants; time limit of each
+    std::uint64_t seed = 1;                               ///< of `mutate`
+    std::string date = {};                                ///< of `report`: the date shown
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
-    EventRange events = {};                         ///< of the trace as a timing diagram
-    std::string against = {};                       ///< of `test`: the command that runs the controller under test
-    std::optional<std::string> sequence = {};       ///< of `test`: the table to run; empty: generated from the chart
-    std::optional<std::uint64_t> patience_ms = {};  ///< of `test`: limit for one response; of `serve`: for one check
-    bool stop_on_failure = false, go_on = false;    ///< of `test`
-    std::uint64_t max_evolutions = 1000;            ///< of `st`; in 32 bits
-    std::optional<std::string> script = {};         ///< of `simulate`
-    std::optional<std::string> exclusions = {};     ///< of `analyse`
+    EventRange events = {};                    ///< of the trace as a timing diagram
+    std::string against = {};                  ///< of `test`: the command that runs the controller under test
+    std::optional<std::string> sequence = {};  ///< of `test`: the table to run; empty: generated from the chart
+    std::optional<std::uint64_t> response_timeout_ms =
+        {};                                            ///< of `test`: limit for one response; of `serve`: for one check
+    bool stop_on_failure = false, keep_going = false;  ///< of `test`
+    std::uint64_t max_evolutions = 1000;               ///< of `st`; in 32 bits
+    std::optional<std::string> script = {};            ///< of `simulate`
+    std::optional<std::string> exclusions = {};        ///< of `analyse`
     std::optional<std::uint64_t> random_seed = {};
     std::uint64_t steps = 100;   ///< of a random walk
     std::string situation = {};  ///< of `draw`: names of steps, with commas
@@ -163,7 +165,7 @@ std::vector<NamedPath> named_paths(const Options& options);
 /// The groups of options that a command may accept, in addition to those that all commands accept. File: commands that
 /// read a file; Timeout: commands without another time limit; Writes: commands that may write files; Command: a command
 /// that runs another command, to which all following arguments belong.
-enum class Accepts {
+enum class OptionGroup {
     Always,
     File,
     Timeout,
@@ -214,14 +216,14 @@ enum class Accepts {
 /// Operand count of a command that processes several files sequentially.
 inline constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 
-struct Verb {
+struct CliCommand {
     std::string name = {};
     std::string operand = {};  ///< as shown in the usage line: `FILE`, `FILE...`, `[NAME]`
     std::size_t least_operands = 1, most_operands = 1;
     std::string summary = {};      ///< one line, for the list of commands
     std::string description = {};  ///< for --help
     std::vector<std::string> examples = {};
-    std::vector<Accepts> accepts = {};
+    std::vector<OptionGroup> accepts = {};
 };
 
 /// A deprecated name of an option, as passed, and the current one.
@@ -235,10 +237,10 @@ struct ParsedOptions {
     std::string complaint = {};
     std::vector<FormerName> former_names = {};  ///< in the order of the arguments
 };
-ParsedOptions parse_options(const Verb& verb, std::span<const std::string> arguments);
+ParsedOptions parse_options(const CliCommand& verb, std::span<const std::string> arguments);
 
 /// True if the command accepts the options of the group.
-bool accepts(const Verb& verb, Accepts what);
+bool accepts(const CliCommand& verb, OptionGroup what);
 
 /// The table entry of an option of a command, for help, manual pages and completion.
 struct OptionText {
@@ -248,9 +250,9 @@ struct OptionText {
     std::string help = {};
 };
 /// The visible options of a command, in the order of --help.
-std::vector<OptionText> option_texts(const Verb& verb);
+std::vector<OptionText> option_texts(const CliCommand& verb);
 
 /// `grafverif COMMAND --help`.
-void print_help(const Verb& verb, std::ostream& out);
+void print_help(const CliCommand& verb, std::ostream& out);
 
 }  // namespace grafverif::app

@@ -9,7 +9,7 @@
 #include <ostream>
 
 #include "app/depfile.hpp"
-#include "app/system/guard.hpp"
+#include "app/system/watchdog.hpp"
 #include "pipeline/files.hpp"
 #include "support/messages.hpp"
 #include "support/messages_choice.hpp"
@@ -26,7 +26,7 @@ std::vector<std::string> outputs_of(const Options& options) {
     return paths;
 }
 
-bool differ(const std::vector<std::string>& paths, Job& job) {
+bool differ(const std::vector<std::string>& paths, CommandContext& job) {
     for (std::size_t k = 1; k < paths.size(); ++k)
         for (std::size_t i = 0; i < k; ++i) {
             const std::string identity = file_identity(paths[k]);
@@ -37,7 +37,7 @@ bool differ(const std::vector<std::string>& paths, Job& job) {
     return true;
 }
 
-bool is_no_input(const std::string& path, Job& job) {
+bool is_no_input(const std::string& path, CommandContext& job) {
     const std::string identity = path == "-" ? "" : file_identity(path);
     for (const InputFile& input : job.inputs) {
         if (identity.empty() || identity != input.identity) continue;
@@ -63,16 +63,16 @@ std::string foreign_format(const std::filesystem::path& path, bool drawing, bool
 }
 
 /// A standard stream and the properties of its terminal.
-struct Outlet {
+struct OutputStream {
     std::ostream* stream = nullptr;
     bool terminal = false;
 };
 
 /// The outlet that `path` names; a null stream denotes a file.
-Outlet outlet_of(const std::filesystem::path& path, const Streams& streams) {
+OutputStream outlet_of(const std::filesystem::path& path, const Streams& streams) {
     if (names_output(path.string()))
-        return streams.documents != nullptr ? Outlet{streams.documents, streams.documents_screen.terminal}
-                                            : Outlet{&streams.out, streams.out_screen.terminal};
+        return streams.documents != nullptr ? OutputStream{streams.documents, streams.documents_screen.terminal}
+                                            : OutputStream{&streams.out, streams.out_screen.terminal};
     if (own_descriptor(path) == STDERR_FILENO) return {&streams.err, streams.err_screen.terminal};
     return {};
 }
@@ -93,9 +93,9 @@ bool writes_files(const Options& options) {
     return std::ranges::any_of(outputs_of(options), [](const std::string& path) { return !names_output(path); });
 }
 
-bool outputs_differ(Job& job) { return differ(outputs_of(job.options), job); }
+bool outputs_differ(CommandContext& job) { return differ(outputs_of(job.options), job); }
 
-bool formats_are_written(std::string_view verb, Job& job) {
+bool formats_are_written(std::string_view verb, CommandContext& job) {
     bool fine = true;
     const auto check = [&](const std::optional<std::string>& path, bool drawing) {
         const std::string format = path ? foreign_format(*path, drawing, verb == "report") : std::string();
@@ -124,7 +124,7 @@ bool formats_are_written(std::string_view verb, Job& job) {
     return fine;
 }
 
-bool folders_are_there(bool folder, Job& job) {
+bool folders_are_there(bool folder, CommandContext& job) {
     if (job.options.create) return true;
     for (const auto& [option, path, use] : named_paths(job.options)) {
         if (use == PathUse::Read) continue;
@@ -140,14 +140,14 @@ bool folders_are_there(bool folder, Job& job) {
     return true;
 }
 
-bool note_input(const std::string& path, Job& job) {
+bool note_input(const std::string& path, CommandContext& job) {
     job.inputs.push_back({path, file_identity(path == "-" ? "/dev/stdin" : path)});
     bool fine = true;
     for (const std::string& output : outputs_of(job.options)) fine = is_no_input(output, job) && fine;
     return fine;
 }
 
-bool write_outputs(const std::vector<OutputFile>& files, Job& job, const Streams& streams) {
+bool write_outputs(const std::vector<OutputFile>& files, CommandContext& job, const Streams& streams) {
     work_is_done();
     std::vector<std::string> paths;
     std::vector<OutputFile> others;
@@ -166,7 +166,7 @@ bool write_outputs(const std::vector<OutputFile>& files, Job& job, const Streams
     if (job.diagnostics.has_errors() && job.options.depfile) return false;
     write_files(others);
     for (const OutputFile& file : streamed)
-        if (const Outlet outlet = outlet_of(file.path, streams); outlet.stream != nullptr)
+        if (const OutputStream outlet = outlet_of(file.path, streams); outlet.stream != nullptr)
             *outlet.stream << (outlet.terminal ? printable_lines(file.content) : file.content);
     return true;
 }

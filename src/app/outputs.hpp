@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/job.hpp"
+#include "app/command_context.hpp"
 #include "app/program.hpp"
 #include "app/system/write_files.hpp"
 
@@ -23,18 +23,18 @@ bool reports_on_output(const Options& options);
 bool writes_files(const Options& options);
 
 /// Checks that the options name distinct files as outputs; false after an error.
-bool outputs_differ(Job& job);
+bool outputs_differ(CommandContext& job);
 /// Checks that no output is named after a format that the command does not write (`draw -o x.png`); false after an
 /// error.
-bool formats_are_written(std::string_view verb, Job& job);
+bool formats_are_written(std::string_view verb, CommandContext& job);
 /// Checks that the folders of the outputs exist or may be created; false after an error. `folder`: `-o` names a folder.
-bool folders_are_there(bool folder, Job& job);
+bool folders_are_there(bool folder, CommandContext& job);
 
 /// Records that this run reads the file at `path`; false after an error: it is also an output.
-bool note_input(const std::string& path, Job& job);
+bool note_input(const std::string& path, CommandContext& job);
 
 /// Writes the set of files (see write_files), first the depfile if one is requested; `-` and other names of standard
 /// output and error go to the streams. False after an error: one of the files is an input, or is contained twice.
-bool write_outputs(const std::vector<OutputFile>& files, Job& job, const Streams& streams);
+bool write_outputs(const std::vector<OutputFile>& files, CommandContext& job, const Streams& streams);
 
 }  // namespace grafverif::app

@@ -13,10 +13,10 @@
 #include <sstream>
 #include <system_error>
 
+#include "app/commands.hpp"
 #include "app/outputs.hpp"
 #include "app/reports.hpp"
-#include "app/system/guard.hpp"
-#include "app/verbs.hpp"
+#include "app/system/watchdog.hpp"
 #include "support/messages.hpp"
 #include "support/messages_system.hpp"
 #include "support/printable.hpp"
@@ -28,9 +28,9 @@ namespace grafverif::app {
 namespace {
 
 struct Entry {
-    Verb (*usage)() = nullptr;
-    ExitCode (*run)(Job&, const Streams&) = nullptr;
-    void (*list)(Job&) = nullptr;  ///< prints the list of all results when they are written
+    CliCommand (*usage)() = nullptr;
+    ExitCode (*run)(CommandContext&, const Streams&) = nullptr;
+    void (*list)(CommandContext&) = nullptr;  ///< prints the list of all results when they are written
 };
 
 constexpr std::array entries = {
@@ -87,14 +87,15 @@ ExitCode usage_error(const Streams& streams, const std::string& complaint, const
     return ExitCode::Input;
 }
 
-void render(const std::vector<Diagnostic>& shown, const Job& job, const Streams& streams, std::ostream& out) {
+void render(const std::vector<Diagnostic>& shown, const CommandContext& job, const Streams& streams,
+            std::ostream& out) {
     if (job.options.diagnostics == DiagnosticFormat::Text)
         render_text(shown, job.sources, colour_on(streams.err_screen, job.options),
                     streams.err_screen.columns == 0 ? usual_columns : streams.err_screen.columns, out);
     else if (!shown.empty()) render_json(shown, job.sources, out);
 }
 
-void render_diagnostics(const Job& job, const Streams& streams) {
+void render_diagnostics(const CommandContext& job, const Streams& streams) {
     std::vector<Diagnostic> shown;
     for (const Diagnostic& diagnostic : job.diagnostics.all())
         if (!job.options.quiet || diagnostic.severity == Severity::Error) shown.push_back(diagnostic);
@@ -103,14 +104,14 @@ void render_diagnostics(const Job& job, const Streams& streams) {
         streams.err << fmt::format("and {} more errors\n", job.diagnostics.errors() - Diagnostics::limit);
 }
 
-GuardOrders orders(const Job& job, const Streams& streams) {
+WatchdogOptions orders(const CommandContext& job, const Streams& streams) {
     const auto rendered = [&](const Diagnostic& diagnostic) {
         std::ostringstream text;
         render({diagnostic}, job, streams, text);
         return std::move(text).str();
     };
     const Options& options = job.options;
-    GuardOrders orders{.max_memory = options.max_memory};
+    WatchdogOptions orders{.max_memory = options.max_memory};
     if (options.timeout_ms) orders.timeout = std::chrono::milliseconds(*options.timeout_ms);
     orders.timed_out = rendered(messages::timed_out(options.timeout_ms.value_or(0)));
     orders.interrupted = rendered(messages::interrupted());
@@ -125,7 +126,7 @@ bool about_bounds(const Diagnostic& diagnostic) {
 }
 
 /// Combines the exit code of the command with that of its errors.
-ExitCode exit_code(const Job& job, ExitCode code) {
+ExitCode exit_code(const CommandContext& job, ExitCode code) {
     if (!job.diagnostics.has_errors() || code == ExitCode::Failure) return code;
     const bool only_bounds = std::ranges::all_of(job.diagnostics.all(), [](const Diagnostic& diagnostic) {
         return diagnostic.severity != Severity::Error || about_bounds(diagnostic);
@@ -135,31 +136,31 @@ ExitCode exit_code(const Job& job, ExitCode code) {
 }
 
 /// One invocation of the program: runs a command on each of its files, then writes the combined outputs.
-class Call {
+class Invocation {
 public:
-    Call(const Entry& entry, const Verb& verb, const Options& options, const Streams& streams)
+    Invocation(const Entry& entry, const CliCommand& verb, const Options& options, const Streams& streams)
         : entry_(entry),
           verb_(verb),
-          asked_(options),
+          requested_(options),
           streams_(reports_on_output(options) ? with_words_apart(streams) : streams),
           job_{.options = options, .in = &streams.in} {}
 
     ExitCode run() {
-        std::optional<Guard> guard;
+        std::optional<Watchdog> guard;
         job_.reports = &reports_;
         attempt([&] {
             if (streams_.alone) guard.emplace(orders(job_, streams_));
-            if (streams_.alone && writes_files(asked_)) std::signal(SIGPIPE, SIG_IGN);
+            if (streams_.alone && writes_files(requested_)) std::signal(SIGPIPE, SIG_IGN);
             return begin();
         });
-        if (failed_) return close(), tell(), code_;
+        if (failed_) return close(), print_messages(), code_;
         const std::vector<std::vector<std::string>> rounds = rounds_of();
         for (const std::vector<std::string>& operands : rounds) {
             begin_round(operands);
             attempt([&] { return entry_.run(job_, streams_); });
             attempt([&] { return note_diagnostics(job_, streams_), ExitCode::Done; });
             if (&operands == &rounds.back()) close();
-            tell();
+            print_messages();
         }
         return code_;
     }
@@ -175,14 +176,14 @@ private:
 
     /// The operands of each run of the command.
     std::vector<std::vector<std::string>> rounds_of() const {
-        if (verb_.most_operands != any_number) return {asked_.operands};
+        if (verb_.most_operands != any_number) return {requested_.operands};
         std::vector<std::vector<std::string>> rounds;
-        for (const std::string& file : asked_.operands) rounds.push_back({file});
+        for (const std::string& file : requested_.operands) rounds.push_back({file});
         return rounds;
     }
 
     void begin_round(const std::vector<std::string>& operands) {
-        job_.options = asked_;
+        job_.options = requested_;
         job_.options.operands = operands;
         job_.sources = {};
         job_.diagnostics = {};
@@ -202,7 +203,7 @@ private:
             const bool thread = failure.code() == std::errc::resource_unavailable_try_again;
             job_.diagnostics.add(memory   ? messages::out_of_memory(job_.options.max_memory)
                                  : thread ? messages::threads_refused()
-                                          : messages::world_failed(failure.what()));
+                                          : messages::io_error(failure.what()));
         }
         code = exit_code(job_, code);
         failed_ = failed_ || job_.diagnostics.has_errors();
@@ -212,15 +213,15 @@ private:
 
     ExitCode begin() {
         if (!outputs_differ(job_) || !formats_are_written(verb_.name, job_)) return reported_ = false, ExitCode::Input;
-        begin_reports(accepts(verb_, Accepts::Analysis) || accepts(verb_, Accepts::Date), job_);
-        if (folders_are_there(accepts(verb_, Accepts::OutputDirectory), job_)) return ExitCode::Done;
+        begin_reports(accepts(verb_, OptionGroup::Analysis) || accepts(verb_, OptionGroup::Date), job_);
+        if (folders_are_there(accepts(verb_, OptionGroup::OutputDirectory), job_)) return ExitCode::Done;
         note_diagnostics(job_, streams_);
         return ExitCode::Input;
     }
 
     /// Writes the reports in any case, and the results of all files if there was no error.
     void close() {
-        job_.options.operands = asked_.operands;
+        job_.options.operands = requested_.operands;
         if (reported_)
             attempt([&] { return write_reports(failed_, job_, streams_) ? ExitCode::Done : ExitCode::Input; });
         attempt([&] { return finish(); });
@@ -236,16 +237,16 @@ private:
         return ExitCode::Done;
     }
 
-    void tell() {
+    void print_messages() {
         render_diagnostics(job_, streams_);
         streams_.out << job_.closing << std::flush;
     }
 
     const Entry& entry_;
-    const Verb& verb_;
-    const Options& asked_;
+    const CliCommand& verb_;
+    const Options& requested_;
     const Streams streams_;
-    Job job_;
+    CommandContext job_;
     Reports reports_ = {};
     ExitCode code_ = ExitCode::Done;
     bool failed_ = false;
@@ -253,7 +254,7 @@ private:
 };
 
 ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, const Streams& streams) {
-    const Verb verb = entry.usage();
+    const CliCommand verb = entry.usage();
     ParsedOptions parsed = parse_options(verb, arguments);
     if (!parsed.options) return usage_error(streams, parsed.complaint, verb.name + " ");
     if (parsed.options->help) {
@@ -264,21 +265,21 @@ ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, co
     std::vector<Diagnostic> warnings;
     for (const FormerName& used : parsed.former_names)
         warnings.push_back(messages::deprecated_option(used.former, used.name));
-    if (!options.quiet) render(warnings, Job{.options = options}, streams, streams.err);
+    if (!options.quiet) render(warnings, CommandContext{.options = options}, streams, streams.err);
     if (options.timeout_ms)
         options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*options.timeout_ms);
-    return Call(entry, verb, options, streams).run();
+    return Invocation(entry, verb, options, streams).run();
 }
 
 }  // namespace
 
-std::vector<Verb> all_verbs() {
-    std::vector<Verb> verbs;
+std::vector<CliCommand> all_commands() {
+    std::vector<CliCommand> verbs;
     for (const Entry& entry : entries) verbs.push_back(entry.usage());
     return verbs;
 }
 
-std::string no_such_verb(const std::string& name) {
+std::string unknown_command(const std::string& name) {
     Nearest nearest(name);
     for (const Entry& entry : entries) nearest.offer(entry.usage().name);
     return fmt::format("unknown command `{}`{}", name,
@@ -311,10 +312,10 @@ ExitCode run(std::span<const std::string> arguments, const Streams& streams) {
     if (verb.starts_with('-'))
         return usage_error(streams,
                            fmt::format("expected a command before `{}`; write options after the command", verb), "");
-    return usage_error(streams, no_such_verb(verb), "");
+    return usage_error(streams, unknown_command(verb), "");
 }
 
-void deliver(const std::string& content, Job& job, const Streams& streams) {
+void deliver(const std::string& content, CommandContext& job, const Streams& streams) {
     write_outputs({{job.options.output.value_or("-"), content}}, job, streams);
 }
 

@@ -37,13 +37,13 @@ struct Streams {
     Screen documents_screen = {};
 };
 
-struct Verb;
+struct CliCommand;
 
 /// All commands, in the order of --help.
-std::vector<Verb> all_verbs();
+std::vector<CliCommand> all_commands();
 
 /// Message that the command does not exist, with the most similar one.
-std::string no_such_verb(const std::string& name);
+std::string unknown_command(const std::string& name);
 
 /// Runs `grafverif ARGUMENTS`; the arguments do not include the program's name.
 ExitCode run(std::span<const std::string> arguments, const Streams& streams);

@@ -47,7 +47,7 @@ bool is_report(std::string_view text) {
 }
 
 /// True if the file at `path` may be replaced before the inputs of the run are known.
-bool is_replaceable(const std::string& path, const Job& job) {
+bool is_replaceable(const std::string& path, const CommandContext& job) {
     const std::string identity = path == "-" || own_descriptor(path) ? "" : file_identity(path);
     if (identity.empty()) return false;
     std::vector<std::string> named = job.options.operands;
@@ -70,11 +70,13 @@ std::string sarif_text(const SarifLog& log) {
 }
 
 /// The file that a run is about, for display.
-std::string file_of(const Job& job) { return job.options.operands.empty() ? "" : job.options.operands.front(); }
+std::string file_of(const CommandContext& job) {
+    return job.options.operands.empty() ? "" : job.options.operands.front();
+}
 
 }  // namespace
 
-void begin_reports(bool output, Job& job) {
+void begin_reports(bool output, CommandContext& job) {
     const Options& options = job.options;
     std::vector<std::optional<std::string>> others = {options.trace_vcd, options.trace_svg};
     if (output) others.push_back(options.output);
@@ -93,20 +95,20 @@ void begin_reports(bool output, Job& job) {
     write_files(files);
 }
 
-void note(const Decided& decided, const Model& model, Job& job) {
-    const Written written{job.sources, model, decided.loop, decided.chart};
+void note(const Decided& decided, const Model& model, CommandContext& job) {
+    const ReportSource written{job.sources, model, decided.loop, decided.chart};
     if (job.options.junit) job.reports->suites += junit_suite(decided.report, written);
     if (job.options.sarif) add_report(decided.report, written, job.reports->sarif);
 }
 
-void note_diagnostics(Job& job, const Streams& streams) {
+void note_diagnostics(CommandContext& job, const Streams& streams) {
     const std::vector<Diagnostic>& all = job.diagnostics.all();
     if (job.options.junit) job.reports->suites += junit_suite(file_of(job), all, job.sources);
     if (job.options.sarif) add_diagnostics(all, job.sources, !job.options.quiet, job.reports->sarif);
     if (job.options.format == Format::JsonLines) print_json_lines(file_of(job), all, job.sources, streams.out);
 }
 
-bool write_reports(bool failed, Job& job, const Streams& streams) {
+bool write_reports(bool failed, CommandContext& job, const Streams& streams) {
     const Options& options = job.options;
     std::vector<OutputFile> files = std::move(job.reports->files);
     const auto add = [&](const std::optional<std::string>& path, const auto& text) {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "app/command_context.hpp"
 #include "app/decide.hpp"
-#include "app/job.hpp"
 #include "app/system/write_files.hpp"
 #include "report/sarif.hpp"
 
@@ -24,14 +24,14 @@ struct Reports {
 };
 
 /// `output`: the file of `-o` is a report too.
-void begin_reports(bool output, Job& job);
+void begin_reports(bool output, CommandContext& job);
 
 /// Adds the verdicts of a model to the requested reports.
-void note(const Decided& decided, const Model& model, Job& job);
+void note(const Decided& decided, const Model& model, CommandContext& job);
 /// Adds the diagnostics of a run; errors also become lines of `--json-lines`.
-void note_diagnostics(Job& job, const Streams& streams);
+void note_diagnostics(CommandContext& job, const Streams& streams);
 
 /// `failed`: after errors, which may have prevented a file from being recorded as an input.
-bool write_reports(bool failed, Job& job, const Streams& streams);
+bool write_reports(bool failed, CommandContext& job, const Streams& streams);
 
 }  // namespace grafverif::app

@@ -12,7 +12,7 @@ constexpr std::size_t first_size = std::size_t{1} << 10U;
 
 }  // namespace
 
-bool Cache::grow(Watch& watch) {
+bool Cache::grow(InterruptPoll& watch) {
     const std::size_t before = size_, after = before == 0 ? first_size : 2 * before;
     if (entries_.size() < after && !entries_.resize(after)) return false;
     size_ = after;
@@ -43,7 +43,7 @@ void Cache::shrink_to_nothing() {
     (void)entries_.resize(size_);
 }
 
-void Cache::clear(Watch& watch) {
+void Cache::clear(InterruptPoll& watch) {
     try {
         for (std::size_t i = 0; i < size_; ++i) {
             watch.step();
@@ -55,11 +55,11 @@ void Cache::clear(Watch& watch) {
     }
 }
 
-void Cache::keep_marked(const NodeTable& table, Watch& watch) {
+void Cache::keep_marked(const NodeTable& table, InterruptPoll& watch) {
     const auto lives = [&](Edge edge) { return is_constant(edge) || table.marked(index_of(edge)); };
     for (std::size_t i = 0; i < size_; ++i) {
         watch.step();
-        const Known entry = known(i);
+        const CachedResult entry = known(i);
         if (entry.f == 0) continue;
         const bool numbered = entry.operation == Operation::Rename;
         if (!lives(entry.f) || !lives(entry.g) || !lives(entry.result) || (!numbered && !lives(entry.h)))
@@ -67,7 +67,7 @@ void Cache::keep_marked(const NodeTable& table, Watch& watch) {
     }
 }
 
-Cache::Known Cache::known(std::size_t slot) const {
+Cache::CachedResult Cache::known(std::size_t slot) const {
     const Entry& entry = entries_[slot];
     const auto operation = static_cast<Operation>(entry.f >> 30U | entry.g >> 30U << 2U);
     return {operation, entry.f & edge_mask, entry.g & edge_mask, entry.h, entry.result};

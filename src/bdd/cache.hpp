@@ -8,8 +8,8 @@
 
 #include <cstdint>
 
+#include "bdd/interrupt_poll.hpp"
 #include "bdd/nodes.hpp"
-#include "bdd/watch.hpp"
 
 namespace grafverif::bdd {
 
@@ -29,9 +29,9 @@ public:
     explicit Cache(Budget& budget) : entries_(budget) {}
 
     bool find(Operation operation, Edge f, Edge g, std::uint32_t h, Edge& result) const {
-        const Entry asked = packed(operation, f, g, h, 0);
-        const Entry& entry = entries_[slot(asked)];
-        if (entry.f != asked.f || entry.g != asked.g || entry.h != asked.h) return false;
+        const Entry requested = packed(operation, f, g, h, 0);
+        const Entry& entry = entries_[slot(requested)];
+        if (entry.f != requested.f || entry.g != requested.g || entry.h != requested.h) return false;
         result = entry.result;
         return true;
     }
@@ -43,21 +43,21 @@ public:
 
     /// Doubles the size, keeping all entries; unchanged if memory is refused. The first call allocates the initial
     /// entries.
-    bool grow(Watch& watch);
+    bool grow(InterruptPoll& watch);
     std::size_t size() const { return size_; }
     /// Removes all entries.
-    void clear(Watch& watch);
+    void clear(InterruptPoll& watch);
     /// Removes entries that refer to an unmarked node.
-    void keep_marked(const NodeTable& table, Watch& watch);
+    void keep_marked(const NodeTable& table, InterruptPoll& watch);
 
-    struct Known {
+    struct CachedResult {
         Operation operation = Operation::And;
         Edge f = 0, g = 0;
         std::uint32_t h = 0;
         Edge result = 0;
     };
     /// The entry of a slot; empty if f is 0.
-    Known known(std::size_t slot) const;
+    CachedResult known(std::size_t slot) const;
 
 private:
     struct Entry {

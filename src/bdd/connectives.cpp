@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "bdd/steps.hpp"
+#include "bdd/explicit_stack.hpp"
 
 namespace grafverif::bdd {
 
@@ -14,7 +14,7 @@ namespace {
 struct Conjunction : Branching {
     static constexpr Operation operation = Operation::And;
 
-    static bool settle(const Kernel&, Call& call, Edge& result, bool&) {
+    static bool terminal_case(const Kernel&, Call& call, Edge& result, bool&) {
         auto& [f, g, h] = call;
         if (f > g) std::swap(f, g);
         if (is_constant(f)) {
@@ -43,7 +43,7 @@ struct Conjunction : Branching {
 struct Exclusive : Conjunction {
     static constexpr Operation operation = Operation::Xor;
 
-    static bool settle(const Kernel&, Call& call, Edge& result, bool& flip) {
+    static bool terminal_case(const Kernel&, Call& call, Edge& result, bool& flip) {
         auto& [f, g, h] = call;
         flip = complement_bit(f ^ g) != 0;
         f &= ~1U;
@@ -58,7 +58,7 @@ struct Exclusive : Conjunction {
 struct Choice : Branching {
     static constexpr Operation operation = Operation::Ite;
 
-    static bool settle(Kernel& kernel, Call& call, Edge& result, bool& flip) {
+    static bool terminal_case(Kernel& kernel, Call& call, Edge& result, bool& flip) {
         auto& [f, g, h] = call;
         if (is_constant(f) || g == h) {
             result = f == true_edge ? g : h;

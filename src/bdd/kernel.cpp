@@ -83,7 +83,7 @@ bool grow(Kernel& kernel) {
     return kernel.cache.size() != 0;
 }
 
-void make_room(Kernel& kernel, Edge low, Edge high) {
+void free_memory(Kernel& kernel, Edge low, Edge high) {
     NodeTable& table = kernel.table;
     const bool small = table.capacity < never_collected_below;
     if (small && grow(kernel)) return;

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "bdd/cache.hpp"
+#include "bdd/interrupt_poll.hpp"
 #include "bdd/nodes.hpp"
-#include "bdd/watch.hpp"
 
 namespace grafverif::bdd {
 
@@ -78,7 +78,7 @@ struct Kernel {
     Edge high(Edge edge, std::uint32_t level) const { return node(edge).level == level ? high(edge) : edge; }
 
     Budget budget;
-    Watch watch;
+    InterruptPoll watch;
     Order order;
     NodeTable table;
     Cache cache;
@@ -89,7 +89,7 @@ struct Kernel {
 };
 
 /// Makes space for a node by growth or by collection, which keeps `low` and `high`. Throws BddExhausted if this fails.
-void make_room(Kernel& kernel, Edge low, Edge high);
+void free_memory(Kernel& kernel, Edge low, Edge high);
 /// Rebuilds the chains and the free list, and completes a sweep.
 void relink(Kernel& kernel);
 /// Frees unreachable nodes.
@@ -107,7 +107,7 @@ inline Edge make(Kernel& kernel, std::uint32_t level, Edge low, Edge high) {
     if (!table.has_room()) [[unlikely]] {
         if (table.capacity != 0)
             if (const std::uint32_t n = table.find(level, low, high)) return n << 1U | flip;
-        make_room(kernel, low, high);
+        free_memory(kernel, low, high);
     }
     std::uint32_t& first = table.buckets[table.bucket(level, low, high)];
     for (std::uint32_t n = first; n != 0; n = table.nodes[n].next)

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "bdd/steps.hpp"
+#include "bdd/explicit_stack.hpp"
 
 namespace grafverif::bdd {
 
@@ -20,7 +20,7 @@ Edge below(const Kernel& kernel, Edge cube, std::uint32_t level) {
 struct Some : Branching {
     static constexpr Operation operation = Operation::Exists;
 
-    static bool settle(const Kernel& kernel, Call& call, Edge& result, bool&) {
+    static bool terminal_case(const Kernel& kernel, Call& call, Edge& result, bool&) {
         auto& [f, cube, none] = call;
         result = f;
         if (is_constant(f)) return true;
@@ -52,7 +52,7 @@ struct Some : Branching {
 struct Product : Branching {
     static constexpr Operation operation = Operation::AndExists;
 
-    static bool settle(Kernel& kernel, Call& call, Edge& result, bool&) {
+    static bool terminal_case(Kernel& kernel, Call& call, Edge& result, bool&) {
         auto& [f, g, cube] = call;
         if (f > g) std::swap(f, g);
         if (f == false_edge || (index_of(f) == index_of(g) && f != g)) return result = false_edge, true;

@@ -52,9 +52,9 @@ Relation::Relation(const BddSpace& space, std::vector<NextBit> bits, std::vector
 void Relation::free_of_choices() {
     std::vector<std::uint32_t> left;
     for (const std::uint32_t choice : choices_) {
-        const auto reads = [choice](const Part& part) { return std::ranges::binary_search(part.reads, choice); };
+        const auto reads = [choice](const Conjunct& part) { return std::ranges::binary_search(part.reads, choice); };
         Bdd joined = Bdd::constant(true);
-        for (const Part& each : parts_)
+        for (const Conjunct& each : parts_)
             if (reads(each) && size(joined &= each.relation) > part_size) break;
         const Bdd freed = size(joined) > part_size ? joined : exists(joined, space_.variable(choice));
         if (size(joined) > part_size || size(freed) > part_size) {
@@ -73,9 +73,9 @@ void Relation::arrange() {
     std::unordered_set<std::uint32_t> after;
     for (const NextBit& bit : bits_) after.insert(bit.after());
     std::unordered_map<std::uint32_t, std::size_t> readers;
-    for (const Part& each : parts_)
+    for (const Conjunct& each : parts_)
         for (const std::uint32_t variable : each.reads) ++readers[variable];
-    const auto worth = [&](const Part& each) {
+    const auto worth = [&](const Conjunct& each) {
         double ends = 0, begins = 0, read = 0;
         for (const std::uint32_t variable : each.reads) {
             if (after.contains(variable)) {
@@ -87,7 +87,7 @@ void Relation::arrange() {
         }
         return 2 * ends / std::max(read, 1.0) + (ends - begins) / 8;
     };
-    std::vector<Part> arranged;
+    std::vector<Conjunct> arranged;
     while (!parts_.empty()) {
         const auto best = std::ranges::max_element(parts_, {}, worth);
         for (const std::uint32_t variable : best->reads) --readers[variable];
@@ -99,8 +99,8 @@ void Relation::arrange() {
 
 /// Conjoins adjacent parts while the result is small.
 void Relation::join() {
-    std::vector<Part> joined;
-    for (Part& each : parts_) {
+    std::vector<Conjunct> joined;
+    for (Conjunct& each : parts_) {
         const Bdd both = joined.empty() ? Bdd{} : joined.back().relation & each.relation;
         if (joined.empty() || size(both) > part_size) joined.push_back(std::move(each));
         else joined.back() = part(both);
@@ -114,7 +114,7 @@ void Relation::end_after() {
     std::vector<std::uint32_t> gone = choices_;
     for (const NextBit& bit : bits_) gone.push_back(bit.after());
     std::ranges::sort(gone);
-    for (Part& each : parts_) {
+    for (Conjunct& each : parts_) {
         std::vector<std::uint32_t> here, rest;
         std::ranges::set_intersection(gone, each.reads, std::back_inserter(here));
         std::ranges::set_difference(gone, each.reads, std::back_inserter(rest));
@@ -157,7 +157,7 @@ Bdd Relation::preimage(const Bdd& to) const {
 
 std::vector<std::uint32_t> Relation::variables() const {
     std::vector<std::uint32_t> all;
-    for (const Part& each : parts_) all.insert(all.end(), each.reads.begin(), each.reads.end());
+    for (const Conjunct& each : parts_) all.insert(all.end(), each.reads.begin(), each.reads.end());
     for (const NextBit& bit : bits_) all.push_back(bit.before);
     std::ranges::sort(all);
     all.erase(std::ranges::unique(all).begin(), all.end());

@@ -50,13 +50,13 @@ public:
     std::vector<std::uint32_t> variables() const;
 
 private:
-    struct Part {
+    struct Conjunct {
         Bdd relation = {};
         std::vector<std::uint32_t> reads = {};  ///< variables that it depends on, increasing
         Bdd after = {};                         ///< variables that a preimage quantifies with it
     };
 
-    static Part part(Bdd relation) { return {relation, support(relation), {}}; }
+    static Conjunct part(Bdd relation) { return {relation, support(relation), {}}; }
     void free_of_choices();
     void arrange();
     void join();
@@ -65,7 +65,7 @@ private:
     const BddSpace& space_;
     std::vector<NextBit> bits_ = {};
     std::vector<std::uint32_t> choices_ = {};
-    std::vector<Part> parts_ = {};
+    std::vector<Conjunct> parts_ = {};
     Bdd unread_after_ = {};  ///< variables after a step that no part reads; they are unconstrained
     BddRenaming to_before_, to_after_;
 };

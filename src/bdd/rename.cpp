@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "bdd/explicit_stack.hpp"
 #include "bdd/kernel.hpp"
-#include "bdd/steps.hpp"
 
 namespace grafverif {
 
@@ -31,7 +31,7 @@ struct Renamed : Branching {
 
     explicit Renamed(const BddRenaming::Map& renaming) : map(renaming) {}
 
-    bool settle(const Kernel& kernel, Call& call, Edge& result, bool& flip) const {
+    bool terminal_case(const Kernel& kernel, Call& call, Edge& result, bool& flip) const {
         flip = complement_bit(call.f) != 0;
         call.f &= ~1U;
         result = call.f;

@@ -21,7 +21,7 @@ namespace {
 /// Larger levels are not exchanged, because an exchange cannot be interrupted.
 constexpr std::size_t longest_exchange = 1U << 18U;
 
-struct NoRoom {};
+struct NoMemory {};
 
 class Sifter {
 public:
@@ -142,9 +142,9 @@ private:
     void exchange(std::uint32_t level) {
         const std::size_t nodes = at_[level].size() + at_[level + 1].size();
         kernel_.watch.step(static_cast<std::uint32_t>(4 * nodes + 1));
-        if (nodes > longest_exchange) throw NoRoom{};
+        if (nodes > longest_exchange) throw NoMemory{};
         while (table_.room() < 2 * at_[level].size())
-            if (!grow(kernel_)) throw NoRoom{};
+            if (!grow(kernel_)) throw NoMemory{};
         if (uses_.size() < table_.capacity) uses_.resize(table_.capacity);
         std::vector<std::uint32_t> upper, lower, rewritten;
         lower.reserve(nodes + 2 * at_[level].size());
@@ -243,7 +243,7 @@ void reorder(Kernel& kernel) {
     if (charge.bytes == 0) return;  // the memory is left for nodes
     try {
         Sifter(kernel).sift();
-    } catch (const NoRoom&) {
+    } catch (const NoMemory&) {
     } catch (const std::bad_alloc&) {
     }
 }

@@ -4,7 +4,7 @@
 // depends on are quantified in it, and a branch without care takes the function of the other branch.
 #include <algorithm>
 
-#include "bdd/steps.hpp"
+#include "bdd/explicit_stack.hpp"
 
 namespace grafverif::bdd {
 
@@ -20,7 +20,7 @@ bool made_regular(Edge& f) {
 struct Restriction : Branching {
     static constexpr Operation operation = Operation::Cofactor;
 
-    static bool settle(const Kernel& kernel, Call& call, Edge& result, bool& flip) {
+    static bool terminal_case(const Kernel& kernel, Call& call, Edge& result, bool& flip) {
         auto& [f, cube, none] = call;
         while (!is_constant(f) && !is_constant(cube)) {
             const std::uint32_t at = kernel.level(f), literal = kernel.level(cube);
@@ -42,7 +42,7 @@ struct Restriction : Branching {
 struct Simplification : Branching {
     static constexpr Operation operation = Operation::Simplify;
 
-    static bool settle(Kernel& kernel, Call& call, Edge& result, bool& flip) {
+    static bool terminal_case(Kernel& kernel, Call& call, Edge& result, bool& flip) {
         auto& [f, care, none] = call;
         while (!is_constant(f) && !is_constant(care) && index_of(f) != index_of(care)) {
             const std::uint32_t at = kernel.level(f), cared = kernel.level(care);

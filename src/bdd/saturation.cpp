@@ -22,14 +22,14 @@ std::vector<std::uint32_t> written(const std::vector<NextBit>& bits, std::span<c
 
 }  // namespace
 
-Steps::Steps(const BddSpace& space, std::vector<NextBit> bits, std::vector<Bdd> conditions,
-             std::vector<std::uint32_t> choices, std::span<const std::uint32_t> free)
+ClusterSteps::ClusterSteps(const BddSpace& space, std::vector<NextBit> bits, std::vector<Bdd> conditions,
+                           std::vector<std::uint32_t> choices, std::span<const std::uint32_t> free)
     : relation(space, std::move(bits), std::move(conditions), std::move(choices)),
       gone(relation.quantified(written(relation.bits(), free))) {}
 
-Saturation::Saturation(const BddSpace& space, const std::deque<Steps>& kinds) : space_(space) {
-    std::map<std::uint32_t, std::vector<const Steps*>> by_level;
-    for (const Steps& kind : kinds) {
+Saturation::Saturation(const BddSpace& space, const std::deque<ClusterSteps>& kinds) : space_(space) {
+    std::map<std::uint32_t, std::vector<const ClusterSteps*>> by_level;
+    for (const ClusterSteps& kind : kinds) {
         if (kind.relation.bits().empty()) continue;  // changes no bit
         std::uint32_t top = constant_level;
         for (const std::uint32_t variable : kind.relation.variables())
@@ -43,8 +43,8 @@ Saturation::Saturation(const BddSpace& space, const std::deque<Steps>& kinds) : 
 /// of levels.
 Bdd Saturation::closed(const Bdd& states, std::size_t from) {
     if (states.is_constant() || from == levels_.size()) return states;
-    const Asked asked{states, from};
-    if (const auto known = known_.find(asked); known != known_.end()) return known->second;
+    const CacheKey requested{states, from};
+    if (const auto known = known_.find(requested); known != known_.end()) return known->second;
     Bdd result;
     if (space_.kernel().level(states.edge()) < levels_[from].level) {
         const Bdd low = closed(states.low(), from), high = closed(states.high(), from);
@@ -52,7 +52,7 @@ Bdd Saturation::closed(const Bdd& states, std::size_t from) {
     } else {
         result = closed_here(states, from);
     }
-    remember(asked, result);
+    remember(requested, result);
     return result;
 }
 
@@ -60,7 +60,7 @@ Bdd Saturation::closed_here(const Bdd& states, std::size_t from) {
     Bdd result = closed(states, from + 1);
     for (Bdd before; before != result;) {
         before = result;
-        for (const Steps* kind : levels_[from].kinds) {
+        for (const ClusterSteps* kind : levels_[from].kinds) {
             const Bdd found = kind->relation.image(result, kind->gone) & ~result;
             if (!found.is_false())
                 result |= closed(found, from + 1);  // the states closed before remain closed in the
@@ -70,9 +70,9 @@ Bdd Saturation::closed_here(const Bdd& states, std::size_t from) {
     return result;
 }
 
-void Saturation::remember(const Asked& asked, const Bdd& result) {
+void Saturation::remember(const CacheKey& requested, const Bdd& result) {
     if (!space_.kernel().budget.charge(result_size)) return forget();
-    known_.emplace(asked, result);
+    known_.emplace(requested, result);
 }
 
 void Saturation::forget() {

@@ -16,9 +16,9 @@
 namespace grafverif::bdd {
 
 /// Steps of one cluster, with the variables that their images quantify.
-struct Steps {
-    Steps(const BddSpace& space, std::vector<NextBit> bits, std::vector<Bdd> conditions,
-          std::vector<std::uint32_t> choices, std::span<const std::uint32_t> free);
+struct ClusterSteps {
+    ClusterSteps(const BddSpace& space, std::vector<NextBit> bits, std::vector<Bdd> conditions,
+                 std::vector<std::uint32_t> choices, std::span<const std::uint32_t> free);
 
     Relation relation;
     Relation::Quantified gone;
@@ -27,7 +27,7 @@ struct Steps {
 class Saturation {
 public:
     /// Requires that the clusters outlive this object and that the order does not change in this time.
-    Saturation(const BddSpace& space, const std::deque<Steps>& kinds);
+    Saturation(const BddSpace& space, const std::deque<ClusterSteps>& kinds);
     Saturation(const Saturation&) = delete;
     Saturation& operator=(const Saturation&) = delete;
     ~Saturation() { forget(); }
@@ -38,25 +38,25 @@ public:
 private:
     struct Level {
         std::uint32_t level = 0;  ///< level of the topmost variable
-        std::vector<const Steps*> kinds = {};
+        std::vector<const ClusterSteps*> kinds = {};
     };
-    struct Asked {
+    struct CacheKey {
         Bdd states = {};
         std::size_t from = 0;
-        bool operator==(const Asked&) const = default;
+        bool operator==(const CacheKey&) const = default;
     };
     struct Hash {
-        std::size_t operator()(const Asked& asked) const { return asked.states.hash() + asked.from; }
+        std::size_t operator()(const CacheKey& requested) const { return requested.states.hash() + requested.from; }
     };
 
     Bdd closed(const Bdd& states, std::size_t from);
     Bdd closed_here(const Bdd& states, std::size_t from);
-    void remember(const Asked& asked, const Bdd& result);
+    void remember(const CacheKey& requested, const Bdd& result);
     void forget();
 
     const BddSpace& space_;
     std::vector<Level> levels_ = {};  ///< topmost first
-    std::unordered_map<Asked, Bdd, Hash> known_ = {};
+    std::unordered_map<CacheKey, Bdd, Hash> known_ = {};
 };
 
 }  // namespace grafverif::bdd

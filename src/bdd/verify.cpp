@@ -95,7 +95,7 @@ private:
 
     void look_at_cache() {
         for (std::size_t slot = 0; slot < kernel_.cache.size(); ++slot) {
-            const Cache::Known known = kernel_.cache.known(slot);
+            const Cache::CachedResult known = kernel_.cache.known(slot);
             if (known.f == 0) continue;
             const bool numbered = known.operation == Operation::Rename;
             const Edge third = numbered ? false_edge : known.h;

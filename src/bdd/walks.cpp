@@ -13,11 +13,11 @@ namespace bdd {
 namespace {
 
 /// Visited nodes of a traversal.
-struct Met {
-    explicit Met(NodeTable& all) : table(all) {}
-    Met(const Met&) = delete;
-    Met& operator=(const Met&) = delete;
-    ~Met() {
+struct VisitedNodes {
+    explicit VisitedNodes(NodeTable& all) : table(all) {}
+    VisitedNodes(const VisitedNodes&) = delete;
+    VisitedNodes& operator=(const VisitedNodes&) = delete;
+    ~VisitedNodes() {
         for (const std::uint32_t n : nodes) table.unmark(n);
     }
 
@@ -30,7 +30,7 @@ struct Met {
 std::vector<std::uint32_t> nodes_of(Kernel& kernel, Edge root) {
     NodeTable& table = kernel.table;
     if (table.sweeping) relink(kernel);  // the marks are in use
-    Met met(table);
+    VisitedNodes met(table);
     const auto meet = [&](Edge edge) {
         const std::uint32_t n = index_of(edge);
         if (n == 0 || table.marked(n)) return;

@@ -9,9 +9,9 @@ namespace grafverif {
 namespace {
 
 /// One pass over the states: checks that they are a run, and determines where some terms hold.
-class Evidence {
+class ExternalTraceImport {
 public:
-    Evidence(const FlatSystem& flat, const ToldRun& told, std::vector<Id<Expr>> terms)
+    ExternalTraceImport(const FlatSystem& flat, const ExternalTrace& told, std::vector<Id<Expr>> terms)
         : flat_(flat), told_(told), terms_(std::move(terms)), truths_(terms_.size()) {
         for (std::size_t state = 0; state < size() && broken_.empty(); ++state) look_at(state);
     }
@@ -81,14 +81,14 @@ private:
     }
 
     const FlatSystem& flat_;
-    const ToldRun& told_;
+    const ExternalTrace& told_;
     std::vector<Id<Expr>> terms_ = {};
     std::vector<std::vector<bool>> truths_ = {};  ///< per term, per state
     std::string broken_ = {};
 };
 
 /// True if some state with `from` is followed by no state with `never` forever.
-bool avoids(const Evidence& evidence, std::size_t loop, Id<Expr> from, Id<Expr> never) {
+bool avoids(const ExternalTraceImport& evidence, std::size_t loop, Id<Expr> from, Id<Expr> never) {
     std::size_t without = evidence.size();  // all later states are without it
     while (without > 0 && !evidence.holds(without - 1, never)) --without;
     if (without > loop) return false;
@@ -97,8 +97,8 @@ bool avoids(const Evidence& evidence, std::size_t loop, Id<Expr> from, Id<Expr> 
     return false;
 }
 
-bool shows(const Evidence& evidence, const Property& property, const std::vector<Id<Expr>>& operands, Id<Expr> settled,
-           std::size_t loop) {
+bool shows(const ExternalTraceImport& evidence, const Property& property, const std::vector<Id<Expr>>& operands,
+           Id<Expr> settled, std::size_t loop) {
     const auto some = [&](const auto& broken) {
         for (std::size_t state = 0; state < evidence.size(); ++state)
             if ((!property.at_stable || evidence.holds(state, settled)) && broken(state)) return true;
@@ -132,7 +132,8 @@ bool shows(const Evidence& evidence, const Property& property, const std::vector
 
 }  // namespace
 
-std::string doubt(const TransitionSystem& system, FlatSystem& flat, const Property& property, const ToldRun& told) {
+std::string doubt(const TransitionSystem& system, FlatSystem& flat, const Property& property,
+                  const ExternalTrace& told) {
     const Id<Expr> settled = property.at_stable ? flattened(system, flat, system.settled) : flat.exprs.constant(true);
     const bool about_paths = property.pattern == Pattern::Inevitable || property.pattern == Pattern::LeadsTo;
     std::vector<Id<Expr>> operands;
@@ -143,7 +144,7 @@ std::string doubt(const TransitionSystem& system, FlatSystem& flat, const Proper
     std::vector<Id<Expr>> terms = flat.justice;
     terms.insert(terms.end(), operands.begin(), operands.end());
     terms.push_back(settled);
-    const Evidence evidence(flat, told, std::move(terms));
+    const ExternalTraceImport evidence(flat, told, std::move(terms));
     if (!evidence.broken().empty()) return evidence.broken();
     return shows(evidence, property, operands, settled, told.loop.value_or(0))
                ? ""

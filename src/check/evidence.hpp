@@ -14,7 +14,7 @@ namespace grafverif {
 
 /// A run given by an external program. States hold a value per variable of a FlatSystem; its choices are those of the
 /// step that leaves the state.
-struct ToldRun {
+struct ExternalTrace {
     std::vector<std::vector<std::int64_t>> states = {};  ///< not empty
     std::optional<std::size_t> loop = {};                ///< a last step leads back to this state
 };
@@ -22,6 +22,7 @@ struct ToldRun {
 /// The reason why `told` does not show that `property` is violated (of `reachable`: that it holds); empty if it does.
 /// For `always possible` and for passed-through formulas, only checks that it is a run of the system. `flat`:
 /// flattened(system), which gains terms.
-std::string doubt(const TransitionSystem& system, FlatSystem& flat, const Property& property, const ToldRun& told);
+std::string doubt(const TransitionSystem& system, FlatSystem& flat, const Property& property,
+                  const ExternalTrace& told);
 
 }  // namespace grafverif

@@ -4,6 +4,6 @@
 
 namespace grafverif {
 
-inline constexpr const char* lost_text = "after this trace, these transitions are never cleared again: ";
+inline constexpr const char* dead_text = "after this trace, these transitions are never cleared again: ";
 
 }  // namespace grafverif

@@ -33,8 +33,8 @@ inline Deadline most_of(const Deadline& deadline) {
 
 /// Adds the number of states that `searches` explored to the reason of a verdict that a limit of time or memory left
 /// unknown; not for searches that did not begin.
-inline void tell_earlier(Verdict& verdict, std::string_view searches, std::uint64_t states) {
-    const bool limited = verdict.obstacle == Obstacle::Stopped || verdict.obstacle == Obstacle::Memory;
+inline void report_earlier(Verdict& verdict, std::string_view searches, std::uint64_t states) {
+    const bool limited = verdict.obstacle == UnknownReason::Stopped || verdict.obstacle == UnknownReason::Memory;
     if (verdict.outcome != Outcome::Unknown || !limited || states < 2) return;
     verdict.reason += "; " + std::string(searches) + " explored " + std::to_string(states) + " states before";
 }

@@ -37,7 +37,7 @@ public:
         add_words();
         add_constraints();
         add_next_values();
-        add_questions();
+        add_queries();
         for (const Id<Expr> term : flat_.symbols) result_.circuit.symbols.push_back(word_of(now_(term)));
         for (const GateWord& word : words_) result_.circuit.words.push_back(plain(word));
         return std::move(result_);
@@ -201,7 +201,7 @@ private:
 
     static Gate yes() { return Gate::constant(true); }
 
-    void add_questions() {
+    void add_queries() {
         if (system_.settled.valid()) {
             settled_ = now_(flattened(system_, flat_, system_.settled));
             circuit().settled = (possible_ & truth(settled_)).literal;

@@ -25,7 +25,7 @@ public:
         const Id<Network::Process> process{at_process(node)};
         const Network::Template& automaton = network_.templates[network_.processes[process].automaton];
         if (automaton.locations.size() == 1) return network_.exprs.constant(true);
-        if (!variables_[process.index].valid()) tell(network_.processes[process].automaton);
+        if (!variables_[process.index].valid()) add_location_variable(network_.processes[process].automaton);
         return network_.exprs.apply(Op::Equal, network_.exprs.leaf(Op::Variable, variables_[process.index].index),
                                     network_.exprs.integer(at_location(node)));
     }
@@ -40,7 +40,7 @@ public:
 
 private:
     /// Makes the edges of a template write the variable; all its processes get the same parameter.
-    void tell(Id<Network::Template> id) {
+    void add_location_variable(Id<Network::Template> id) {
         Network::Template& automaton = network_.templates[id];
         UniqueNames own;
         for (const Network::Parameter& parameter : automaton.parameters) own.fresh(parameter.name);

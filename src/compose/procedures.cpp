@@ -123,7 +123,7 @@ private:
     void watch(bool sampled, Assignments& list) {
         if (equations_.watches.empty()) return;
         TermCopier after = reading(sampled);
-        for (const Equations::Watch& watch : equations_.watches) {
+        for (const Equations::ObservedTerm& watch : equations_.watches) {
             const Id<Expr> level = stored_[watch.variable.index];
             const Id<Expr> now = after(watch.value);
             for (std::size_t i = 0; i < parts_.pending.size(); ++i)

@@ -100,10 +100,10 @@ std::vector<Loop> merged(std::vector<Loop> loops) {
 
 // -- the search --------------------------------------------------------------------------------------------------------
 
-class Search {
+class LocationSearch {
 public:
-    Search(const Equations& equations, const AutomatonOptions& options, const InputOf& inputs, const InputSpace& space,
-           Automaton& automaton, Diagnostics& diagnostics)
+    LocationSearch(const Equations& equations, const AutomatonOptions& options, const InputOf& inputs,
+                   const InputSpace& space, Automaton& automaton, Diagnostics& diagnostics)
         : equations_(equations),
           options_(options),
           space_(space),
@@ -173,7 +173,7 @@ private:
             return false;
         }
         if (next % 4096 == 0) {
-            stop_if_asked(options_);
+            stop_if_requested(options_);
             if (options_.progress) options_.progress({automaton_.locations.size(), next, automaton_.evolutions.size()});
         }
         return true;
@@ -313,7 +313,7 @@ InputOf declare_inputs(const Equations& equations, Automaton& automaton) {
     for (const Equations::Timer& timer : equations.timers) {
         Automaton::Input input{name_of(equations, timer), {}, {}, {}, timer.rise_ms, timer.fall_ms, timer.origin};
         const auto step = std::ranges::find(equations.steps, timer.watched, &Equations::StepActivity::variable);
-        const auto watch = std::ranges::find(equations.watches, timer.watched, &Equations::Watch::variable);
+        const auto watch = std::ranges::find(equations.watches, timer.watched, &Equations::ObservedTerm::variable);
         if (step != equations.steps.end()) input.timed = {static_cast<std::uint32_t>(step - equations.steps.begin())};
         else
             input.watched = {static_cast<std::uint32_t>(equations.stored.size() + equations.previous.size() +
@@ -388,7 +388,7 @@ std::optional<LocationAutomaton> location_automaton(const Equations& equations, 
         if (!assume(equations, inputs, space, diagnostics)) return {};
         order_timers(equations, inputs, space);
         automaton.assumed = assumed_term(equations, inputs, automaton.exprs);
-        Search(equations, options, inputs, space, automaton, diagnostics).run();
+        LocationSearch(equations, options, inputs, space, automaton, diagnostics).run();
     } catch (const NoResult& none) {
         diagnostics.add(none.why);
     } catch (const BddExhausted& failure) {

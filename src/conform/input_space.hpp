@@ -21,7 +21,7 @@ Diagnostic limit_reached(const BddExhausted& exhausted, Span origin, const std::
 
 /// Throws BddExhausted if the deadline is over or the stop flag is set.
 template <class Options>
-void stop_if_asked(const Options& options) {
+void stop_if_requested(const Options& options) {
     const bool late = options.deadline && std::chrono::steady_clock::now() >= *options.deadline;
     if (late || (options.stop != nullptr && options.stop->load())) throw BddExhausted(BddExhausted::Cause::Stopped);
 }

@@ -83,7 +83,7 @@ public:
                 diagnostics_.add(messages::too_many_states(automaton_.origin, options_.max_states));
                 return {};
             }
-            if (next % 4096 == 0) stop_if_asked(options_);
+            if (next % 4096 == 0) stop_if_requested(options_);
             add_transitions(next);
         }
         return std::move(machine_);
@@ -276,16 +276,16 @@ private:
     }
 
     /// Outputs written on arrival in `place`, as a function of the inputs.
-    std::vector<std::pair<Id<MealyMachine::Answer>, Bdd>> answers(const Place& place, const Bdd& set) {
-        struct Part {
+    std::vector<std::pair<Id<MealyMachine::OutputWord>, Bdd>> answers(const Place& place, const Bdd& set) {
+        struct OutputClass {
             Bdd set = {};
             std::vector<std::int64_t> values = {};
         };
-        std::vector<Part> parts{{set, std::vector<std::int64_t>(automaton_.outputs.size())}};
+        std::vector<OutputClass> parts{{set, std::vector<std::int64_t>(automaton_.outputs.size())}};
         for (const Automaton::Emission& emission : automaton_.locations[place.location].emissions) {
             const Expr& value = automaton_.exprs[emission.value];
             if (is_constant(value.op)) {
-                for (Part& part : parts)
+                for (OutputClass& part : parts)
                     part.values[emission.output.index] = value.op == Op::Integer ? value.value
                                                          : value.op == Op::True  ? 1
                                                                                  : 0;
@@ -293,9 +293,9 @@ private:
             }
             Bdd holds = sets_(emission.value);
             if (!timers_.empty()) holds = cofactor(holds, timer_ends(place));
-            std::vector<Part> pieces;
-            for (Part& part : parts) {
-                Part on{part.set & holds, part.values};
+            std::vector<OutputClass> pieces;
+            for (OutputClass& part : parts) {
+                OutputClass on{part.set & holds, part.values};
                 on.values[emission.output.index] = 1;
                 part.set &= ~holds;
                 if (!on.set.is_false()) pieces.push_back(std::move(on));
@@ -303,13 +303,13 @@ private:
             }
             parts = std::move(pieces);
         }
-        std::vector<std::pair<Id<MealyMachine::Answer>, Bdd>> result;
-        for (Part& part : parts) result.emplace_back(answer(std::move(part.values)), std::move(part.set));
+        std::vector<std::pair<Id<MealyMachine::OutputWord>, Bdd>> result;
+        for (OutputClass& part : parts) result.emplace_back(answer(std::move(part.values)), std::move(part.set));
         return result;
     }
 
-    Id<MealyMachine::Answer> answer(std::vector<std::int64_t> values) {
-        const auto [known, added] = answer_of_.emplace(std::move(values), Id<MealyMachine::Answer>{});
+    Id<MealyMachine::OutputWord> answer(std::vector<std::int64_t> values) {
+        const auto [known, added] = answer_of_.emplace(std::move(values), Id<MealyMachine::OutputWord>{});
         if (added) known->second = machine_.answers.add({known->first});
         return known->second;
     }
@@ -327,7 +327,7 @@ private:
     std::size_t falls_ = 0;           ///< number of timers with a fall time
     std::vector<Place> places_ = {};  ///< per state
     std::map<Place, Id<State>> known_ = {};
-    std::map<std::vector<std::int64_t>, Id<MealyMachine::Answer>> answer_of_ = {};
+    std::map<std::vector<std::int64_t>, Id<MealyMachine::OutputWord>> answer_of_ = {};
 };
 
 }  // namespace

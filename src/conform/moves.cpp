@@ -148,24 +148,24 @@ std::vector<Moves::Cell> Moves::cells(const Values& at, const Bdd& within) {
 void Moves::add_moves(const Cell& cell, StateId state, const Values& at, std::vector<StateMove>& moves) {
     const bool unstable = dependencies_.firing_unsettles && !cell.fired.empty();
     const Bdd stable = unstable ? Bdd{} : terms_.condition(equations_.stable, at).holds;
-    const auto add = [&](Part part, bool is_stable) {
-        const auto add_piece = [&](Part& piece) {
+    const auto add = [&](Region part, bool is_stable) {
+        const auto add_piece = [&](Region& piece) {
             const StateId next = piece.changes.empty() ? state : changed(state, piece.changes, at);
             moves.push_back({std::move(piece.set), next, is_stable});
         };
         if (part.set.is_false()) return;
         if (equations_.watches.empty()) return add_piece(part);
-        for (Part& piece : with_levels(std::move(part), at)) add_piece(piece);
+        for (Region& piece : with_levels(std::move(part), at)) add_piece(piece);
     };
-    for (Part& part : evolved(cell, at)) {
+    for (Region& part : evolved(cell, at)) {
         if (!stable.is_false()) add({part.set & stable, {}}, true);
         if (!stable.is_true())
             add({stable.is_false() ? std::move(part.set) : part.set & ~stable, std::move(part.changes)}, false);
     }
 }
 
-std::vector<Moves::Part> Moves::evolved(const Cell& cell, const Values& at) {
-    std::vector<Part> parts{{cell.set, {}}};
+std::vector<Moves::Region> Moves::evolved(const Cell& cell, const Values& at) {
+    std::vector<Region> parts{{cell.set, {}}};
     const auto compute = [&](std::uint32_t field) {
         parts = given(std::move(parts), field, layout_.fields[field].kept.next, at);
     };
@@ -192,17 +192,18 @@ std::vector<std::pair<Bdd, std::int64_t>> by_value(const BddTerm& term, const Bd
 }  // namespace
 
 /// Sets `field` to the value of `term` in each part; a part in which it depends on the inputs is split.
-std::vector<Moves::Part> Moves::given(std::vector<Part> parts, std::uint32_t field, Id<Expr> term, const Values& at) {
+std::vector<Moves::Region> Moves::given(std::vector<Region> parts, std::uint32_t field, Id<Expr> term,
+                                        const Values& at) {
     const Equations::Variable& variable = equations_.variables[layout_.fields[field].kept.variable];
     const LocationValue found = terms_.value(term, at);
-    const auto give = [&](Part& part, std::int64_t value) {
+    const auto give = [&](Region& part, std::int64_t value) {
         if (value < variable.type.low || value > variable.type.high)
             throw NoResult{
                 messages::out_of_range_in_location(variable.origin, variable.name, value, circumstances(at, part.set))};
         part.changes.emplace_back(field, value);
     };
-    std::vector<Part> pieces;
-    for (Part& part : parts) {
+    std::vector<Region> pieces;
+    for (Region& part : parts) {
         if (!found.function) {
             demand_value(Bdd::constant(found.none), part.set, variable.origin, at);
             give(part, found.number);
@@ -218,20 +219,20 @@ std::vector<Moves::Part> Moves::given(std::vector<Part> parts, std::uint32_t fie
 }
 
 /// Splits the part by the new values of the levels that timers observe.
-std::vector<Moves::Part> Moves::with_levels(Part part, const Values& at) {
-    std::vector<Part> parts;
+std::vector<Moves::Region> Moves::with_levels(Region part, const Values& at) {
+    std::vector<Region> parts;
     parts.push_back(std::move(part));
     for (std::size_t k = 0; k < equations_.watches.size(); ++k) {
-        const Equations::Watch& watch = equations_.watches[k];
+        const Equations::ObservedTerm& watch = equations_.watches[k];
         const auto field = static_cast<std::uint32_t>(layout_.evolving + k);
-        std::vector<Part> pieces;
-        for (const Part& one : parts) {
+        std::vector<Region> pieces;
+        for (const Region& one : parts) {
             Values after = at;
             for (const auto& [changed, value] : one.changes) after[layout_.fields[changed].kept.variable.index] = value;
             const LocationCondition level = terms_.condition(watch.value, after);
             demand_value(level.undefined, one.set, watch.origin, at);
             for (const bool value : {false, true}) {
-                Part piece{one.set & (value ? level.holds : ~level.holds), one.changes};
+                Region piece{one.set & (value ? level.holds : ~level.holds), one.changes};
                 if (piece.set.is_false()) continue;
                 if ((at[watch.variable.index] != 0) != value) piece.changes.emplace_back(field, value);
                 pieces.push_back(std::move(piece));
@@ -306,7 +307,7 @@ std::vector<StateMove> Moves::first() {
     for (const Equations::Timer& timer : equations_.timers)
         (timer.fall_ms > 0 ? falls : ends).push_back({space_.word(*inputs_[timer.end.index]).bits.front(), false});
     const Bdd known = cube(space_.space(), ends);
-    std::vector<Part> parts{{space_.assumed() & known & cube(space_.space(), falls), {}}};
+    std::vector<Region> parts{{space_.assumed() & known & cube(space_.space(), falls), {}}};
     for (const Equations::Stored& stored : equations_.stored)
         check_race(stored.first_race, equations_.variables[stored.variable], parts.front().set, at);
     for (std::uint32_t field = 0; field < layout_.evolving; ++field)
@@ -314,8 +315,8 @@ std::vector<StateMove> Moves::first() {
             parts = given(std::move(parts), field, term, at);
     std::vector<StateMove> moves;
     const Values off(at.size());
-    for (Part& part : parts)
-        for (const Part& piece : with_levels(std::move(part), at))
+    for (Region& part : parts)
+        for (const Region& piece : with_levels(std::move(part), at))
             moves.push_back({piece.set, changed(power_on, piece.changes, off), false});
     return supposing(known, std::move(moves));
 }

@@ -61,7 +61,7 @@ private:
     class Partition;
     using Changes = std::vector<std::pair<std::uint32_t, std::int64_t>>;  ///< field, value
     /// A part of a class, and the changes of the evolution there.
-    struct Part {
+    struct Region {
         Bdd set = {};
         Changes changes = {};
     };
@@ -69,9 +69,9 @@ private:
     std::vector<StateMove> moves_of(StateId state);
     std::vector<Cell> cells(const Values& at, const Bdd& within);
     void add_moves(const Cell& cell, StateId state, const Values& at, std::vector<StateMove>& moves);
-    std::vector<Part> evolved(const Cell& cell, const Values& at);
-    std::vector<Part> given(std::vector<Part> parts, std::uint32_t field, Id<Expr> term, const Values& at);
-    std::vector<Part> with_levels(Part part, const Values& at);
+    std::vector<Region> evolved(const Cell& cell, const Values& at);
+    std::vector<Region> given(std::vector<Region> parts, std::uint32_t field, Id<Expr> term, const Values& at);
+    std::vector<Region> with_levels(Region part, const Values& at);
     StateId changed(StateId state, const Changes& changes, const Values& before);
     Bdd known_ends(StateId state, const Values& at) const;
     std::vector<std::size_t> marked(StateId state, std::uint32_t StateLayout::Timer::*bit) const;

@@ -208,7 +208,7 @@ private:
     std::vector<std::uint32_t> weights_ = {};  ///< per variable of the space
     std::vector<TourArc> arcs_ = {};
     std::vector<std::vector<std::int64_t>> witnesses_ = {};
-    std::map<std::pair<Id<State>, Id<MealyMachine::Answer>>, Bdd> staying_ = {};
+    std::map<std::pair<Id<State>, Id<MealyMachine::OutputWord>>, Bdd> staying_ = {};
     std::uint64_t to_cover_ = 0;
     std::uint64_t crossed_before_waits_ = 0;  ///< stable transitions covered only by the step before a wait
 };

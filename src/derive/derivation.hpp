@@ -69,7 +69,7 @@ private:
 };
 
 /// Position of a term in a cycle, which determines the meaning of its leaves.
-enum class Reading {
+enum class TermPosition {
     Before,  ///< in a cycle, over the values before it: conditions, events, values to store
     After,   ///< at its end, over the values after it: outputs, terms observed by timers
     First,   ///< in the first evolution, which has no edges: values to store
@@ -119,7 +119,8 @@ Id<Expr> consistent(Exprs& exprs, Id<Expr> term);
 
 /// Translates the term `root` of the chart to the variables of the equations, with outputs replaced by their equations.
 /// Invalid after an error: the term, called `what` in the message, would be too large.
-Id<Expr> over_equations(Derivation& derivation, Id<Expr> root, Reading reading, Span where, const std::string& what);
+Id<Expr> over_equations(Derivation& derivation, Id<Expr> root, TermPosition reading, Span where,
+                        const std::string& what);
 
 /// P_e as a term: the value of `term`, over the equations, in the previous cycle.
 Id<Expr> previous_value(Derivation& derivation, Id<Expr> term, Span where);

@@ -64,7 +64,7 @@ Id<Expr> output_value(Derivation& derivation, Id<Chart::Variable> output) {
     std::vector<Id<Expr>> terms;
     for (const Id<Chart::ContinuousAction> id : derivation.continuous[output.index]) {
         const Chart::ContinuousAction& action = derivation.chart.continuous[id];
-        const Id<Expr> condition = over_equations(derivation, action.condition, Reading::After, action.origin,
+        const Id<Expr> condition = over_equations(derivation, action.condition, TermPosition::After, action.origin,
                                                   "output `" + variable.name + "`");
         if (!condition.valid()) return {};
         const Id<Expr> time = time_of(derivation, action);

@@ -175,8 +175,8 @@ void derive_firings(Derivation& derivation) {
     for (const Id<Chart::Transition> id : chart.transitions.ids()) {
         const Chart::Transition& transition = chart.transitions[id];
         std::vector<Id<Expr>> operands = enabling(derivation, transition);
-        const Id<Expr> condition = over_equations(derivation, transition.condition, Reading::Before, transition.origin,
-                                                  "transition `" + transition.name + "`");
+        const Id<Expr> condition = over_equations(derivation, transition.condition, TermPosition::Before,
+                                                  transition.origin, "transition `" + transition.name + "`");
         if (condition.valid()) operands.push_back(condition);
         derivation.equations.firings.push_back(
             {derivation.firings[id.index], exprs.conjunction(operands), transition.name, transition.origin});

@@ -28,7 +28,7 @@ Id<Expr> trigger_of(Derivation& derivation, const Chart::StoredAction& action) {
     case Chart::StoredOn::Deactivation: return derivation.equations.steps[action.step.index].deactivated;
     case Chart::StoredOn::Event: break;
     }
-    const Id<Expr> event = over_equations(derivation, action.event, Reading::Before, action.origin,
+    const Id<Expr> event = over_equations(derivation, action.event, TermPosition::Before, action.origin,
                                           "the event of an action on `" + target + "`");
     if (!event.valid()) return {};
     return derivation.equations.exprs.conjunction(derivation.step_leaves[action.step.index], event);
@@ -45,13 +45,13 @@ Writes writes(Derivation& derivation, Id<Chart::Variable> variable) {
     const std::string what = "the value stored in `" + derivation.chart.variables[variable].name + "`";
     for (const Id<Chart::StoredAction> id : derivation.stored[variable.index]) {
         const Chart::StoredAction& action = derivation.chart.stored[id];
-        const Id<Expr> value = over_equations(derivation, action.value, Reading::Before, action.origin, what);
+        const Id<Expr> value = over_equations(derivation, action.value, TermPosition::Before, action.origin, what);
         const Id<Expr> trigger = trigger_of(derivation, action);
         if (!value.valid() || !trigger.valid()) break;
         if (!afford(derivation, derivation.measures.size(derivation.equations.exprs, trigger))) break;
         const bool initial = action.on == Chart::StoredOn::Activation && is_initial(derivation, action.step);
         if (initial) {
-            const Id<Expr> first = over_equations(derivation, action.value, Reading::First, action.origin, what);
+            const Id<Expr> first = over_equations(derivation, action.value, TermPosition::First, action.origin, what);
             if (!first.valid()) break;
             result.first.push_back(first);
         }

@@ -34,16 +34,16 @@ std::uint64_t replaced_size(Derivation& derivation, Id<Expr> root,
     return size;
 }
 
-Id<Expr> copied(Derivation& derivation, Id<Expr> root, Reading reading, Span where);
+Id<Expr> copied(Derivation& derivation, Id<Expr> root, TermPosition reading, Span where);
 
 /// `e and not P_e`, `P_e and not e`; a rising edge of a complement is a falling edge.
-Id<Expr> edge(Derivation& derivation, Id<Expr> now, bool rises, Reading reading, Span where) {
+Id<Expr> edge(Derivation& derivation, Id<Expr> now, bool rises, TermPosition reading, Span where) {
     Exprs& exprs = derivation.equations.exprs;
     if (exprs[now].op == Op::Not) {
         now = exprs.operands(now)[0];
         rises = !rises;
     }
-    if (reading == Reading::First || is_constant(exprs[now].op)) return exprs.constant(false);
+    if (reading == TermPosition::First || is_constant(exprs[now].op)) return exprs.constant(false);
     const Id<Expr> before = previous_value(derivation, now, where);
     return rises ? exprs.conjunction(now, exprs.negation(before)) : exprs.conjunction(before, exprs.negation(now));
 }
@@ -52,7 +52,7 @@ Id<Expr> edge(Derivation& derivation, Id<Expr> now, bool rises, Reading reading,
 Id<Expr> timed(Derivation& derivation, Id<Chart::TimeCondition> id) {
     Exprs& exprs = derivation.equations.exprs;
     const Chart::TimeCondition& written = derivation.chart.time_conditions[id];
-    const Id<Expr> watched = copied(derivation, written.watched, Reading::After, written.origin);
+    const Id<Expr> watched = copied(derivation, written.watched, TermPosition::After, written.origin);
     const Id<Equations::Variable> variable = level(derivation, watched, written.origin);
     const Id<Equations::Timer> running = timer(derivation, variable, written.rise_ms, written.fall_ms, written.origin);
     derivation.equations.conditions[id.index] = running;
@@ -60,7 +60,7 @@ Id<Expr> timed(Derivation& derivation, Id<Chart::TimeCondition> id) {
 }
 
 /// Translates a term of the chart for one position in the cycle.
-Id<Expr> copied(Derivation& derivation, Id<Expr> root, Reading reading, Span where) {
+Id<Expr> copied(Derivation& derivation, Id<Expr> root, TermPosition reading, Span where) {
     Exprs& exprs = derivation.equations.exprs;
     const auto leaf = [&](const Expr& node) {
         const auto index = static_cast<std::uint32_t>(node.value);
@@ -127,7 +127,8 @@ bool afford(Derivation& derivation, std::uint64_t size) {
     return false;
 }
 
-Id<Expr> over_equations(Derivation& derivation, Id<Expr> root, Reading reading, Span where, const std::string& what) {
+Id<Expr> over_equations(Derivation& derivation, Id<Expr> root, TermPosition reading, Span where,
+                        const std::string& what) {
     if (derivation.reads_output[root.index]) {
         std::unordered_map<std::uint32_t, std::uint64_t> known;
         const std::uint64_t size = replaced_size(derivation, root, known);

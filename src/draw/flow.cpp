@@ -8,9 +8,9 @@ namespace grafverif::draw {
 namespace {
 
 /// Iterative depth-first search, because charts may be long.
-class Search {
+class DepthFirstSearch {
 public:
-    explicit Search(const Flow& flow) : flow_(flow), state_(flow.nodes.size(), State::New) {
+    explicit DepthFirstSearch(const Flow& flow) : flow_(flow), state_(flow.nodes.size(), State::New) {
         order_.rows.assign(flow.nodes.size(), 0);
         order_.found.assign(flow.nodes.size(), 0);
         order_.upward.assign(flow.arcs.size(), false);
@@ -93,6 +93,6 @@ private:
 
 }  // namespace
 
-Order order_of(const Flow& flow) { return Search(flow).run(); }
+Order order_of(const Flow& flow) { return DepthFirstSearch(flow).run(); }
 
 }  // namespace grafverif::draw

@@ -12,7 +12,7 @@
 namespace grafverif::draw {
 
 /// Space that a node occupies around its centre, including its lines to the left and right and its texts.
-struct Room {
+struct ReservedSpace {
     int left = 0, right = 0, up = 0, down = 0;
 };
 
@@ -20,7 +20,7 @@ struct Flow {
     struct Node {
         bool bar = false;  ///< a transition: several links join in a double line
         int port = 0;      ///< distance from the centre up and down to the ends of links
-        Room room = {};
+        ReservedSpace room = {};
         std::vector<std::size_t> in = {}, out = {};  ///< arcs, in their order
     };
     struct Arc {
@@ -30,7 +30,7 @@ struct Flow {
     std::vector<Arc> arcs = {};
     std::vector<std::size_t> roots = {};  ///< starting points of the reader; unreachable nodes follow
 
-    std::size_t add(bool bar, int port, Room room) {
+    std::size_t add(bool bar, int port, ReservedSpace room) {
         nodes.push_back({.bar = bar, .port = port, .room = room});
         return nodes.size() - 1;
     }

@@ -223,7 +223,7 @@ private:
         };
         for (std::size_t node = 0; node < flow_.nodes.size(); ++node) {
             const std::size_t piece = piece_of_row(order_.rows[node]);
-            const Room& room = flow_.nodes[node].room;
+            const ReservedSpace& room = flow_.nodes[node].room;
             reach(piece, piece, columns_.nodes[node] - room.left, columns_.nodes[node] + room.right);
         }
         for (std::size_t arc = 0; arc < flow_.arcs.size(); ++arc) {

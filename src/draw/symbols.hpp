@@ -16,7 +16,7 @@ namespace grafverif::draw {
 
 /// The symbol of one node with everything attached to it, around (0, 0).
 struct Symbol {
-    Room room = {};
+    ReservedSpace room = {};
     int port = 0;  ///< distance from the centre up and down to the ends of links
     std::vector<Drawing::Element> elements = {};
 };

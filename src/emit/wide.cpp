@@ -89,7 +89,7 @@ private:
             const auto index = static_cast<std::uint32_t>(target.value);
             places_.add(where, '`' +
                                    (target.op == Op::Parameter ? automaton_.parameters[{index}].name
-                                                               : network_.variables[{index}].told_name()) +
+                                                               : network_.variables[{index}].display_name()) +
                                    '`');
         }
     }

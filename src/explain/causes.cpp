@@ -21,9 +21,9 @@ struct States {
 };
 
 /// The term that must hold in one state of a run; its failure is explained.
-class Demand {
+class RequiredTerm {
 public:
-    Demand(const Exprs& exprs, Id<Expr> formula) : exprs_(exprs), formula_(formula) { collect(formula, true); }
+    RequiredTerm(const Exprs& exprs, Id<Expr> formula) : exprs_(exprs), formula_(formula) { collect(formula, true); }
 
     /// The terms that cause it to fail in `state`; false if a value is undefined, or if it does not fail.
     bool explain(const States& states, std::size_t state, std::size_t most, Terms& found, bool& exact) {
@@ -135,9 +135,9 @@ std::vector<std::size_t> states_from(std::size_t state, std::size_t count, std::
     return list;
 }
 
-class Search {
+class CauseSearch {
 public:
-    Search(const Property& property, const States& states, std::size_t most)
+    CauseSearch(const Property& property, const States& states, std::size_t most)
         : property_(property),
           states_(states),
           count_(states.count),
@@ -157,7 +157,7 @@ public:
 
 private:
     std::optional<Causes> safety() {
-        Demand demand(exprs_, safe(property_, exprs_));
+        RequiredTerm demand(exprs_, safe(property_, exprs_));
         for (std::size_t state = 0; state < count_; ++state)
             if (judged(state) && explain(demand, state)) return std::move(causes_);
         return {};
@@ -175,7 +175,7 @@ private:
         }
         if (asks == count_) return {};
         const Id<Expr> answered = exprs_.disjunction(exprs_.negation(p), q);
-        Demand here(exprs_, answered), there(exprs_, q);
+        RequiredTerm here(exprs_, answered), there(exprs_, q);
         for (const std::size_t state : states_from(asks, count_, loop_))
             if (judged(state) && !explain(state == asks ? here : there, state)) return {};
         return std::move(causes_);
@@ -183,7 +183,7 @@ private:
 
     bool judged(std::size_t state) const { return !property_.at_stable || states_.value(state, states_.settled) == 1; }
 
-    bool explain(Demand& demand, std::size_t state) {
+    bool explain(RequiredTerm& demand, std::size_t state) {
         Terms found;
         if (!demand.explain(states_, state, most_, found, causes_.exact)) return false;
         for (const Id<Expr> term : found) causes_.pairs.push_back({term, state});
@@ -210,7 +210,7 @@ std::optional<Causes> causes_of(const Network& network, const Property& property
                                                                           // again
                       .loop = loop,
                       .value = [&](std::size_t state, Id<Expr> term) { return value(network, states[state], term); }};
-    return Search(property, seen, most).causes();
+    return CauseSearch(property, seen, most).causes();
 }
 
 std::optional<Causes> causes_of(const TransitionSystem& system, const Property& property, const SystemRun& run,
@@ -221,7 +221,7 @@ std::optional<Causes> causes_of(const TransitionSystem& system, const Property& 
     };
     const States seen{
         .exprs = system.exprs, .settled = system.settled, .count = run.states.size(), .loop = run.loop, .value = value};
-    return Search(property, seen, most).causes();
+    return CauseSearch(property, seen, most).causes();
 }
 
 }  // namespace grafverif

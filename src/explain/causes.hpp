@@ -59,6 +59,6 @@ void mark(const Network& network, const std::vector<NetworkState>& states, const
 void mark(const TransitionSystem& system, const SystemRun& shown, const Causes& causes, ChartRun& run);
 
 /// Per state of the run of an untimed model that `run` is the projection of: the event after which it holds.
-std::vector<std::size_t> moments_of_states(const ChartRun& run);
+std::vector<std::size_t> events_of_states(const ChartRun& run);
 
 }  // namespace grafverif

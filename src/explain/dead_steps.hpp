@@ -40,8 +40,8 @@ struct DeadTransition {
     std::string words = {};
 };
 
-/// Candidates for the transitions that lead directly to `step`, or to its macro-step if it is an entry, for each the most specific first. `exprs`, of the model,
-/// gains terms. Parts of conditions that read edges or outputs are omitted.
+/// Candidates for the transitions that lead directly to `step`, or to its macro-step if it is an entry, for each the
+/// most specific first. `exprs`, of the model, gains terms. Parts of conditions that read edges or outputs are omitted.
 std::vector<DeadTransition> dead_transitions(const Chart& chart, const ConditionLeaves& leaves, Id<Chart::Step> step,
                                              Exprs& exprs);
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "explain/drop.hpp"
+#include "explain/ablation.hpp"
 #include "support/overloaded.hpp"
 
 namespace grafverif {
@@ -108,7 +108,7 @@ Id<Expr> term_at(const Chart& chart, const TermPlace& place) {
     return term;
 }
 
-void drop_term(Chart& chart, const TermPlace& place) {
+void remove_term(Chart& chart, const TermPlace& place) {
     condition_of(chart, place) = without_term(chart.exprs, condition_of(chart, place), place.path);
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 using System = TransitionSystem;
 using Symbol = Id<System::Symbol>;
-using Event = InputChange::Event;
+using ChoiceEvent = InputChange::ChoiceEvent;
 using Values = std::vector<std::int64_t>;  // per variable of the flat system
 
 /// Maximum number of steps after the end of the run; if no state is repeated by then, the run is rejected.
@@ -47,9 +47,9 @@ public:
     const FlatSystem& flat() const { return flat_; }
 
     /// The values of all terms in a state.
-    class Seen {
+    class TermValues {
     public:
-        Seen(const Steps& model, const Values& values)
+        TermValues(const Steps& model, const Values& values)
             : model_(model), all_(evaluate_all(model.flat_.exprs, [&](const Expr& leaf) {
                   return values[static_cast<std::size_t>(leaf.value)];
               })) {}
@@ -114,13 +114,13 @@ public:
         effort_ = std::max<std::size_t>(1, effort * few_terms / std::max(few_terms, model_.flat().exprs.size()));
     }
 
-    InputChange result(const StopAsked& stopped) {
+    InputChange result(const StopRequested& stopped) {
         if (!find_free() || !again()) return {};
         untimely_ = untimely(project(system_, run_)).has_value();
         InputChange found{.events = events()};
         const SmallestSet smallest =
             smallest_set(found.events.size(), stopped, [&](const std::vector<std::size_t>& chosen) {
-                std::vector<Event> left_out = chosen_from_the_end(found.events, chosen);
+                std::vector<ChoiceEvent> left_out = chosen_from_the_end(found.events, chosen);
                 auto made = without(left_out);
                 if (effort_ == 0) return Attempt::Spent;
                 if (!made) return Attempt::DoesNot;
@@ -176,8 +176,8 @@ private:
         return free.what != Free::What::Turn;
     }
 
-    std::vector<Event> events() const {
-        std::vector<Event> found;
+    std::vector<ChoiceEvent> events() const {
+        std::vector<ChoiceEvent> found;
         for (std::size_t state = 0; state < length(); ++state)
             for (const Free& free : free_)
                 if (free.event[state]) found.push_back({free.symbol, state});
@@ -190,7 +190,7 @@ private:
         for (std::size_t state = 0; state < length(); ++state) {
             for (const Free& free : free_) values[free.variable] = free.told[state];
             if (state == 0 && !model_.begin(values)) return false;
-            const Steps::Seen seen(model_, values);
+            const Steps::TermValues seen(model_, values);
             if (symbol_values(model_.flat(), values) != run_.states[state] || !seen.allowed()) return false;
             if (!bad_ && !seen.good()) bad_ = state;
             states_.push_back(values);
@@ -200,7 +200,8 @@ private:
     }
 
     /// Sets the free values of a state of the run without some events; each variable initially has its value before.
-    void set_free(const std::vector<Event>& left_out, std::size_t state, const Values& before, Values& values) const {
+    void set_free(const std::vector<ChoiceEvent>& left_out, std::size_t state, const Values& before,
+                  Values& values) const {
         for (const Free& free : free_) {
             std::int64_t& now = values[free.variable];
             const bool changes = free.event[state] && !is_in(left_out, free, state);
@@ -208,24 +209,24 @@ private:
             switch (free.what) {
             case Free::What::Turn: now = free.told[state]; break;
             case Free::What::Input: now = changes ? free.told[state] : kept; break;
-            case Free::What::Time: now = time_told(left_out, free, state); break;
+            case Free::What::Time: now = time_reported(left_out, free, state); break;
             }
         }
     }
 
     /// An omitted expiry of a timer is postponed to its next expiry.
-    std::int64_t time_told(const std::vector<Event>& left_out, const Free& free, std::size_t state) const {
+    std::int64_t time_reported(const std::vector<ChoiceEvent>& left_out, const Free& free, std::size_t state) const {
         for (std::size_t k = state + 1; k-- > 0;)
             if (free.event[k]) return is_in(left_out, free, k) ? 0 : free.told[state];
         return free.told[state];
     }
 
-    static bool is_in(const std::vector<Event>& left_out, const Free& free, std::size_t state) {
-        return std::ranges::find(left_out, Event{free.symbol, state}) != left_out.end();
+    static bool is_in(const std::vector<ChoiceEvent>& left_out, const Free& free, std::size_t state) {
+        return std::ranges::find(left_out, ChoiceEvent{free.symbol, state}) != left_out.end();
     }
 
     /// The re-executed run; nothing if it is not a valid run, or bad.
-    std::optional<FlatRun> without(const std::vector<Event>& left_out) {
+    std::optional<FlatRun> without(const std::vector<ChoiceEvent>& left_out) {
         const std::size_t from = left_out.front().state;
         if (*bad_ < from) {
             if (effort_ > 0) --effort_;
@@ -245,7 +246,7 @@ private:
     bool go_on(FlatRun& made, Values& values) {
         if (effort_ == 0) return false;
         --effort_;
-        const Steps::Seen seen(model_, values);
+        const Steps::TermValues seen(model_, values);
         if (!seen.allowed() || !seen.good()) return false;
         made.states.push_back(values);
         return seen.step(values);
@@ -279,7 +280,7 @@ private:
 }  // namespace
 
 InputChange fewest_input_changes(const System& system, const Property& property, const SystemRun& run,
-                                 std::size_t effort, const StopAsked& stopped) {
+                                 std::size_t effort, const StopRequested& stopped) {
     if (!is_about_all_states(property.pattern) || run.states.empty()) return {};
     return InputSearch(system, property, run, effort).result(stopped);
 }
@@ -288,7 +289,7 @@ namespace {
 
 /// The event at which the run shows the expiry: in the state of the event or, if the step of the timer becomes active
 /// later, then.
-std::size_t moment_of(const ChartRun& told, Id<ChartRun::Timer> timer, std::size_t first, std::size_t last) {
+std::size_t event_of(const ChartRun& told, Id<ChartRun::Timer> timer, std::size_t first, std::size_t last) {
     for (std::size_t moment = first; moment < told.moments.size(); ++moment)
         if (told.moments[moment].timer == timer) return moment;
     return last;
@@ -296,11 +297,11 @@ std::size_t moment_of(const ChartRun& told, Id<ChartRun::Timer> timer, std::size
 
 }  // namespace
 
-void mark(const System& system, const std::vector<Event>& left_out, ChartRun& told) {
-    const std::vector<std::size_t> moments = moments_of_states(told);
-    for (const Event& event : left_out) {
+void mark(const System& system, const std::vector<ChoiceEvent>& left_out, ChartRun& told) {
+    const std::vector<std::size_t> moments = events_of_states(told);
+    for (const ChoiceEvent& event : left_out) {
         const std::size_t last = moments[event.state], first = event.state == 0 ? 0 : moments[event.state - 1] + 1;
-        std::optional<ChartRun::LeftOut> known;
+        std::optional<ChartRun::Counterfactual> known;
         for (const Id<ChartRun::Controller> id : told.controllers.ids()) {
             const auto& words = system.controllers[id.index].words;
             const ChartRun::Controller& controller = told.controllers[id];
@@ -308,11 +309,11 @@ void mark(const System& system, const std::vector<Event>& left_out, ChartRun& to
                 if (words.inputs[k].variable == event.symbol) known = {last, controller.inputs[k], {}};
             for (std::size_t k = 0; k < words.timers.size(); ++k)
                 if (words.timers[k].end == event.symbol)
-                    known = {moment_of(told, controller.timers[k], first, last), {}, controller.timers[k]};
+                    known = {event_of(told, controller.timers[k], first, last), {}, controller.timers[k]};
         }
-        if (known) told.left_out_values.push_back(*known);
+        if (known) told.counterfactual_values.push_back(*known);
     }
-    std::ranges::stable_sort(told.left_out_values, {}, &ChartRun::LeftOut::moment);
+    std::ranges::stable_sort(told.counterfactual_values, {}, &ChartRun::Counterfactual::moment);
 }
 
 }  // namespace grafverif

@@ -31,25 +31,25 @@ namespace grafverif {
 
 struct InputChange {
     /// An event of `symbol`, of main, in a state of the run.
-    struct Event {
+    struct ChoiceEvent {
         Id<TransitionSystem::Symbol> symbol = {};
         std::size_t state = 0;
-        bool operator==(const Event&) const = default;
+        bool operator==(const ChoiceEvent&) const = default;
     };
-    std::vector<Event> events = {};                   ///< all events, by state
-    std::optional<std::vector<Event>> left_out = {};  ///< of the smallest sets, one with late changes
-    SystemRun run = {};                               ///< the run without them; it has a loop
-    std::size_t tried = 0;                            ///< number of sets
-    bool exhausted = false;                           ///< the effort is used up before all sets were tried
+    std::vector<ChoiceEvent> events = {};                   ///< all events, by state
+    std::optional<std::vector<ChoiceEvent>> left_out = {};  ///< of the smallest sets, one with late changes
+    SystemRun run = {};                                     ///< the run without them; it has a loop
+    std::size_t tried = 0;                                  ///< number of sets
+    bool exhausted = false;                                 ///< the effort is used up before all sets were tried
 };
 
 /// Requires that `run` is a run of `system` that violates `property`. Finds nothing for properties that are not about
 /// single states, and for systems in which anything besides inputs and timers is free. `effort`: maximum number of
 /// steps in total for a system of few terms; less for larger ones.
 InputChange fewest_input_changes(const TransitionSystem& system, const Property& property, const SystemRun& run,
-                                 std::size_t effort = 20'000, const StopAsked& stopped = {});
+                                 std::size_t effort = 20'000, const StopRequested& stopped = {});
 
 /// Records the omitted events in `told`, the projection of the same run.
-void mark(const TransitionSystem& system, const std::vector<InputChange::Event>& left_out, ChartRun& told);
+void mark(const TransitionSystem& system, const std::vector<InputChange::ChoiceEvent>& left_out, ChartRun& told);
 
 }  // namespace grafverif

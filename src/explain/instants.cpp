@@ -22,12 +22,12 @@ public:
             if (instants_.empty() || !same(instants_.back(), moment)) instants_.push_back(moment);
     }
 
-    InstantChange result(const StopAsked& stopped) {
-        const std::vector<ChartRun::LeftOut> events = all_events();
+    InstantChange result(const StopRequested& stopped) {
+        const std::vector<ChartRun::Counterfactual> events = all_events();
         InstantChange found{.events = events.size()};
         if (ends({})) return found;
         const SmallestSet smallest = smallest_set(events.size(), stopped, [&](const std::vector<std::size_t>& chosen) {
-            std::vector<ChartRun::LeftOut> left_out = chosen_from_the_end(events, chosen);
+            std::vector<ChartRun::Counterfactual> left_out = chosen_from_the_end(events, chosen);
             const bool so = ends(left_out);
             if (effort_ == 0) return Attempt::Spent;
             if (so) found.left_out = std::move(left_out);
@@ -59,8 +59,8 @@ private:
         return told(input, instants_[instant]) != (instant == 0 ? rest(input) : told(input, instants_[instant - 1]));
     }
 
-    std::vector<ChartRun::LeftOut> all_events() const {
-        std::vector<ChartRun::LeftOut> found;
+    std::vector<ChartRun::Counterfactual> all_events() const {
+        std::vector<ChartRun::Counterfactual> found;
         for (std::size_t instant = 0; instant < instants_.size(); ++instant)
             for (const Input& input : inputs_)
                 if (changes(input, instant)) found.push_back({instants_[instant], input.second, {}});
@@ -68,7 +68,7 @@ private:
     }
 
     /// True if each instant of the run without some changes ends.
-    bool ends(const std::vector<ChartRun::LeftOut>& left_out) {
+    bool ends(const std::vector<ChartRun::Counterfactual>& left_out) {
         State state = power_on(chart_);
         std::vector<std::int64_t> values(chart_.variables.size());
         for (const Input& input : inputs_) values[input.first.index] = rest(input);
@@ -77,7 +77,7 @@ private:
             const std::size_t moment = instants_[instant];
             for (const Input& input : inputs_)
                 if (changes(input, instant) &&
-                    std::ranges::find(left_out, ChartRun::LeftOut{moment, input.second, {}}) == left_out.end())
+                    std::ranges::find(left_out, ChartRun::Counterfactual{moment, input.second, {}}) == left_out.end())
                     values[input.first.index] = told(input, moment);
             const std::int64_t before = std::exchange(now, run_.moments[moment].after.time_ms);
             if (instant > 0) state = pass_time(std::move(state), now - before);
@@ -100,7 +100,7 @@ private:
 }  // namespace
 
 InstantChange fewest_changes(const Chart& chart, ExecutionMode mode, const ChartRun& run, std::size_t effort,
-                             const StopAsked& stopped) {
+                             const StopRequested& stopped) {
     return Instants(chart, mode, run, effort).result(stopped);
 }
 

@@ -17,14 +17,15 @@
 namespace grafverif {
 
 struct InstantChange {
-    std::size_t events = 0;                                       ///< number of input changes
-    std::optional<std::vector<ChartRun::LeftOut>> left_out = {};  ///< of the smallest sets, one with late changes
-    std::size_t tried = 0;                                        ///< number of sets
-    bool exhausted = false;                                       ///< the effort is used up before all sets were tried
+    std::size_t events = 0;  ///< number of input changes
+    std::optional<std::vector<ChartRun::Counterfactual>> left_out =
+        {};                  ///< of the smallest sets, one with late changes
+    std::size_t tried = 0;   ///< number of sets
+    bool exhausted = false;  ///< the effort is used up before all sets were tried
 };
 
 /// `run`: of `chart`, as found by `analyse`. `effort`: approximate maximum number of evolutions in total.
 InstantChange fewest_changes(const Chart& chart, ExecutionMode mode, const ChartRun& run, std::size_t effort = 20'000,
-                             const StopAsked& stopped = {});
+                             const StopRequested& stopped = {});
 
 }  // namespace grafverif

@@ -111,7 +111,7 @@ public:
                                      : Id<ChartRun::Instance>{instances++});
         for (const Id<Network::Variable> id : network.variables.ids()) {
             const auto signal = std::ranges::find_if(run.signals, [&](const ChartRun::Signal& each) {
-                return each.role != ChartRun::Role::Image && each.name == network.variables[id].told_name();
+                return each.role != ChartRun::Role::Image && each.name == network.variables[id].display_name();
             });
             if (signal != run.signals.end())
                 places_.signals[id.index] = {static_cast<std::uint32_t>(signal - run.signals.begin())};
@@ -163,7 +163,7 @@ private:
 class SystemMarker {
 public:
     SystemMarker(const TransitionSystem& system, const SystemRun& shown, ChartRun& run)
-        : system_(system), shown_(shown), run_(run), moments_(moments_of_states(run)) {
+        : system_(system), shown_(shown), run_(run), moments_(events_of_states(run)) {
         for (std::uint32_t index = 0; index < system.controllers.size(); ++index) add_words(index);
         for (std::uint32_t index = 0; index < system.components.size(); ++index) {
             const TransitionSystem::Component& component = system.components[index];
@@ -205,11 +205,11 @@ private:
         if (places_.append_value(run_, symbol, here != 0, cause, before)) return;
         const auto instance = instances_.find(symbol);
         if (instance == instances_.end()) return look_through(symbol, pair, moment, before);
-        const std::int64_t asked = compared_with(pair.term, leaf).value_or(here);
+        const std::int64_t requested = compared_with(pair.term, leaf).value_or(here);
         const Type type = system_.modules[system_.main].symbols[{symbol}].type;
         cause.instance = instance->second;
-        cause.location = static_cast<std::size_t>(asked - type.low);
-        cause.value = here == asked ? 1 : 0;
+        cause.location = static_cast<std::size_t>(requested - type.low);
+        cause.value = here == requested ? 1 : 0;
         append(run_, cause, before);
     }
 
@@ -258,7 +258,7 @@ void mark(const TransitionSystem& system, const SystemRun& shown, const Causes& 
     std::ranges::stable_sort(run.causes, {}, &ChartRun::Cause::first);
 }
 
-std::vector<std::size_t> moments_of_states(const ChartRun& run) {
+std::vector<std::size_t> events_of_states(const ChartRun& run) {
     std::vector<std::size_t> moments = {0};
     for (std::size_t moment = 1; moment < run.moments.size(); ++moment) {
         const bool last = moment + 1 == run.moments.size() || run.moments[moment + 1].move != run.moments[moment].move;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "explain/drop.hpp"
+#include "explain/ablation.hpp"
 #include "ir/network_run.hpp"
 
 namespace grafverif {
@@ -65,7 +65,7 @@ private:
         for (const TransitionSystem::Named& named : component.variables)
             for (const Id<Network::Variable> id : network_.variables.ids())
                 if (network_.variables[id].role == Network::Role::Plant &&
-                    network_.variables[id].told_name() == named.name)
+                    network_.variables[id].display_name() == named.name)
                     variables_.emplace_back(id, named.variable.index);
     }
 

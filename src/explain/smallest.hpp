@@ -25,7 +25,7 @@ struct SmallestSet {
 };
 
 /// Optional cancellation callback; called before every set.
-using StopAsked = std::function<bool()>;
+using StopRequested = std::function<bool()>;
 
 /// The next combination of the same size out of `count`, in order; false if there is none.
 inline bool next_choice(std::vector<std::size_t>& chosen, std::size_t count) {
@@ -49,7 +49,7 @@ std::vector<T> chosen_from_the_end(const std::vector<T>& all, const std::vector<
 
 /// Searches the non-empty sets of numbers below `count`. `attempt` returns the result of a set.
 template <class Try>
-SmallestSet smallest_set(std::size_t count, const StopAsked& stopped, const Try& attempt) {
+SmallestSet smallest_set(std::size_t count, const StopRequested& stopped, const Try& attempt) {
     SmallestSet result;
     for (std::size_t size = 1; size <= count; ++size) {
         std::vector<std::size_t> chosen(size);

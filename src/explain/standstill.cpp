@@ -40,7 +40,7 @@ std::string condition_text(const Network& network, Id<Network::Process> id, cons
         const Network::Argument argument = of.op == Op::Variable ? Network::Argument(Id<Network::Variable>{index})
                                                                  : network.processes[id].arguments[index];
         if (const auto* const variable = std::get_if<Id<Network::Variable>>(&argument))
-            out << network.variables[*variable].told_name();
+            out << network.variables[*variable].display_name();
         else out << std::get<std::int64_t>(argument);
     };
     std::string text;
@@ -111,7 +111,7 @@ Standstill standstill(const Network& network, const Run& run) {
 }
 
 std::string standstill_words(const Network& network, const Standstill& found) {
-    const std::vector<std::string> names = told_names(network);
+    const std::vector<std::string> names = display_names(network);
     std::string text;
     for (const Standstill::Blocker& blocker : found.blockers)
         text += (text.empty() ? "" : "; ") + blocker_words(network, blocker, names[blocker.process.index]);

@@ -26,7 +26,7 @@ std::vector<Entry> entries_of(const ChartRun& run, Id<ChartRun::Instance> observ
     std::vector<Entry> entries;
     std::size_t checked = 0;
     for (std::size_t k = 0; k < run.moments.size(); ++k) {
-        const ChartRun::Moment& moment = run.moments[k];
+        const ChartRun::Event& moment = run.moments[k];
         if (moment.kind != ChartRun::Kind::Observer) checked = k;
         if (moment.instance == observer && moment.location)
             entries.push_back({run.instances[observer].locations[*moment.location], checked});

@@ -33,7 +33,7 @@ bool is_known(const ChartRun& run, const ChartRun::Act& act) {
            (act.done.empty() || act.done.size() == controller.timers.size()) && are_in(act.fired, run.transitions);
 }
 
-void check(const ChartRun& run, const ChartRun::Moment& moment, const std::string& where,
+void check(const ChartRun& run, const ChartRun::Event& moment, const std::string& where,
            std::vector<std::string>& faults) {
     const std::vector<Id<ChartRun::Step>>& situation = moment.after.situation;
     if (moment.after.values.size() != run.signals.size())
@@ -102,7 +102,7 @@ std::vector<std::string> verify(const ChartRun& run) {
     }
     if (!run.left_out.empty() && run.left_out.back() >= run.moments.size())
         faults.emplace_back("an unknown moment is left out");
-    for (const ChartRun::LeftOut& each : run.left_out_values)
+    for (const ChartRun::Counterfactual& each : run.counterfactual_values)
         if (each.moment >= run.moments.size() ||
             !(each.signal.valid() ? run.signals.contains(each.signal) : run.timers.contains(each.timer)))
             faults.emplace_back("a value of something unknown is left out");
@@ -138,7 +138,7 @@ void shorten_names(Table<ChartRun::Step>& steps) {
     for (ChartRun::Step& step : steps) step.short_name = uses[step.name.step] > 1 ? step.full_name() : step.name.step;
 }
 
-std::string moment_text(const ChartRun& run, const ChartRun::State& state) {
+std::string event_text(const ChartRun& run, const ChartRun::State& state) {
     return run.timed ? seconds_text(state.time_ms) : std::to_string(state.time_ms);
 }
 

@@ -99,7 +99,7 @@ struct Check {
             if (known(previous.variable))
                 without_firings(previous.value, "the present value of " + name(previous.variable));
         }
-        for (const Equations::Watch& watch : equations.watches) {
+        for (const Equations::ObservedTerm& watch : equations.watches) {
             define(watch.variable, watch.value, "the level");
             role(watch.variable, Role::Watched);
             if (known(watch.variable)) without_firings(watch.value, "the level of " + name(watch.variable));
@@ -185,7 +185,7 @@ std::vector<Kept> kept(const Equations& equations) {
     for (const Equations::Previous& previous : equations.previous)
         all.push_back({previous.variable, previous.value, previous.value});
     for (const Equations::StepActivity& step : equations.steps) all.push_back({step.variable, step.next});
-    for (const Equations::Watch& watch : equations.watches)
+    for (const Equations::ObservedTerm& watch : equations.watches)
         all.push_back({watch.variable, watch.value, watch.value, true});
     return all;
 }

@@ -29,7 +29,7 @@ struct Check {
     }
 
     void answers() {
-        for (const MealyMachine::Answer& answer : machine.answers) {
+        for (const MealyMachine::OutputWord& answer : machine.answers) {
             if (answer.values.size() != machine.outputs.size()) {
                 fault("an answer has not one value per output");
                 continue;

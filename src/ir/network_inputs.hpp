@@ -2,19 +2,20 @@
 // Input abstraction: an over-approximation of a closed loop in which inputs get their values when a PLC samples them.
 //
 // An instance is *autonomous* if its edges read only variables that it alone writes: a push button, a selector, a free
-// input, a sensor of the environment. Other instances read the loop: a cylinder, a tank. The PLCs depend on an instance only
-// through their samples, unless a property, an observer or another process reads it. Each process that is not a PLC is part of
-// the abstraction on one of four levels:
+// input, a sensor of the environment. Other instances read the loop: a cylinder, a tank. The PLCs depend on an instance
+// only through their samples, unless a property, an observer or another process reads it. Each process that is not a
+// PLC is part of the abstraction on one of four levels:
 //
 //   Chosen    its location, clocks and outputs are not stored. Each sampling chooses one of its reachable output
 //             valuations (jointly: a selector never shows two positions), independently of earlier ones.
 //   Untimed   its location and outputs are stored; its clocks and its urgency are ignored, so it may move at any time.
-//   Paced     autonomous instances only: its upper bounds are ignored, its lower bounds are one time unit of the search:
+//   Paced     autonomous instances only: its upper bounds are ignored, its lower bounds are one time unit of the
+//   search:
 //             it does not change twice within one instant.
 //   Complete  it is unchanged.
 //
-// Let N be the network and A the abstraction. Each run of N is, up to the locations, clocks and outputs of the abstracted
-// processes and EVOL_PL, a run of A with the same delays:
+// Let N be the network and A the abstraction. Each run of N is, up to the locations, clocks and outputs of the
+// abstracted processes and EVOL_PL, a run of A with the same delays:
 //   - an edge of a Chosen instance corresponds to no move of A. If N begins a cycle because of it (EVOL_PL), A takes the
 //     additional edge that begins a cycle at any time in W. The values that N then samples are one of the valuations:
 //     these are all that the instance can reach, for any values of the other variables.
@@ -25,12 +26,12 @@
 // Hence `always`, `never`, `exactly one of` that hold in A hold in N. A `reachable` that is violated in A is violated
 // in N. Both are true with `at stable` as well. Runs of A do not transfer to N.
 //
-// `no timelock` holds in N under three premises on A with ChoiceLifetime::Instant. (1) All abstracted instances can rest.
-// (2) The urgent edges of A have no cycle. (3) In each state without enabled urgent edge, each bound of an invariant can
-// be left in time (premise of dense time, docs/explanation/timed-engine.md). In a state of N, let the abstracted instances rest. Urgent edges lead to
-// a state without urgent edges: they are edges of A, or begin a cycle that EVOL_PL requests, as an additional edge of A
-// does, once for each PLC. There time passes, or stops at a bound that an edge leaves; each clock stops it once in an
-// instant. `no deadlock` holds in N if also one instance is lively.
+// `no timelock` holds in N under three premises on A with ChoiceLifetime::Instant. (1) All abstracted instances can
+// rest. (2) The urgent edges of A have no cycle. (3) In each state without enabled urgent edge, each bound of an
+// invariant can be left in time (premise of dense time, docs/explanation/timed-engine.md). In a state of N, let the
+// abstracted instances rest. Urgent edges lead to a state without urgent edges: they are edges of A, or begin a cycle
+// that EVOL_PL requests, as an additional edge of A does, once for each PLC. There time passes, or stops at a bound
+// that an edge leaves; each clock stops it once in an instant. `no deadlock` holds in N if also one instance is lively.
 #pragma once
 
 #include <cstdint>
@@ -89,8 +90,8 @@ struct InputChoice {
     std::vector<Id<Network::Edge>> widened = {};  ///< edges of the PLC after which all valuations are possible again
 };
 
-/// How long a valuation that a PLC has chosen is its input. `Cycle`: until the cycle ends. `Instant`: until time passes or
-/// the instance moves, so that the urgent edges of the abstraction are those of the loop while the instances rest.
+/// How long a valuation that a PLC has chosen is its input. `Cycle`: until the cycle ends. `Instant`: until time passes
+/// or the instance moves, so that the urgent edges of the abstraction are those of the loop while the instances rest.
 enum class ChoiceLifetime : std::uint8_t { Cycle, Instant };
 
 struct InputAbstraction {
@@ -99,8 +100,8 @@ struct InputAbstraction {
     std::vector<Id<Network::Process>> paced = {};  ///< for in_longest_unit
 };
 
-/// `levels`: one per process, after store_what_is_read. Terms of properties of `network` that read a Chosen instance have
-/// no meaning in the result.
+/// `levels`: one per process, after store_what_is_read. Terms of properties of `network` that read a Chosen instance
+/// have no meaning in the result.
 InputAbstraction abstract_inputs(const Network& network, const std::vector<AbstractableProcess>& instances,
                                  const std::vector<InputLevel>& levels, const InputAblations& ablations = {},
                                  ChoiceLifetime lifetime = ChoiceLifetime::Cycle);
@@ -110,7 +111,8 @@ InputAbstraction abstract_inputs(const Network& network, const std::vector<Abstr
 /// divides the bounds. Without `paced`: the same network in that unit. Requires: `network` is expanded.
 Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>& paced = {});
 
-/// Lower bounds of `automaton` become `unit`, or 0 if they are shorter; upper bounds are removed, and no edge is urgent.
+/// Lower bounds of `automaton` become `unit`, or 0 if they are shorter; upper bounds are removed, and no edge is
+/// urgent.
 void pace(const Network& network, const Network::Process& process, Network::Template& automaton, std::int64_t unit,
           Exprs& exprs);
 

@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-std::string edge_words(const Network& network, const ModelError& error) {
+std::string edge_text(const Network& network, const ModelError& error) {
     const Network::Process& process = network.processes[error.process];
     for (const Network::Controller& controller : network.controllers)
         if (controller.process == error.process) return fmt::format("an evolution of `{}`", controller.words.name);
@@ -28,10 +28,10 @@ std::string text_of(const Network& network, const ModelError& error) {
     case ModelError::Kind::OutOfRange: {
         const Network::Variable& variable = network.variables[error.variable];
         return fmt::format("`{}` would leave its range {}..{}, in {}", variable.name, variable.type.low,
-                           variable.type.high, edge_words(network, error));
+                           variable.type.high, edge_text(network, error));
     }
     case ModelError::Kind::ActionRace: return "two stored actions give one variable different values in one evolution";
-    case ModelError::Kind::NoValue: return fmt::format("division by zero, in {}", edge_words(network, error));
+    case ModelError::Kind::NoValue: return fmt::format("division by zero, in {}", edge_text(network, error));
     }
     unreachable();
 }
@@ -45,18 +45,18 @@ std::string_view word(Outcome outcome) {
     unreachable();
 }
 
-std::string_view word(Obstacle obstacle) {
+std::string_view word(UnknownReason obstacle) {
     switch (obstacle) {
-    case Obstacle::None: return "";
-    case Obstacle::Bound: return "bound";
-    case Obstacle::Memory: return "memory";
-    case Obstacle::Stopped: return "stopped";
-    case Obstacle::Inexact: return "inexact";
-    case Obstacle::Unsupported: return "unsupported";
-    case Obstacle::Faulty: return "faulty";
-    case Obstacle::Failed: return "failed";
-    case Obstacle::Unchecked: return "unchecked";
-    case Obstacle::Disagrees: return "engine-disagrees";
+    case UnknownReason::None: return "";
+    case UnknownReason::Bound: return "bound";
+    case UnknownReason::Memory: return "memory";
+    case UnknownReason::Stopped: return "stopped";
+    case UnknownReason::Inexact: return "inexact";
+    case UnknownReason::Unsupported: return "unsupported";
+    case UnknownReason::Faulty: return "faulty";
+    case UnknownReason::Failed: return "failed";
+    case UnknownReason::Unchecked: return "unchecked";
+    case UnknownReason::Disagrees: return "engine-disagrees";
     }
     unreachable();
 }
@@ -81,8 +81,8 @@ Verdict verdict_on(Id<Property> about, const Property& property) {
 
 void distrust(Verdict& verdict, std::string_view why) {
     verdict.outcome = Outcome::Unknown;
-    verdict.obstacle = Obstacle::Disagrees;
-    verdict.reason = std::string(word(Obstacle::Disagrees)) + ": " + std::string(why);
+    verdict.obstacle = UnknownReason::Disagrees;
+    verdict.reason = std::string(word(UnknownReason::Disagrees)) + ": " + std::string(why);
 }
 
 bool as_expected(const Verdict& verdict) {

@@ -19,7 +19,7 @@ inline std::optional<std::size_t> watched_step(const Equations& equations, const
 /// The term that a timer observes, if it is a name, in the notation of conditions: `X2`, `a`; otherwise empty.
 inline std::string watched_name(const Equations& equations, const Equations::Timer& timer) {
     if (const auto step = watched_step(equations, timer)) return equations.steps[*step].step.variable();
-    const auto watch = std::ranges::find(equations.watches, timer.watched, &Equations::Watch::variable);
+    const auto watch = std::ranges::find(equations.watches, timer.watched, &Equations::ObservedTerm::variable);
     const Expr& term = equations.exprs[watch->value];
     return term.op == Op::Variable ? equations.variables[{static_cast<std::uint32_t>(term.value)}].name : "";
 }

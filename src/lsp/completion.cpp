@@ -20,34 +20,34 @@ using Words = std::vector<std::string>;
 
 bool contains_word(const Words& words, std::string_view word) { return std::ranges::find(words, word) != words.end(); }
 
-ProposalKind kind_of(Kind kind) {
+ProposalKind kind_of(DeclarationKind kind) {
     switch (kind) {
-    case Kind::Chart:
-    case Kind::Loop:
-    case Kind::Partial: return ProposalKind::Module;
-    case Kind::Component: return ProposalKind::Class;
-    case Kind::Input:
-    case Kind::Output:
-    case Kind::Internal:
-    case Kind::Own:
-    case Kind::Clock:
-    case Kind::Instance:
-    case Kind::PlantVariable: return ProposalKind::Variable;
-    case Kind::Step: return ProposalKind::Event;
-    case Kind::Transition: return ProposalKind::Function;
-    case Kind::InputParameter:
-    case Kind::OutputParameter: return ProposalKind::Field;
-    case Kind::Constant: return ProposalKind::Constant;
-    case Kind::Location: return ProposalKind::EnumMember;
-    case Kind::Property:
-    case Kind::Observer: return ProposalKind::Property;
+    case DeclarationKind::Chart:
+    case DeclarationKind::Loop:
+    case DeclarationKind::Partial: return ProposalKind::Module;
+    case DeclarationKind::Component: return ProposalKind::Class;
+    case DeclarationKind::Input:
+    case DeclarationKind::Output:
+    case DeclarationKind::Internal:
+    case DeclarationKind::Own:
+    case DeclarationKind::Clock:
+    case DeclarationKind::Instance:
+    case DeclarationKind::PlantVariable: return ProposalKind::Variable;
+    case DeclarationKind::Step: return ProposalKind::Event;
+    case DeclarationKind::Transition: return ProposalKind::Function;
+    case DeclarationKind::InputParameter:
+    case DeclarationKind::OutputParameter: return ProposalKind::Field;
+    case DeclarationKind::Constant: return ProposalKind::Constant;
+    case DeclarationKind::Location: return ProposalKind::EnumMember;
+    case DeclarationKind::Property:
+    case DeclarationKind::Observer: return ProposalKind::Property;
     }
     unreachable();
 }
 
 class Proposer {
 public:
-    Proposer(const Names& names, Half half) : names_(names), half_(std::move(half)) {}
+    Proposer(const Names& names, IncompleteDeclaration half) : names_(names), half_(std::move(half)) {}
 
     std::vector<Proposal> all() {
         if (!half_.in_text) propose();
@@ -67,18 +67,18 @@ private:
     void add(Proposal proposal) {
         if (seen_.insert(proposal.label).second) found_.push_back(std::move(proposal));
     }
-    void thing(const Thing& thing, std::string_view prefix = "") {
+    void thing(const Declaration& thing, std::string_view prefix = "") {
         add({std::string(prefix) + thing.name, kind_of(thing.kind), declaration_text(thing),
              comment_of(*thing.file, thing.whole), ""});
     }
-    void parts(const std::string& owner, std::initializer_list<Kind> kinds, std::string_view prefix = "") {
-        for (const Thing* const part : names_.parts(owner))
+    void parts(const std::string& owner, std::initializer_list<DeclarationKind> kinds, std::string_view prefix = "") {
+        for (const Declaration* const part : names_.parts(owner))
             if (part->owner == owner && std::ranges::find(kinds, part->kind) != kinds.end()) thing(*part, prefix);
     }
     /// The steps of one partial chart, or of all.
     void steps(const std::string& chart, const std::string* partial, std::string_view prefix) {
-        for (const Thing* const part : names_.parts(chart))
-            if (part->kind == Kind::Step &&
+        for (const Declaration* const part : names_.parts(chart))
+            if (part->kind == DeclarationKind::Step &&
                 (partial == nullptr || part->key.starts_with(chart + "/s " + *partial + "/")))
                 thing(*part, prefix);
     }
@@ -123,7 +123,7 @@ private:
             for (const FindingKind& kind : finding_kinds())
                 add({std::string(kind.code), ProposalKind::Constant, "", std::string(kind.meaning), ""});
         if (words[0] == "input" || words[0] == "output" || words[0] == "internal") return typed();
-        if (last() == "expands" || last() == "encloses") return parts(owner_, {Kind::Partial});
+        if (last() == "expands" || last() == "encloses") return parts(owner_, {DeclarationKind::Partial});
         if (words[0] == "transition") return links([this] { steps(owner_, &partial_, ""); });
         if (is_keyword(last()) && last() != "step") keywords({"step"});
         else if (has("macro") && last() != "step") keywords({"expands"});
@@ -146,14 +146,16 @@ private:
 
     void assignments() {
         if (last() == "do" || last() == "," || last() == "with")
-            return parts(owner_, {Kind::Output, Kind::Internal, Kind::OutputParameter, Kind::Own, Kind::Clock});
+            return parts(owner_, {DeclarationKind::Output, DeclarationKind::Internal, DeclarationKind::OutputParameter,
+                                  DeclarationKind::Own, DeclarationKind::Clock});
         if (has(":=")) term();
     }
 
     void in_actions() {
-        if (half_.words.empty()) return parts(owner_, {Kind::Output, Kind::Internal}), keywords({"force"});
+        if (half_.words.empty())
+            return parts(owner_, {DeclarationKind::Output, DeclarationKind::Internal}), keywords({"force"});
         if (half_.words[0] == "force") {
-            if (half_.words.size() == 1) parts(owner_, {Kind::Partial});
+            if (half_.words.size() == 1) parts(owner_, {DeclarationKind::Partial});
             return;
         }
         if (last() == "on") return keywords({"activation", "deactivation", "event"});
@@ -170,7 +172,7 @@ private:
         if (half_.words.empty())
             return keywords({"initial location", "location", "urgent", "timed", "variable", "clock", "constraint"});
         const std::string& first = half_.words[0];
-        if (first == "urgent" || first == "timed") return links([this] { parts(owner_, {Kind::Location}); });
+        if (first == "urgent" || first == "timed") return links([this] { parts(owner_, {DeclarationKind::Location}); });
         if (first == "variable") return typed();
         if (first == "constraint" || has("invariant")) return term(), keywords({"with"});
         if (has("with")) return assignments();
@@ -179,7 +181,7 @@ private:
     }
 
     void in_observer(const std::string& name) {
-        const auto locations = [&] { parts(owner_ + "/i " + name, {Kind::Location}); };
+        const auto locations = [&] { parts(owner_ + "/i " + name, {DeclarationKind::Location}); };
         if (half_.words.empty()) return keywords({"location", "initial location"}), locations();
         if (half_.words[0] != "location" && half_.words[0] != "initial") links(locations);
     }
@@ -193,12 +195,12 @@ private:
         if (first == "controller") {
             if (has("with")) return keywords({"stability_search", "every_cycle"});
             if (words.size() > 1) return keywords({"with"});
-            for (const Thing* const chart : names_.all(Kind::Chart)) thing(*chart);
+            for (const Declaration* const chart : names_.all(DeclarationKind::Chart)) thing(*chart);
         }
         if (first == "constant") return constants();
         if (first == "grain") keywords({"phased", "atomic"});
         if (first == "schedule") keywords({"interleaved", "synchronous", "sequenced"});
-        if (first == "time") return words.size() == 1 ? keywords({"unit"}) : parts(owner_, {Kind::Constant});
+        if (first == "time") return words.size() == 1 ? keywords({"unit"}) : parts(owner_, {DeclarationKind::Constant});
         if (first == "constraint") term();
         if (first == "plant" || first == "environment") instance();
         if (first == "property") property();
@@ -213,21 +215,22 @@ private:
         const std::string key = "component " + words[3];
         const Names& where = names_.thing(key) != nullptr ? names_ : library_names();
         if (last() == "initially") {
-            for (const Thing* const part : where.parts(key))
-                if (part->kind == Kind::Location) thing(*part);
+            for (const Declaration* const part : where.parts(key))
+                if (part->kind == DeclarationKind::Location) thing(*part);
             return;
         }
         if (last() == ")") return keywords({"initially"});
         if (!has("(") || has(")")) return;
         if (last() == "(" || last() == ",") return parameters(where, key);
         if (last() == "=") {
-            const Thing* const parameter = where.thing(key + "/v " + words[words.size() - 2]);
-            if (parameter != nullptr && parameter->kind == Kind::Constant) return constant();
+            const Declaration* const parameter = where.thing(key + "/v " + words[words.size() - 2]);
+            if (parameter != nullptr && parameter->kind == DeclarationKind::Constant) return constant();
             shared();
-            if (parameter != nullptr && parameter->kind == Kind::InputParameter) parts(owner_, {Kind::Constant});
+            if (parameter != nullptr && parameter->kind == DeclarationKind::InputParameter)
+                parts(owner_, {DeclarationKind::Constant});
         } else if (is_operator(last())) {  // inside the term of an input
             shared();
-            parts(owner_, {Kind::Constant});
+            parts(owner_, {DeclarationKind::Constant});
         }
     }
 
@@ -236,13 +239,13 @@ private:
         const auto of = std::ranges::find(half_.words.rbegin(), half_.words.rend(), ",").base();
         const Words one(of, half_.words.end());
         if (last() == ":") return keywords({"bool", "int", "duration"});
-        if (last() == "int" || last() == "..") return parts(owner_, {Kind::Constant});
+        if (last() == "int" || last() == "..") return parts(owner_, {DeclarationKind::Constant});
         if (contains_word(one, "=")) constant();
     }
 
     /// The terms allowed in a constant.
     void constant() {
-        parts(owner_, {Kind::Constant});
+        parts(owner_, {DeclarationKind::Constant});
         keywords({"true", "false"});
     }
     static bool is_operator(std::string_view word) {
@@ -250,10 +253,11 @@ private:
     }
 
     void parameters(const Names& where, const std::string& component) {
-        const Thing* const whole = where.thing(component);
-        for (const Thing* const part : where.parts(component)) {
-            const bool parameter = part->kind == Kind::InputParameter || part->kind == Kind::OutputParameter ||
-                                   part->kind == Kind::Constant;
+        const Declaration* const whole = where.thing(component);
+        for (const Declaration* const part : where.parts(component)) {
+            const bool parameter = part->kind == DeclarationKind::InputParameter ||
+                                   part->kind == DeclarationKind::OutputParameter ||
+                                   part->kind == DeclarationKind::Constant;
             if (!parameter || contains_word(half_.words, part->name)) continue;
             add({part->name, kind_of(part->kind), declaration_text(*part),
                  parameter_comment(*whole->file, whole->whole, part->name), part->name + " = $1"});
@@ -262,11 +266,11 @@ private:
 
     void components() {
         for (const Names* const names : {&names_, &library_names()})
-            for (const Thing* const component : names->all(Kind::Component)) {
+            for (const Declaration* const component : names->all(DeclarationKind::Component)) {
                 std::string snippet;
                 int place = 0;
-                for (const Thing* const part : parameters_in_order(*names, component->key)) {
-                    if (part->kind == Kind::Constant &&
+                for (const Declaration* const part : parameters_in_order(*names, component->key)) {
+                    if (part->kind == DeclarationKind::Constant &&
                         part->file->bytes(part->whole).find('=') != std::string_view::npos)
                         continue;
                     snippet += fmt::format("{}{} = ${}", place == 0 ? "" : ", ", part->name, place + 1);
@@ -277,13 +281,13 @@ private:
             }
     }
 
-    static std::vector<const Thing*> parameters_in_order(const Names& names, const std::string& component) {
-        std::vector<const Thing*> found;
-        for (const Thing* const part : names.parts(component))
-            if (part->kind == Kind::InputParameter || part->kind == Kind::OutputParameter ||
-                part->kind == Kind::Constant)
+    static std::vector<const Declaration*> parameters_in_order(const Names& names, const std::string& component) {
+        std::vector<const Declaration*> found;
+        for (const Declaration* const part : names.parts(component))
+            if (part->kind == DeclarationKind::InputParameter || part->kind == DeclarationKind::OutputParameter ||
+                part->kind == DeclarationKind::Constant)
                 found.push_back(part);
-        std::ranges::sort(found, {}, [](const Thing* part) { return part->where.begin; });
+        std::ranges::sort(found, {}, [](const Declaration* part) { return part->where.begin; });
         return found;
     }
 
@@ -303,26 +307,29 @@ private:
     // -- names in terms
 
     void shared() {
-        for (const std::string& chart : names_.controllers(owner_)) parts(chart, {Kind::Input, Kind::Output});
-        parts(owner_, {Kind::PlantVariable});
+        for (const std::string& chart : names_.controllers(owner_))
+            parts(chart, {DeclarationKind::Input, DeclarationKind::Output});
+        parts(owner_, {DeclarationKind::PlantVariable});
     }
 
     void term() {
         if (last() == ".") return member();
         if (owner_.starts_with("chart ")) {
-            parts(owner_, {Kind::Input, Kind::Output, Kind::Internal, Kind::Partial});
+            parts(owner_, {DeclarationKind::Input, DeclarationKind::Output, DeclarationKind::Internal,
+                           DeclarationKind::Partial});
             steps(owner_, &partial_, "X");
             steps(owner_, nullptr, "X");
             keywords({"rise", "fall"});
         } else if (owner_.starts_with("loop ")) {
             shared();
             for (const std::string& chart : names_.controllers(owner_)) {
-                parts(chart, {Kind::Internal});
+                parts(chart, {DeclarationKind::Internal});
                 steps(chart, nullptr, "X");
             }
-            parts(owner_, {Kind::Instance, Kind::Observer, Kind::Constant});
+            parts(owner_, {DeclarationKind::Instance, DeclarationKind::Observer, DeclarationKind::Constant});
         } else {
-            parts(owner_, {Kind::InputParameter, Kind::OutputParameter, Kind::Constant, Kind::Own, Kind::Clock});
+            parts(owner_, {DeclarationKind::InputParameter, DeclarationKind::OutputParameter, DeclarationKind::Constant,
+                           DeclarationKind::Own, DeclarationKind::Clock});
         }
         keywords({"and", "or", "not", "true", "false"});
     }
@@ -333,16 +340,17 @@ private:
         if (owner_.starts_with("chart ")) return steps(owner_, &before, "X");
         const std::string part = owner_ + "/i " + before;
         if (const std::string component = names_.component_of(part); !component.empty())
-            return parts(component, {Kind::Location});
-        parts(part, {Kind::Location});
+            return parts(component, {DeclarationKind::Location});
+        parts(part, {DeclarationKind::Location});
         for (const std::string& chart : names_.controllers(owner_)) {
-            if (chart == "chart " + before) steps(chart, nullptr, "X"), parts(chart, {Kind::Internal, Kind::Partial});
+            if (chart == "chart " + before)
+                steps(chart, nullptr, "X"), parts(chart, {DeclarationKind::Internal, DeclarationKind::Partial});
             else if (names_.thing(chart + "/p " + before) != nullptr) steps(chart, &before, "X");
         }
     }
 
     const Names& names_;
-    Half half_;
+    IncompleteDeclaration half_;
     std::string owner_ = {}, partial_ = {};
     std::vector<Proposal> found_ = {};
     std::set<std::string> seen_ = {};

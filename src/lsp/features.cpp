@@ -18,27 +18,27 @@ namespace grafverif::lsp {
 namespace {
 
 /// LSP 3.17, "SymbolKind".
-int symbol_kind(Kind kind) {
+int symbol_kind(DeclarationKind kind) {
     switch (kind) {
-    case Kind::Chart: return 2;  // module
-    case Kind::Loop:
-    case Kind::Partial: return 3;    // namespace
-    case Kind::Component: return 5;  // class
-    case Kind::Property: return 7;
-    case Kind::Observer: return 11;    // interface
-    case Kind::Transition: return 12;  // function
-    case Kind::Input:
-    case Kind::Output:
-    case Kind::Internal:
-    case Kind::InputParameter:
-    case Kind::OutputParameter:
-    case Kind::Own:
-    case Kind::Clock:
-    case Kind::PlantVariable: return 13;  // variable
-    case Kind::Constant: return 14;
-    case Kind::Instance: return 19;  // object
-    case Kind::Location: return 22;  // enum member
-    case Kind::Step: return 24;      // event
+    case DeclarationKind::Chart: return 2;  // module
+    case DeclarationKind::Loop:
+    case DeclarationKind::Partial: return 3;    // namespace
+    case DeclarationKind::Component: return 5;  // class
+    case DeclarationKind::Property: return 7;
+    case DeclarationKind::Observer: return 11;    // interface
+    case DeclarationKind::Transition: return 12;  // function
+    case DeclarationKind::Input:
+    case DeclarationKind::Output:
+    case DeclarationKind::Internal:
+    case DeclarationKind::InputParameter:
+    case DeclarationKind::OutputParameter:
+    case DeclarationKind::Own:
+    case DeclarationKind::Clock:
+    case DeclarationKind::PlantVariable: return 13;  // variable
+    case DeclarationKind::Constant: return 14;
+    case DeclarationKind::Instance: return 19;  // object
+    case DeclarationKind::Location: return 22;  // enum member
+    case DeclarationKind::Step: return 24;      // event
     }
     unreachable();
 }
@@ -71,7 +71,7 @@ std::shared_ptr<const Parsed> Session::parsed(const Json& params) {
     const std::string path = document(params);
     const ReserveUse use(false);
     auto file = workspace_.parsed(path);
-    if (file == nullptr) throw Refusal{request_failed, "the document does not exist"};
+    if (file == nullptr) throw RequestError{request_failed, "the document does not exist"};
     return file;
 }
 
@@ -108,19 +108,19 @@ Json Session::place_json(const Parsed& file, Span where) const {
 
 Json Session::hover(const Json& params) {
     const Pointed at = pointed(params);
-    const Thing* const thing = at.names->thing(at.key);
+    const Declaration* const thing = at.names->thing(at.key);
     if (thing == nullptr) return nullptr;
     settle();
     const Model* model = nullptr;
     for (const std::string& path : workspace_.roots(at.file->path))
         if (const auto root = board_.root(path); root != nullptr && root->reading.model) model = &*root->reading.model;
-    return {{"contents", markdown(hover_text(*at.names, *thing, model) + verdict_words(*thing))},
+    return {{"contents", markdown(hover_text(*at.names, *thing, model) + verdict_text(*thing))},
             {"range", json_of(at.file->text->range(at.where.begin, at.where.end))}};
 }
 
 Json Session::definition(const Json& params) {
     const Pointed at = pointed(params);
-    const Thing* const thing = at.names->thing(at.key);
+    const Declaration* const thing = at.names->thing(at.key);
     if (thing == nullptr || thing->file->path.starts_with('<')) return nullptr;  // library files are not on disk
     return place_json(*thing->file, thing->where);
 }
@@ -149,7 +149,7 @@ Json Session::highlights(const Json& params) {
 
 Json Session::prepare_rename(const Json& params) {
     const Pointed at = pointed(params);
-    const Thing* const thing = at.names->thing(at.key);
+    const Declaration* const thing = at.names->thing(at.key);
     if (thing == nullptr) return nullptr;
     return {{"range", json_of(at.file->text->range(at.where.begin + at.skipped, at.where.end))},
             {"placeholder", thing->name}};
@@ -158,14 +158,14 @@ Json Session::prepare_rename(const Json& params) {
 Json Session::rename(const Json& params) {
     const auto name = params.at("newName").get<std::string>();
     const Pointed at = pointed(params);
-    const Thing* thing = at.names->thing(at.key);
+    const Declaration* thing = at.names->thing(at.key);
     std::string key = at.key;
     const Names* all = at.names;
     if (thing != nullptr && !thing->file->path.starts_with('<'))
         all = &names(*workspace_.parsed(thing->file->path));  // all including files
-    if (workspace_.cut_short()) throw Refusal{request_failed, "the workspace is too large to find all references"};
+    if (workspace_.cut_short()) throw RequestError{request_failed, "the workspace is too large to find all references"};
     Renaming renaming = renamed(*all, key, name);
-    if (!renaming.obstacle.empty()) throw Refusal{request_failed, renaming.obstacle};
+    if (!renaming.obstacle.empty()) throw RequestError{request_failed, renaming.obstacle};
     return json_of(renaming.edits, uris());
 }
 

@@ -59,8 +59,8 @@ bool Framing::line() {
     }
 }
 
-/// Consumes that many bytes of the stream and appends them to `text` unless it is null; false if the stream ends before.
-/// If memory is refused the bytes are consumed all the same, so that the next message is found.
+/// Consumes that many bytes of the stream and appends them to `text` unless it is null; false if the stream ends
+/// before. If memory is refused the bytes are consumed all the same, so that the next message is found.
 bool Framing::take(std::size_t count, std::string* text) {
     bool refused = false;
     for (;;) {

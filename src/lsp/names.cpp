@@ -12,7 +12,7 @@ namespace grafverif::lsp {
 
 namespace {
 
-bool is_shared(Kind kind) { return kind == Kind::Input || kind == Kind::Output; }
+bool is_shared(DeclarationKind kind) { return kind == DeclarationKind::Input || kind == DeclarationKind::Output; }
 
 }  // namespace
 
@@ -26,7 +26,7 @@ Names::Names(Files files) : files_(std::move(files)) {
 void Names::take_library() {
     std::set<std::string> wanted;
     for (const auto& [instance, component] : components_)
-        if (!things_.contains(component)) wanted.insert(component.substr(component.find(' ') + 1));
+        if (!elements_.contains(component)) wanted.insert(component.substr(component.find(' ') + 1));
     for (const std::string& name : wanted) {
         const auto file = library_file(name);
         if (file == nullptr) continue;
@@ -52,29 +52,29 @@ const Use* Names::use_at(const Parsed& file, std::size_t offset) const {
     return nullptr;
 }
 
-const Thing* Names::thing(const std::string& key) const {
-    const auto found = things_.find(key);
-    return found == things_.end() ? nullptr : &found->second;
+const Declaration* Names::thing(const std::string& key) const {
+    const auto found = elements_.find(key);
+    return found == elements_.end() ? nullptr : &found->second;
 }
 
-std::vector<const Thing*> Names::parts(const std::string& owner) const {
-    std::vector<const Thing*> found;
+std::vector<const Declaration*> Names::parts(const std::string& owner) const {
+    std::vector<const Declaration*> found;
     const std::string prefix = owner + "/";
-    for (auto part = things_.lower_bound(prefix); part != things_.end() && part->first.starts_with(prefix); ++part)
+    for (auto part = elements_.lower_bound(prefix); part != elements_.end() && part->first.starts_with(prefix); ++part)
         found.push_back(&part->second);
     return found;
 }
 
-std::vector<const Thing*> Names::all(Kind kind) const {
-    std::vector<const Thing*> found;
-    for (const auto& [key, thing] : things_)
+std::vector<const Declaration*> Names::all(DeclarationKind kind) const {
+    std::vector<const Declaration*> found;
+    for (const auto& [key, thing] : elements_)
         if (thing.kind == kind) found.push_back(&thing);
     return found;
 }
 
-const Thing* Names::around(const Parsed& file, std::size_t offset) const {
-    const Thing* best = nullptr;
-    for (const auto& [key, thing] : things_) {
+const Declaration* Names::around(const Parsed& file, std::size_t offset) const {
+    const Declaration* best = nullptr;
+    for (const auto& [key, thing] : elements_) {
         const bool holds =
             thing.file == &file && thing.owner.empty() && thing.whole.begin <= offset && offset <= thing.whole.end;
         if (holds && (best == nullptr || best->whole.begin < thing.whole.begin)) best = &thing;
@@ -95,7 +95,7 @@ std::string Names::component_of(const std::string& instance) const {
 /// Closure over loops: the inputs and outputs that are shared with this one.
 std::set<std::string> Names::tied(const std::string& key) const {
     std::set<std::string> found = {key};
-    const Thing* const first = thing(key);
+    const Declaration* const first = thing(key);
     if (first == nullptr || !is_shared(first->kind)) return found;
     std::vector<std::string> waiting = {first->owner};
     while (!waiting.empty()) {
@@ -104,7 +104,7 @@ std::set<std::string> Names::tied(const std::string& key) const {
         for (const auto& [loop, charts] : controllers_) {
             if (std::ranges::find(charts, chart) == charts.end()) continue;
             for (const std::string& other : charts) {
-                const Thing* const same = thing(other + "/v " + first->name);
+                const Declaration* const same = thing(other + "/v " + first->name);
                 if (same != nullptr && is_shared(same->kind) && found.insert(same->key).second)
                     waiting.push_back(other);
             }
@@ -123,15 +123,16 @@ std::vector<FileUse> Names::everywhere(const std::string& key) const {
 }
 
 std::string Names::meaning(const Parsed& file, std::size_t offset, std::string_view name) const {
-    const Thing* const owner = around(file, offset);
+    const Declaration* const owner = around(file, offset);
     if (owner == nullptr) return {};
     std::string key = term_key(*this, *owner, "", name);
-    if (key.empty() && owner->kind == Kind::Chart) key = term_key(*this, *owner, "", "X" + std::string(name));
-    if (key.empty() && owner->kind == Kind::Component) key = owner->key + "/l " + std::string(name);
-    if (key.empty() && owner->kind == Kind::Loop)
+    if (key.empty() && owner->kind == DeclarationKind::Chart)
+        key = term_key(*this, *owner, "", "X" + std::string(name));
+    if (key.empty() && owner->kind == DeclarationKind::Component) key = owner->key + "/l " + std::string(name);
+    if (key.empty() && owner->kind == DeclarationKind::Loop)
         for (const char* kind : {"chart ", "component "})
-            if (things_.contains(kind + std::string(name))) key = kind + std::string(name);
-    return things_.contains(key) ? key : std::string();
+            if (elements_.contains(kind + std::string(name))) key = kind + std::string(name);
+    return elements_.contains(key) ? key : std::string();
 }
 
 // -- text about an element
@@ -193,7 +194,7 @@ std::string parameter_comment(const Parsed& file, Span component, std::string_vi
     return {};
 }
 
-std::string declaration_text(const Thing& thing) {
+std::string declaration_text(const Declaration& thing) {
     const auto joined = [&](Span where) {
         std::string text;
         for (const char byte : thing.file->bytes(where)) {
@@ -210,25 +211,25 @@ std::string declaration_text(const Thing& thing) {
         return text;
     };
     switch (thing.kind) {
-    case Kind::Chart:
-    case Kind::Component:
-    case Kind::Loop:
-    case Kind::Partial:
-    case Kind::Step:
-    case Kind::Observer: return head();
-    case Kind::Input: return "input " + joined(thing.whole);
-    case Kind::Output: return "output " + joined(thing.whole);
-    case Kind::Internal: return "internal " + joined(thing.whole);
-    case Kind::InputParameter: return "input " + joined(thing.whole);
-    case Kind::OutputParameter: return "output " + joined(thing.whole);
-    case Kind::Constant: return (thing.owner.starts_with("loop ") ? "constant " : "") + joined(thing.whole);
-    case Kind::Own: return "variable " + joined(thing.whole);
-    case Kind::Clock: return "clock " + thing.name;
-    case Kind::PlantVariable: return thing.name + ", of the plant: " + joined(thing.whole);
-    case Kind::Transition:
-    case Kind::Location:
-    case Kind::Instance:
-    case Kind::Property: return joined(thing.whole);
+    case DeclarationKind::Chart:
+    case DeclarationKind::Component:
+    case DeclarationKind::Loop:
+    case DeclarationKind::Partial:
+    case DeclarationKind::Step:
+    case DeclarationKind::Observer: return head();
+    case DeclarationKind::Input: return "input " + joined(thing.whole);
+    case DeclarationKind::Output: return "output " + joined(thing.whole);
+    case DeclarationKind::Internal: return "internal " + joined(thing.whole);
+    case DeclarationKind::InputParameter: return "input " + joined(thing.whole);
+    case DeclarationKind::OutputParameter: return "output " + joined(thing.whole);
+    case DeclarationKind::Constant: return (thing.owner.starts_with("loop ") ? "constant " : "") + joined(thing.whole);
+    case DeclarationKind::Own: return "variable " + joined(thing.whole);
+    case DeclarationKind::Clock: return "clock " + thing.name;
+    case DeclarationKind::PlantVariable: return thing.name + ", of the plant: " + joined(thing.whole);
+    case DeclarationKind::Transition:
+    case DeclarationKind::Location:
+    case DeclarationKind::Instance:
+    case DeclarationKind::Property: return joined(thing.whole);
     }
     unreachable();
 }

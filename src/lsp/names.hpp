@@ -17,7 +17,7 @@
 
 namespace grafverif::lsp {
 
-enum class Kind {
+enum class DeclarationKind {
     Chart,
     Component,
     Loop,
@@ -40,8 +40,8 @@ enum class Kind {
 };
 
 /// An element that a file declares.
-struct Thing {
-    Kind kind = Kind::Chart;
+struct Declaration {
+    DeclarationKind kind = DeclarationKind::Chart;
     std::string name = {}, key = {};
     std::string owner = {};  ///< the key of the element that contains it; empty: the file
     const Parsed* file = nullptr;
@@ -70,14 +70,14 @@ public:
     /// All names of a file, in order; none for a path that is not among the files.
     const std::vector<Use>& uses(const Parsed& file) const;
     const Use* use_at(const Parsed& file, std::size_t offset) const;
-    const Thing* thing(const std::string& key) const;
+    const Declaration* thing(const std::string& key) const;
     /// The element that `name` would denote as a term, or as a step, at `offset`; empty if none.
     std::string meaning(const Parsed& file, std::size_t offset, std::string_view name) const;
     /// The elements of a chart, component or loop, or all elements of that kind in the files.
-    std::vector<const Thing*> parts(const std::string& owner) const;
-    std::vector<const Thing*> all(Kind kind) const;
+    std::vector<const Declaration*> parts(const std::string& owner) const;
+    std::vector<const Declaration*> all(DeclarationKind kind) const;
     /// The chart, component or loop whose declaration contains `offset`; null if none.
-    const Thing* around(const Parsed& file, std::size_t offset) const;
+    const Declaration* around(const Parsed& file, std::size_t offset) const;
     /// The charts that a loop controls.
     std::vector<std::string> controllers(const std::string& loop) const;
     /// The component of an instance; empty: unknown.
@@ -94,7 +94,7 @@ private:
     void take_library();
 
     Files files_;
-    std::map<std::string, Thing> things_ = {};
+    std::map<std::string, Declaration> elements_ = {};
     std::map<std::string, std::vector<std::string>> controllers_ = {};  ///< charts by loop, as keys
     std::map<std::string, std::string> components_ = {};                ///< by instance, as keys
     std::map<std::string, std::vector<std::string>> steps_ = {};  ///< keys by `chart C/NAME`, for any partial chart
@@ -106,6 +106,6 @@ std::string comment_of(const Parsed& file, Span whole);
 /// The line of a component's comment that describes a parameter: `order: rod in`.
 std::string parameter_comment(const Parsed& file, Span component, std::string_view parameter);
 /// The declaration of an element, in one line.
-std::string declaration_text(const Thing& thing);
+std::string declaration_text(const Declaration& thing);
 
 }  // namespace grafverif::lsp

@@ -11,14 +11,14 @@ namespace grafverif::lsp {
 
 namespace {
 
-std::vector<const Thing*> things_in(const Names& names, const Parsed& file) {
-    std::vector<const Thing*> found;
+std::vector<const Declaration*> elements_in(const Names& names, const Parsed& file) {
+    std::vector<const Declaration*> found;
     std::map<std::string, bool> seen;
     for (const Use& use : names.uses(file)) {
-        const Thing* const thing = use.declares ? names.thing(use.key) : nullptr;
+        const Declaration* const thing = use.declares ? names.thing(use.key) : nullptr;
         if (thing != nullptr && seen.emplace(use.key, true).second) found.push_back(thing);
     }
-    std::ranges::stable_sort(found, {}, [](const Thing* thing) { return thing->whole.begin; });
+    std::ranges::stable_sort(found, {}, [](const Declaration* thing) { return thing->whole.begin; });
     return found;
 }
 
@@ -38,33 +38,34 @@ enum TokenType : std::uint32_t {
     PropertyToken
 };
 
-TokenType type_of(Kind kind) {
+TokenType type_of(DeclarationKind kind) {
     switch (kind) {
-    case Kind::Chart:
-    case Kind::Loop:
-    case Kind::Partial: return Namespace;
-    case Kind::Component: return Class;
-    case Kind::Input:
-    case Kind::Output:
-    case Kind::Internal:
-    case Kind::Own:
-    case Kind::Clock:
-    case Kind::PlantVariable:
-    case Kind::Instance: return Variable;
-    case Kind::Step: return Event;
-    case Kind::Transition: return Function;
-    case Kind::InputParameter:
-    case Kind::OutputParameter:
-    case Kind::Constant: return Parameter;
-    case Kind::Location: return EnumMember;
-    case Kind::Property:
-    case Kind::Observer: return PropertyToken;
+    case DeclarationKind::Chart:
+    case DeclarationKind::Loop:
+    case DeclarationKind::Partial: return Namespace;
+    case DeclarationKind::Component: return Class;
+    case DeclarationKind::Input:
+    case DeclarationKind::Output:
+    case DeclarationKind::Internal:
+    case DeclarationKind::Own:
+    case DeclarationKind::Clock:
+    case DeclarationKind::PlantVariable:
+    case DeclarationKind::Instance: return Variable;
+    case DeclarationKind::Step: return Event;
+    case DeclarationKind::Transition: return Function;
+    case DeclarationKind::InputParameter:
+    case DeclarationKind::OutputParameter:
+    case DeclarationKind::Constant: return Parameter;
+    case DeclarationKind::Location: return EnumMember;
+    case DeclarationKind::Property:
+    case DeclarationKind::Observer: return PropertyToken;
     }
     unreachable();
 }
 
-bool is_read_only(Kind kind) {
-    return kind == Kind::Input || kind == Kind::InputParameter || kind == Kind::Constant || kind == Kind::Step;
+bool is_read_only(DeclarationKind kind) {
+    return kind == DeclarationKind::Input || kind == DeclarationKind::InputParameter ||
+           kind == DeclarationKind::Constant || kind == DeclarationKind::Step;
 }
 
 }  // namespace
@@ -72,9 +73,9 @@ bool is_read_only(Kind kind) {
 std::vector<Entry> outline(const Names& names, const Parsed& file) {
     std::vector<Entry> entries;
     std::vector<std::size_t> open;
-    for (const Thing* const thing : things_in(names, file)) {
+    for (const Declaration* const thing : elements_in(names, file)) {
         while (!open.empty() && entries[open.back()].thing->whole.end < thing->whole.end) open.pop_back();
-        if (thing->kind == Kind::PlantVariable) continue;
+        if (thing->kind == DeclarationKind::PlantVariable) continue;
         entries.push_back({thing, open.empty() ? std::nullopt : std::optional(open.back())});
         open.push_back(entries.size() - 1);
     }
@@ -84,7 +85,7 @@ std::vector<Entry> outline(const Names& names, const Parsed& file) {
 std::vector<Fold> folds(const Names& names, const Parsed& file) {
     std::vector<Fold> found;
     const auto line = [&](std::size_t offset) { return file.text->position(offset).line; };
-    for (const Thing* const thing : things_in(names, file)) {
+    for (const Declaration* const thing : elements_in(names, file)) {
         const Fold fold{line(thing->whole.begin), line(thing->whole.end)};
         if (fold.first < fold.last) found.push_back(fold);
     }
@@ -123,7 +124,7 @@ std::vector<std::uint32_t> tokens(const Names& names, const Parsed& file) {
     for (const Word& word : words_of(text)) {
         while (use != uses.end() && use->where.end <= word.begin) ++use;
         const bool named = use != uses.end() && use->where.begin <= word.begin && word.end <= use->where.end;
-        const Thing* const thing = named ? names.thing(use->key) : nullptr;
+        const Declaration* const thing = named ? names.thing(use->key) : nullptr;
         if (thing != nullptr && word.kind != Word::Kind::Comment) {
             put(word.begin, word.end, type_of(thing->kind),
                 (use->declares ? 1U : 0U) | (is_read_only(thing->kind) ? 2U : 0U) | (use->writes ? 4U : 0U));

@@ -13,7 +13,7 @@ namespace grafverif::lsp {
 
 /// The declared elements of a file, in order of location; `parent` is an earlier one, or none.
 struct Entry {
-    const Thing* thing = nullptr;
+    const Declaration* thing = nullptr;
     std::optional<std::size_t> parent = {};
 };
 std::vector<Entry> outline(const Names& names, const Parsed& file);

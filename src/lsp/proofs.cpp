@@ -8,7 +8,7 @@
 
 namespace grafverif::lsp {
 
-void Session::ask_client(const std::string& id, const std::string& method, const Json& params) {
+void Session::request_client(const std::string& id, const std::string& method, const Json& params) {
     send({{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", params}});
 }
 
@@ -39,30 +39,30 @@ void Session::found(Found outcome) {
     const bool news = !outcome.verdicts.empty();
     for (auto& [key, shown] : outcome.verdicts) known.by_key[key] = std::move(shown);
     settle();
-    if (news && can_.refreshes_lenses) ask_client("grafverif/lenses", "workspace/codeLens/refresh", nullptr);
+    if (news && can_.refreshes_lenses) request_client("grafverif/lenses", "workspace/codeLens/refresh", nullptr);
 }
 
 void Session::progress(const std::string& words) {
     if (!can_.shows_progress || state_ != State::Running) return;
-    const auto tell = [&](const Json& value) {
+    const auto report_progress = [&](const Json& value) {
         send({{"jsonrpc", "2.0"}, {"method", "$/progress"}, {"params", {{"token", token_}, {"value", value}}}});
     };
     if (words.empty()) {
-        if (telling_ == Telling::Going) tell({{"kind", "end"}});
-        telling_ = Telling::Nothing;
-    } else if (telling_ == Telling::Nothing) {
-        telling_ = Telling::Asked;
+        if (telling_ == ProgressState::Going) report_progress({{"kind", "end"}});
+        telling_ = ProgressState::Nothing;
+    } else if (telling_ == ProgressState::Nothing) {
+        telling_ = ProgressState::Requested;
         ++token_;
-        ask_client("grafverif/progress/" + std::to_string(token_), "window/workDoneProgress/create",
-                   {{"token", token_}});
-    } else if (telling_ == Telling::Going) {
-        tell({{"kind", "report"}, {"message", words}});
+        request_client("grafverif/progress/" + std::to_string(token_), "window/workDoneProgress/create",
+                       {{"token", token_}});
+    } else if (telling_ == ProgressState::Going) {
+        report_progress({{"kind", "report"}, {"message", words}});
     }
 }
 
-void Session::progress_is_wanted() {
-    if (telling_ != Telling::Asked) return;
-    telling_ = Telling::Going;
+void Session::progress_is_requested() {
+    if (telling_ != ProgressState::Requested) return;
+    telling_ = ProgressState::Going;
     send({{"jsonrpc", "2.0"},
           {"method", "$/progress"},
           {"params",
@@ -73,7 +73,7 @@ void Session::progress_is_wanted() {
 // --------------------------------------------------------------------------------------------------------------
 
 /// The verdict on the property of that key for the current texts; null if there is none.
-const Shown* Session::shown(const std::string& path, const std::string& key) const {
+const VerdictDetails* Session::shown(const std::string& path, const std::string& key) const {
     const auto root = board_.root(path);
     const auto known = verdicts_.find(path);
     if (root == nullptr || known == verdicts_.end() || known->second.number != root->number) return nullptr;
@@ -83,8 +83,9 @@ const Shown* Session::shown(const std::string& path, const std::string& key) con
     return part != known->second.by_key.end() && part->first.starts_with(key + ".") ? &part->second : nullptr;
 }
 
-std::string Session::verdict_words(const Thing& thing) const {
-    const Shown* const known = thing.kind == Kind::Property ? shown(thing.file->path, thing.key) : nullptr;
+std::string Session::verdict_text(const Declaration& thing) const {
+    const VerdictDetails* const known =
+        thing.kind == DeclarationKind::Property ? shown(thing.file->path, thing.key) : nullptr;
     return known == nullptr ? std::string() : "\n```text\n" + known->text + "```\n";
 }
 
@@ -97,20 +98,21 @@ Json Session::lenses(const Json& params) {
     settle();
     const std::string uri = params.at("textDocument").at("uri").get<std::string>();
     Json found = Json::array();
-    const auto add = [&](const Thing& thing, const std::string& title, const char* command, Json arguments) {
+    const auto add = [&](const Declaration& thing, const std::string& title, const char* command, Json arguments) {
         arguments.insert(arguments.begin(), uri);
         found.push_back({{"range", json_of(file->text->range(thing.where.begin, thing.where.end))},
                          {"command", {{"title", title}, {"command", command}, {"arguments", std::move(arguments)}}}});
     };
     for (const Use& use : all.uses(*file)) {
-        const Thing* const thing = use.declares ? all.thing(use.key) : nullptr;
+        const Declaration* const thing = use.declares ? all.thing(use.key) : nullptr;
         if (thing == nullptr) continue;
-        if (thing->kind == Kind::Loop || thing->kind == Kind::Chart) {
+        if (thing->kind == DeclarationKind::Loop || thing->kind == DeclarationKind::Chart) {
             add(*thing, "check", "grafverif.check", Json::array({thing->name}));
-            if (thing->kind == Kind::Chart) add(*thing, "draw", "grafverif.draw", Json::array({thing->name}));
+            if (thing->kind == DeclarationKind::Chart)
+                add(*thing, "draw", "grafverif.draw", Json::array({thing->name}));
             add(*thing, "simulate", "grafverif.simulate", Json::array());
-        } else if (thing->kind == Kind::Property) {
-            const Shown* const known = shown(file->path, thing->key);
+        } else if (thing->kind == DeclarationKind::Property) {
+            const VerdictDetails* const known = shown(file->path, thing->key);
             const std::string loop = thing->owner.substr(thing->owner.find(' ') + 1);
             if (known == nullptr) add(*thing, "not checked: check", "grafverif.check", Json::array({loop}));
             else add(*thing, known->word, "grafverif.showVerdict", Json::array({loop, thing->name}));
@@ -123,9 +125,9 @@ Json Session::execute(const Json& params) {
     const auto command = params.at("command").get<std::string>();
     const Json arguments = params.value("arguments", Json::array());
     if (!arguments.is_array() || arguments.empty())
-        throw Refusal{invalid_params, command + " requires the address of a document as first argument"};
+        throw RequestError{invalid_params, command + " requires the address of a document as first argument"};
     const OpenText* const open = workspace_.find(arguments.at(0).get<std::string>());
-    if (open == nullptr) throw Refusal{request_failed, "the document is not open"};
+    if (open == nullptr) throw RequestError{request_failed, "the document is not open"};
     const std::string path = open->path;
     const auto argument = [&](std::size_t place) {
         return arguments.size() > place ? arguments[place].get<std::string>() : std::string();
@@ -135,25 +137,25 @@ Json Session::execute(const Json& params) {
     if (command == "grafverif.showVerdict") return show_verdict(path, argument(1), argument(2));
     if (command == "grafverif.draw") return draw(path, argument(1));
     if (command == "grafverif.simulate") return simulate(path);
-    throw Refusal{invalid_params, "unknown command " + command};
+    throw RequestError{invalid_params, "unknown command " + command};
 }
 
 Json Session::show(const std::string& uri, bool elsewhere, const std::string& words) {
     if (!can_.shows_documents)
         send({{"jsonrpc", "2.0"}, {"method", "window/showMessage"}, {"params", {{"type", 3}, {"message", words}}}});
     else
-        ask_client("grafverif/show", "window/showDocument",
-                   {{"uri", uri}, {"external", elsewhere}, {"takeFocus", true}});
+        request_client("grafverif/show", "window/showDocument",
+                       {{"uri", uri}, {"external", elsewhere}, {"takeFocus", true}});
     return {{"uri", uri}};
 }
 
 Json Session::show_verdict(const std::string& path, const std::string& loop, const std::string& property) {
-    const Shown* known = shown(path, "loop " + loop + "/q " + property);
+    const VerdictDetails* known = shown(path, "loop " + loop + "/q " + property);
     if (property.empty()) {  // the complete file, from a command palette
         const auto all = verdicts_.find(path);
         if (all != verdicts_.end() && !all->second.by_key.empty()) known = &all->second.by_key.begin()->second;
     }
-    if (known == nullptr) throw Refusal{request_failed, "not yet checked; save the file or run the check"};
+    if (known == nullptr) throw RequestError{request_failed, "not yet checked; save the file or run the check"};
     const bool kept = can_.shows_documents && surroundings_.keep;
     const std::string uri = kept ? uri_of_path(surroundings_.keep(property + ".txt", known->text)) : "";
     if (kept) show(uri, false, known->text);
@@ -167,12 +169,12 @@ Json Session::show_verdict(const std::string& path, const std::string& loop, con
 Json Session::draw(const std::string& path, const std::string& chart) {
     const auto root = board_.root(path);
     if (root == nullptr || !root->reading.model)
-        throw Refusal{request_failed, "the file has errors and cannot be drawn; correct them"};
+        throw RequestError{request_failed, "the file has errors and cannot be drawn; correct them"};
     const Model& model = *root->reading.model;
     for (const Id<Chart> id : model.charts.ids()) {
         if (!chart.empty() && model.charts[id].name != chart) continue;
         if (model.charts[id].steps.size() > 5000)
-            throw Refusal{request_failed, "the chart has more than 5,000 steps; use `grafverif draw`"};
+            throw RequestError{request_failed, "the chart has more than 5,000 steps; use `grafverif draw`"};
         const std::string svg = svg_of(drawing_of(model, id));
         if (!surroundings_.keep) return {{"svg", svg}};
         const std::string drawn = surroundings_.keep(model.charts[id].name + ".svg", svg);
@@ -180,11 +182,11 @@ Json Session::draw(const std::string& path, const std::string& chart) {
         shown["svg"] = svg;
         return shown;
     }
-    throw Refusal{request_failed, "unknown chart"};
+    throw RequestError{request_failed, "unknown chart"};
 }
 
 Json Session::simulate(const std::string& path) {
-    if (!surroundings_.simulator) throw Refusal{request_failed, "this server has no report pages"};
+    if (!surroundings_.simulator) throw RequestError{request_failed, "this server has no report pages"};
     const std::string address = surroundings_.simulator(path);
     return show(address, true, path + " is at " + address);
 }

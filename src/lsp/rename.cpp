@@ -17,7 +17,7 @@ namespace {
 bool is_of_library(const Parsed& file) { return file.path.starts_with("<library>"); }
 
 /// The reason why an element cannot be renamed to any name; empty if it can.
-std::string obstacle_of(const Names& names, const Thing& thing) {
+std::string obstacle_of(const Names& names, const Declaration& thing) {
     if (is_of_library(*thing.file))
         return fmt::format("`{}` belongs to the component library and cannot be renamed", thing.name);
     for (const auto& file : names.files()) {
@@ -71,9 +71,10 @@ std::shared_ptr<const Parsed> with_edits(const Parsed& file, std::vector<std::pa
 }  // namespace
 
 Renaming renamed(const Names& names, const std::string& key, const std::string& name) {
-    const Thing* const thing = names.thing(key);
+    const Declaration* const thing = names.thing(key);
     if (thing == nullptr) return {{}, "there is no name here"};
-    const bool numbers = thing->kind == Kind::Step || thing->kind == Kind::Location || thing->kind == Kind::Transition;
+    const bool numbers = thing->kind == DeclarationKind::Step || thing->kind == DeclarationKind::Location ||
+                         thing->kind == DeclarationKind::Transition;
     if (!is_name(name, numbers)) return {{}, fmt::format("`{}` is not a valid name here", name)};
     if (std::string obstacle = obstacle_of(names, *thing); !obstacle.empty()) return {{}, std::move(obstacle)};
     Renaming result;

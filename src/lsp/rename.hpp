@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "lsp/diagnostics.hpp"
 #include "lsp/names.hpp"
-#include "lsp/told.hpp"
 
 namespace grafverif::lsp {
 

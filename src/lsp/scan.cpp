@@ -107,8 +107,8 @@ bool is_name(std::string_view word, bool numbers) {
 
 /// A missing `;` or `}` affects only the current declaration: a keyword that begins a declaration at the beginning of a
 /// line starts a new one.
-Half half_at(std::string_view text, std::size_t cursor) {
-    Half half;
+IncompleteDeclaration half_at(std::string_view text, std::size_t cursor) {
+    IncompleteDeclaration half;
     int brackets = 0;
     for (const Word& word : words_of(text.substr(0, cursor))) {
         const std::string_view seen = text.substr(word.begin, word.end - word.begin);

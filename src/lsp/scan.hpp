@@ -25,11 +25,11 @@ bool is_reserved(std::string_view word);
 bool is_name(std::string_view word, bool numbers);
 
 /// An incomplete declaration: the tokens before the cursor, those of the enclosing blocks first.
-struct Half {
+struct IncompleteDeclaration {
     std::vector<std::vector<std::string>> blocks = {};  ///< the tokens before each open `{`
     std::vector<std::string> words = {};                ///< after the last `;` or brace, without the one at the cursor
     bool in_text = false;                               ///< in a comment or a string: no proposals
 };
-Half half_at(std::string_view text, std::size_t cursor);
+IncompleteDeclaration half_at(std::string_view text, std::size_t cursor);
 
 }  // namespace grafverif::lsp

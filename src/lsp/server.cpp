@@ -52,7 +52,7 @@ namespace {
 using namespace std::chrono_literals;
 
 /// Interval for polling the client process and the files.
-constexpr auto look_around_every = 250ms;
+constexpr auto check_interval = 250ms;
 
 std::string method_of(const Json& message) {
     if (!message.is_object()) return {};
@@ -129,7 +129,7 @@ private:
 
 }  // namespace
 
-Ending converse(const Receive& receive, const Send& send, const Surroundings& surroundings) {
+Ending converse(const Receive& receive, const Send& send, const ServerEnvironment& surroundings) {
     Inbox inbox;
     std::atomic<bool> ending = false;
     Session session(
@@ -143,7 +143,7 @@ Ending converse(const Receive& receive, const Send& send, const Surroundings& su
             auto item = inbox.take(0ms);
             if (!item) {
                 session.settle();
-                item = inbox.take(look_around_every);
+                item = inbox.take(check_interval);
             }
             if (item && item->call) item->call();
             else if (item && item->message != nullptr) session.take(*item->message, item->cancelled);
@@ -156,7 +156,7 @@ Ending converse(const Receive& receive, const Send& send, const Surroundings& su
         }
     }
     if (gone) return Ending::Gone;
-    return session.asked_to_end() ? Ending::Asked : Ending::Unasked;
+    return session.end_requested() ? Ending::Requested : Ending::Unrequested;
 }
 
 }  // namespace grafverif::lsp

@@ -18,7 +18,7 @@
 namespace grafverif::lsp {
 
 /// Callbacks and settings of the program that runs the server.
-struct Surroundings {
+struct ServerEnvironment {
     std::string version = {};
     std::vector<std::string> include_folders = {};
     /// True if the client's process exists; called periodically.
@@ -37,8 +37,8 @@ struct Surroundings {
 };
 
 /// `exit` after `shutdown`; `exit` without it; the client disappeared.
-enum class Ending { Asked, Unasked, Gone };
+enum class Ending { Requested, Unrequested, Gone };
 
-Ending converse(const Receive& receive, const Send& send, const Surroundings& surroundings);
+Ending converse(const Receive& receive, const Send& send, const ServerEnvironment& surroundings);
 
 }  // namespace grafverif::lsp

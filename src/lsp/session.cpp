@@ -18,15 +18,15 @@ const Json& member(const Json& object, const char* name) {
 
 }  // namespace
 
-Session::Session(const Send& send, const Surroundings& surroundings, Later later, const std::atomic<bool>& ending)
+Session::Session(const Send& send, const ServerEnvironment& surroundings, Later later, const std::atomic<bool>& ending)
     : send_(send), surroundings_(surroundings), workspace_(surroundings.include_folders, &ending) {
-    Prover::Ears ears;
+    BackgroundChecker::Callbacks ears;
     ears.found = [this, later](Found outcome) {
         auto kept = std::make_shared<Found>(std::move(outcome));
         later([this, kept] { found(std::move(*kept)); });
     };
     ears.progress = [this, later](std::string words) { later([this, words = std::move(words)] { progress(words); }); };
-    prover_ = std::make_unique<Prover>(std::move(ears), surroundings.patience);
+    prover_ = std::make_unique<BackgroundChecker>(std::move(ears), surroundings.patience);
 }
 
 void Session::send(const Json& message) { send_(framed(message.dump(-1, ' ', false, Json::error_handler_t::replace))); }
@@ -43,7 +43,7 @@ void Session::take(const Json& message, bool cancelled) {
     if (!method.is_string()) {
         const bool answers = is_id(id) && (message.contains("result") || message.contains("error"));
         if (answers && id == "grafverif/progress/" + std::to_string(token_) && message.contains("result"))
-            progress_is_wanted();
+            progress_is_requested();
         if (!answers)
             fail(is_id(id) ? id : Json(), invalid_request, "the message is neither a request nor a notification");
         return;
@@ -60,7 +60,7 @@ void Session::take(const Json& message, bool cancelled) {
         if (!request) return notified(name, member(message, "params"));
         if (cancelled) return fail(id, request_cancelled, "cancelled");
         send({{"jsonrpc", "2.0"}, {"id", id}, {"result", answer(name, member(message, "params"))}});
-    } catch (const Refusal& refusal) {
+    } catch (const RequestError& refusal) {
         if (request) fail(id, refusal.code, refusal.message);
     } catch (const Json::exception&) {
         if (request) fail(id, invalid_params, "the parameters of " + name + " do not conform to the protocol");
@@ -114,7 +114,7 @@ void Session::did_change(const Json& params) {
 
 void Session::notified(const std::string& method, const Json& params) {
     if (method == "exit") {
-        asked_to_end_ = state_ == State::ShutDown;
+        end_requested_ = state_ == State::ShutDown;
         state_ = State::Over;
     }
     if (state_ != State::Running) return;
@@ -137,9 +137,9 @@ void Session::notified(const std::string& method, const Json& params) {
 Json Session::answer(const std::string& method, const Json& params) {
     if (method == "initialize" && state_ == State::Fresh) return initialize(params);
     if (state_ == State::Fresh)
-        throw Refusal{not_initialized, "the server is not initialized; send `initialize` first"};
+        throw RequestError{not_initialized, "the server is not initialized; send `initialize` first"};
     if (state_ != State::Running || method == "initialize")
-        throw Refusal{invalid_request, method + " is not allowed after `shutdown`"};
+        throw RequestError{invalid_request, method + " is not allowed after `shutdown`"};
     if (method == "shutdown") {
         state_ = State::ShutDown;
         return nullptr;
@@ -162,7 +162,7 @@ Json Session::answer(const std::string& method, const Json& params) {
         {"textDocument/formatting", &Session::formatting},
     };
     if (const auto handler = handlers.find(method); handler != handlers.end()) return (this->*handler->second)(params);
-    throw Refusal{no_such_method, "unsupported method " + method};
+    throw RequestError{no_such_method, "unsupported method " + method};
 }
 
 // -- diagnostics
@@ -175,7 +175,7 @@ UriOf Session::uris() const {
 std::string Session::document(const Json& params) const {
     const auto uri = params.at("textDocument").at("uri").get<std::string>();
     const OpenText* const open = workspace_.find(uri);
-    if (open == nullptr) throw Refusal{request_failed, "`" + uri + "` is not open"};
+    if (open == nullptr) throw RequestError{request_failed, "`" + uri + "` is not open"};
     return open->path;
 }
 
@@ -201,7 +201,7 @@ void Session::publish() {
     for (const auto& [path, told] : board_.all()) {
         const std::string uri = workspace_.uri_of(path);
         Json params = {{"uri", uri}, {"diagnostics", Json::array()}};
-        for (const Told& one : told) params["diagnostics"].push_back(json_of(one, uris()));
+        for (const LspDiagnostic& one : told) params["diagnostics"].push_back(json_of(one, uris()));
         now[uri] = params.dump(-1, ' ', false, Json::error_handler_t::replace);
     }
     for (const OpenText& open : workspace_.open_texts())
@@ -224,14 +224,14 @@ void Session::publish() {
 
 Json Session::code_actions(const Json& params) {
     const std::string path = document(params);
-    const Range asked = range_of(params.at("range"));
+    const Range requested = range_of(params.at("range"));
     settle();
     Json actions = Json::array();
     const auto all = board_.all();
     const auto here = all.find(path);
     if (here == all.end()) return actions;
-    for (const Told& one : here->second)
-        if (one.fix && one.where.range.start <= asked.end && asked.start <= one.where.range.end)
+    for (const LspDiagnostic& one : here->second)
+        if (one.fix && one.where.range.start <= requested.end && requested.start <= one.where.range.end)
             actions.push_back(quick_fix(one, uris()));
     return actions;
 }

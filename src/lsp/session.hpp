@@ -10,9 +10,9 @@
 #include <set>
 #include <string>
 
-#include "lsp/board.hpp"
+#include "lsp/background_checker.hpp"
+#include "lsp/diagnostic_store.hpp"
 #include "lsp/names.hpp"
-#include "lsp/prover.hpp"
 #include "lsp/server.hpp"
 #include "lsp/shapes.hpp"
 #include "lsp/workspace.hpp"
@@ -24,7 +24,7 @@ public:
     /// `later` schedules a call on the session's thread; thread-safe.
     using Later = std::function<void(std::function<void()>)>;
     /// `ending`: the client has sent `exit`, or is gone.
-    Session(const Send& send, const Surroundings& surroundings, Later later, const std::atomic<bool>& ending);
+    Session(const Send& send, const ServerEnvironment& surroundings, Later later, const std::atomic<bool>& ending);
 
     /// Handles a message, and responds if it is a request.
     void take(const Json& message, bool cancelled);
@@ -34,12 +34,12 @@ public:
     void settle();
 
     bool over() const { return state_ == State::Over; }
-    bool asked_to_end() const { return asked_to_end_; }
+    bool end_requested() const { return end_requested_; }
     std::optional<std::int64_t> client() const { return client_; }
 
 private:
     enum class State { Fresh, Running, ShutDown, Over };
-    struct Refusal {
+    struct RequestError {
         int code = 0;
         std::string message = {};
     };
@@ -80,14 +80,14 @@ private:
     Json semantic_tokens(const Json& params);
     Json completion(const Json& params);
     Json formatting(const Json& params);
-    std::string verdict_words(const Thing& thing) const;
+    std::string verdict_text(const Declaration& thing) const;
 
     // proofs.cpp
     void saved();
     void prove(const std::string& path, const std::string& only);
     void found(Found outcome);
     void progress(const std::string& words);
-    void progress_is_wanted();
+    void progress_is_requested();
     Json lenses(const Json& params);
     Json execute(const Json& params);
     Json show_verdict(const std::string& path, const std::string& loop, const std::string& property);
@@ -95,17 +95,17 @@ private:
     Json simulate(const std::string& path);
     /// Shows the document at an address if the client can; otherwise shows the message `words`.
     Json show(const std::string& uri, bool elsewhere, const std::string& words);
-    const Shown* shown(const std::string& path, const std::string& key) const;
-    void ask_client(const std::string& id, const std::string& method, const Json& params);
+    const VerdictDetails* shown(const std::string& path, const std::string& key) const;
+    void request_client(const std::string& id, const std::string& method, const Json& params);
 
     /// The path of the document in `params`; throws if it is not open.
     std::string document(const Json& params) const;
     UriOf uris() const;
 
     const Send& send_;
-    const Surroundings& surroundings_;
+    const ServerEnvironment& surroundings_;
     State state_ = State::Fresh;
-    bool asked_to_end_ = false;
+    bool end_requested_ = false;
     std::optional<std::int64_t> client_ = {};
 
     // JSON-RPC 2.0 section 5.1, LSP 3.17 "ErrorCodes".
@@ -115,7 +115,7 @@ private:
 
     Workspace workspace_;
     std::unique_ptr<const Names> names_ = {};
-    Board board_ = {};
+    DiagnosticStore board_ = {};
     bool dirty_ = false;                                    ///< a text has changed, or the client lacks the diagnostics
     std::vector<std::shared_ptr<const Root>> unmade_ = {};  ///< roots whose models have not been requested yet
     std::map<std::string, std::string> published_ = {};     ///< by address: the diagnostics last published
@@ -126,13 +126,13 @@ private:
     Client can_ = {};
     struct Verdicts {
         std::uint64_t number = 0;  ///< of the parse that they belong to
-        std::map<std::string, Shown> by_key = {};
+        std::map<std::string, VerdictDetails> by_key = {};
     };
     std::map<std::string, Verdicts> verdicts_ = {};  ///< by path of the root
-    enum class Telling { Nothing, Asked, Going };
-    Telling telling_ = Telling::Nothing;  ///< kind of progress reports to the client
+    enum class ProgressState { Nothing, Requested, Going };
+    ProgressState telling_ = ProgressState::Nothing;  ///< kind of progress reports to the client
     std::uint64_t token_ = 0;
-    std::unique_ptr<Prover> prover_;  ///< last member: destroyed first
+    std::unique_ptr<BackgroundChecker> prover_;  ///< last member: destroyed first
 };
 
 }  // namespace grafverif::lsp

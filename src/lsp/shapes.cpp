@@ -39,7 +39,7 @@ Json json_of(const Place& place, const UriOf& uri_of) {
     return {{"uri", uri_of(place.path)}, {"range", json_of(place.range)}};
 }
 
-Json json_of(const Told& told, const UriOf& uri_of) {
+Json json_of(const LspDiagnostic& told, const UriOf& uri_of) {
     Json json = {{"range", json_of(told.where.range)},
                  {"severity", number_of(told.severity)},
                  {"source", "grafverif"},
@@ -60,7 +60,7 @@ Json json_of(const std::vector<Edit>& edits, const UriOf& uri_of) {
     return {{"changes", std::move(changes)}};
 }
 
-Json quick_fix(const Told& told, const UriOf& uri_of) {
+Json quick_fix(const LspDiagnostic& told, const UriOf& uri_of) {
     return {{"title", title_of(*told.fix)},
             {"kind", "quickfix"},
             {"isPreferred", true},

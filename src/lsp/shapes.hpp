@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "lsp/diagnostics.hpp"
 #include "lsp/text.hpp"
-#include "lsp/told.hpp"
 
 namespace grafverif::lsp {
 
@@ -20,11 +20,11 @@ using UriOf = std::function<std::string(const std::string& path)>;
 Json json_of(Position position);
 Json json_of(Range range);
 Json json_of(const Place& place, const UriOf& uri_of);
-Json json_of(const Told& told, const UriOf& uri_of);
+Json json_of(const LspDiagnostic& told, const UriOf& uri_of);
 /// A WorkspaceEdit.
 Json json_of(const std::vector<Edit>& edits, const UriOf& uri_of);
 /// A CodeAction that applies the hint of `told`.
-Json quick_fix(const Told& told, const UriOf& uri_of);
+Json quick_fix(const LspDiagnostic& told, const UriOf& uri_of);
 
 Position position_of(const Json& json);
 Range range_of(const Json& json);

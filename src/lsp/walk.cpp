@@ -16,26 +16,26 @@ public:
     Declarer(const Parsed& file, Names& names) : file_(file), names_(names) {}
 
     void declare(const tree::Chart& chart) {
-        const std::string key = top(Kind::Chart, "chart ", chart.name, chart.where);
+        const std::string key = top(DeclarationKind::Chart, "chart ", chart.name, chart.where);
         items(key, "", chart.items);
     }
 
     void declare(const tree::Component& component) {
-        const std::string key = top(Kind::Component, "component ", component.name, component.where);
+        const std::string key = top(DeclarationKind::Component, "component ", component.name, component.where);
         for (const tree::Variables& group : component.parameters)
             variables(key, group,
-                      group.kind == tree::VariableKind::Input    ? Kind::InputParameter
-                      : group.kind == tree::VariableKind::Output ? Kind::OutputParameter
-                                                                 : Kind::Constant);
+                      group.kind == tree::VariableKind::Input    ? DeclarationKind::InputParameter
+                      : group.kind == tree::VariableKind::Output ? DeclarationKind::OutputParameter
+                                                                 : DeclarationKind::Constant);
         for (const tree::ComponentItem& item : component.items)
             std::visit(overloaded{
-                           [&](const tree::Variables& group) { variables(key, group, Kind::Own); },
+                           [&](const tree::Variables& group) { variables(key, group, DeclarationKind::Own); },
                            [&](const tree::Clocks& clocks) {
                                for (const tree::Name& name : clocks.names)
-                                   part(Kind::Clock, key, "v ", name, name.where);
+                                   part(DeclarationKind::Clock, key, "v ", name, name.where);
                            },
                            [&](const tree::Location& location) {
-                               part(Kind::Location, key, "l ", location.name, location.where);
+                               part(DeclarationKind::Location, key, "l ", location.name, location.where);
                            },
                            [](const tree::Constraint&) {},
                            [](const tree::Edge&) {},
@@ -44,25 +44,27 @@ public:
     }
 
     void declare(const tree::ClosedLoop& loop) {
-        const std::string key = top(Kind::Loop, "loop ", loop.name, loop.where);
+        const std::string key = top(DeclarationKind::Loop, "loop ", loop.name, loop.where);
         for (const tree::LoopItem& item : loop.items)
             std::visit(overloaded{
                            [&](const tree::Controller& controller) {
                                names_.controllers_[key].push_back("chart " + text(controller.chart));
                            },
                            [&](const tree::Instance& instance) {
-                               const std::string own = part(Kind::Instance, key, "i ", instance.name, instance.where);
+                               const std::string own =
+                                   part(DeclarationKind::Instance, key, "i ", instance.name, instance.where);
                                names_.components_[own] = "component " + text(instance.component);
                            },
-                           [&](const tree::Variables& group) { variables(key, group, Kind::Constant); },
+                           [&](const tree::Variables& group) { variables(key, group, DeclarationKind::Constant); },
                            [&](const tree::Property& property) {
-                               part(Kind::Property, key, "q ", property.name, property.where);
+                               part(DeclarationKind::Property, key, "q ", property.name, property.where);
                            },
                            [&](const tree::Observer& observer) {
-                               const std::string own = part(Kind::Observer, key, "i ", observer.name, observer.where);
+                               const std::string own =
+                                   part(DeclarationKind::Observer, key, "i ", observer.name, observer.where);
                                for (const tree::ObserverItem& each : observer.items)
                                    if (const auto* location = std::get_if<tree::Location>(&each))
-                                       part(Kind::Location, own, "l ", location->name, location->where);
+                                       part(DeclarationKind::Location, own, "l ", location->name, location->where);
                            },
                            [](const auto&) {},
                        },
@@ -74,18 +76,18 @@ public:
     /// Declares the variables that an output of the plant is bound to and that no controller declares.
     void declare_plant(const tree::ClosedLoop& loop) {
         const std::string key = "loop " + text(loop.name);
-        const Thing* const owner = names_.thing(key);
+        const Declaration* const owner = names_.thing(key);
         for (const tree::LoopItem& item : loop.items) {
             const auto* instance = std::get_if<tree::Instance>(&item);
             if (instance == nullptr || owner == nullptr) continue;
             for (const tree::Argument& argument : instance->arguments) {
-                const Thing* const parameter =
+                const Declaration* const parameter =
                     names_.thing("component " + text(instance->component) + "/v " + text(argument.parameter));
-                if (parameter == nullptr || parameter->kind != Kind::OutputParameter) continue;
+                if (parameter == nullptr || parameter->kind != DeclarationKind::OutputParameter) continue;
                 const tree::Expr& value = file_.tree.exprs[argument.value];
                 if (value.op != tree::Op::Name || !term_key(names_, *owner, "", file_.tree.text(value.word)).empty())
                     continue;
-                part(Kind::PlantVariable, key, "v ", {value.word, value.where}, argument.where);
+                part(DeclarationKind::PlantVariable, key, "v ", {value.word, value.where}, argument.where);
             }
         }
     }
@@ -93,19 +95,20 @@ public:
 private:
     std::string text(const tree::Name& name) const { return std::string(file_.tree.text(name)); }
 
-    std::string add(Thing thing) {
+    std::string add(Declaration thing) {
         std::string key = thing.key;
-        names_.things_.try_emplace(key, std::move(thing));  // of two with one name, the first is kept
+        names_.elements_.try_emplace(key, std::move(thing));  // of two with one name, the first is kept
         return key;
     }
-    std::string top(Kind kind, const char* word, const tree::Name& name, Span whole) {
+    std::string top(DeclarationKind kind, const char* word, const tree::Name& name, Span whole) {
         return add({kind, text(name), word + text(name), "", &file_, name.where, whole});
     }
-    std::string part(Kind kind, const std::string& owner, const char* word, const tree::Name& name, Span whole) {
+    std::string part(DeclarationKind kind, const std::string& owner, const char* word, const tree::Name& name,
+                     Span whole) {
         return add({kind, text(name), owner + "/" + word + text(name), owner, &file_, name.where, whole});
     }
 
-    void variables(const std::string& owner, const tree::Variables& group, Kind kind) {
+    void variables(const std::string& owner, const tree::Variables& group, DeclarationKind kind) {
         for (const tree::Variable& variable : group.variables) part(kind, owner, "v ", variable.name, variable.where);
     }
 
@@ -115,22 +118,22 @@ private:
             std::visit(overloaded{
                            [&](const tree::Variables& group) {
                                variables(chart, group,
-                                         group.kind == tree::VariableKind::Input    ? Kind::Input
-                                         : group.kind == tree::VariableKind::Output ? Kind::Output
-                                                                                    : Kind::Internal);
+                                         group.kind == tree::VariableKind::Input    ? DeclarationKind::Input
+                                         : group.kind == tree::VariableKind::Output ? DeclarationKind::Output
+                                                                                    : DeclarationKind::Internal);
                            },
                            [&](const tree::Step& step) {
-                               const std::string key =
-                                   add({Kind::Step, text(step.name), chart + "/s " + partial + "/" + text(step.name),
-                                        chart, &file_, step.name.where, step.where});
+                               const std::string key = add({DeclarationKind::Step, text(step.name),
+                                                            chart + "/s " + partial + "/" + text(step.name), chart,
+                                                            &file_, step.name.where, step.where});
                                names_.steps_[chart + "/" + text(step.name)].push_back(key);
                            },
                            [&](const tree::Transition& transition) {
                                if (transition.name.valid())
-                                   part(Kind::Transition, chart, "t ", transition.name, transition.where);
+                                   part(DeclarationKind::Transition, chart, "t ", transition.name, transition.where);
                            },
                            [&](const tree::Partial& inner) {
-                               part(Kind::Partial, chart, "p ", inner.name, inner.where);
+                               part(DeclarationKind::Partial, chart, "p ", inner.name, inner.where);
                                items(chart, text(inner.name), inner.items);
                            },
                            [](const tree::Constraint&) {},
@@ -189,7 +192,7 @@ private:
         if (!found_.empty() && found_.back().key == key) found_.back().writes = true;
     }
     void declared(const std::string& key, Span where) {
-        const Thing* const thing = names_.thing(key);
+        const Declaration* const thing = names_.thing(key);
         if (thing == nullptr) return;
         const bool first = thing->file == &file_ && thing->where.begin == where.begin;
         found_.push_back({key, where, 0, first, false});
@@ -198,11 +201,11 @@ private:
     // Terms
 
     std::uint32_t skipped(const std::string& key) const {
-        const Thing* const thing = names_.thing(key);
-        return thing != nullptr && thing->kind == Kind::Step ? 1 : 0;
+        const Declaration* const thing = names_.thing(key);
+        return thing != nullptr && thing->kind == DeclarationKind::Step ? 1 : 0;
     }
 
-    void term(const Thing& owner, const std::string& partial, Id<tree::Expr> root) {
+    void term(const Declaration& owner, const std::string& partial, Id<tree::Expr> root) {
         std::vector<Id<tree::Expr>> waiting;
         if (root.valid()) waiting.push_back(root);
         while (!waiting.empty()) {
@@ -221,12 +224,12 @@ private:
     }
 
     /// `owner.name`: the name is the last token of the node.
-    void member(const Thing& owner, const tree::Expr& expr) {
+    void member(const Declaration& owner, const tree::Expr& expr) {
         const std::string name(file_.tree.text(expr.word));
         const Span where = {expr.where.source, expr.where.end - static_cast<std::uint32_t>(name.size()),
                             expr.where.end};
         const tree::Expr& left = file_.tree.exprs[expr.first];
-        std::string chart = owner.kind == Kind::Chart ? owner.key : std::string(), partial;
+        std::string chart = owner.kind == DeclarationKind::Chart ? owner.key : std::string(), partial;
         tree::Name last{left.word, left.where};
         if (left.op == tree::Op::Member) {
             const tree::Expr& outer = file_.tree.exprs[left.first];
@@ -237,7 +240,7 @@ private:
             return;
         }
         const std::string before = text(last);
-        if (owner.kind == Kind::Loop && left.op == tree::Op::Name) {
+        if (owner.kind == DeclarationKind::Loop && left.op == tree::Op::Name) {
             const std::string part = owner.key + "/i " + before;
             if (names_.thing(part) != nullptr) {
                 use(part, last.where);
@@ -257,15 +260,15 @@ private:
         if (name.starts_with('X')) use(step_key(names_, chart, partial, name.substr(1)), where, 1);
     }
 
-    void assignments(const Thing& owner, const std::string& partial, const std::vector<tree::Assignment>& all) {
+    void assignments(const Declaration& owner, const std::string& partial, const std::vector<tree::Assignment>& all) {
         for (const tree::Assignment& each : all) assignment(owner, partial, each);
     }
-    void assignment(const Thing& owner, const std::string& partial, const tree::Assignment& written) {
+    void assignment(const Declaration& owner, const std::string& partial, const tree::Assignment& written) {
         write(owner.key + "/v " + text(written.target), written.target.where);
         term(owner, partial, written.value);
     }
 
-    void variables(const Thing& owner, const tree::Variables& group) {
+    void variables(const Declaration& owner, const tree::Variables& group) {
         for (const tree::Variable& variable : group.variables) {
             declared(owner.key + "/v " + text(variable.name), variable.name.where);
             if (variable.range) term(owner, "", variable.range->low), term(owner, "", variable.range->high);
@@ -280,10 +283,10 @@ private:
     void find(const tree::Chart& chart) {
         const std::string key = "chart " + text(chart.name);
         declared(key, chart.name.where);
-        if (const Thing* const owner = names_.thing(key)) items(*owner, "", chart.items);
+        if (const Declaration* const owner = names_.thing(key)) items(*owner, "", chart.items);
     }
 
-    void items(const Thing& chart, const std::string& partial, const std::vector<tree::ChartItem>& all) {
+    void items(const Declaration& chart, const std::string& partial, const std::vector<tree::ChartItem>& all) {
         for (const tree::ChartItem& item : all)
             std::visit(overloaded{
                            [&](const tree::Variables& group) { variables(chart, group); },
@@ -299,11 +302,11 @@ private:
                        item);
     }
 
-    void steps(const Thing& chart, const std::string& partial, const std::vector<tree::Name>& labels) {
+    void steps(const Declaration& chart, const std::string& partial, const std::vector<tree::Name>& labels) {
         for (const tree::Name& label : labels) use(step_key(names_, chart.key, partial, text(label)), label.where);
     }
 
-    void step(const Thing& chart, const std::string& partial, const tree::Step& step) {
+    void step(const Declaration& chart, const std::string& partial, const tree::Step& step) {
         declared(chart.key + "/s " + partial + "/" + text(step.name), step.name.where);
         for (const tree::Name& inner : step.contents) use(chart.key + "/p " + text(inner), inner.where);
         for (const tree::Action& action : step.actions)
@@ -324,7 +327,7 @@ private:
                        action);
     }
 
-    void transition(const Thing& chart, const std::string& partial, const tree::Transition& transition) {
+    void transition(const Declaration& chart, const std::string& partial, const tree::Transition& transition) {
         if (transition.name.valid()) declared(chart.key + "/t " + text(transition.name), transition.name.where);
         steps(chart, partial, transition.from);
         steps(chart, partial, transition.to);
@@ -333,7 +336,7 @@ private:
     }
 
     /// `accept CODE X4 "...";`: the tree has no location of the subject, which is the last token before the reason.
-    void subject(const Thing& chart, const tree::Accept& accept) {
+    void subject(const Declaration& chart, const tree::Accept& accept) {
         if (accept.subject.empty()) return;
         const std::string_view all = file_.bytes(accept.where);
         const std::size_t at = all.substr(0, all.find('"')).rfind(accept.subject);
@@ -353,7 +356,7 @@ private:
     void find(const tree::Component& component) {
         const std::string key = "component " + text(component.name);
         declared(key, component.name.where);
-        const Thing* const owner = names_.thing(key);
+        const Declaration* const owner = names_.thing(key);
         if (owner == nullptr) return;
         for (const tree::Variables& group : component.parameters) variables(*owner, group);
         for (const tree::ComponentItem& item : component.items)
@@ -384,7 +387,7 @@ private:
     void find(const tree::ClosedLoop& loop) {
         const std::string key = "loop " + text(loop.name);
         declared(key, loop.name.where);
-        const Thing* const owner = names_.thing(key);
+        const Declaration* const owner = names_.thing(key);
         if (owner == nullptr) return;
         for (const tree::LoopItem& item : loop.items)
             std::visit(overloaded{
@@ -406,7 +409,7 @@ private:
                        item);
     }
 
-    void instance(const Thing& loop, const tree::Instance& instance) {
+    void instance(const Declaration& loop, const tree::Instance& instance) {
         declared(loop.key + "/i " + text(instance.name), instance.name.where);
         const std::string component = "component " + text(instance.component);
         use(component, instance.component.where);
@@ -416,17 +419,18 @@ private:
             const tree::Expr& value = file_.tree.exprs[argument.value];
             const std::size_t before = found_.size();
             term(loop, "", argument.value);
-            const Thing* const bound = names_.thing(parameter);
-            if (found_.size() != before + 1 || bound == nullptr || bound->kind != Kind::OutputParameter) continue;
+            const Declaration* const bound = names_.thing(parameter);
+            if (found_.size() != before + 1 || bound == nullptr || bound->kind != DeclarationKind::OutputParameter)
+                continue;
             found_.back().writes = true;
-            const Thing* const plant = names_.thing(found_.back().key);
-            found_.back().declares =
-                plant->kind == Kind::PlantVariable && plant->file == &file_ && plant->where.begin == value.where.begin;
+            const Declaration* const plant = names_.thing(found_.back().key);
+            found_.back().declares = plant->kind == DeclarationKind::PlantVariable && plant->file == &file_ &&
+                                     plant->where.begin == value.where.begin;
         }
         if (instance.initial.valid()) use(component + "/l " + text(instance.initial), instance.initial.where);
     }
 
-    void observer(const Thing& loop, const tree::Observer& observer) {
+    void observer(const Declaration& loop, const tree::Observer& observer) {
         const std::string key = loop.key + "/i " + text(observer.name);
         declared(key, observer.name.where);
         for (const tree::ObserverItem& item : observer.items)
@@ -450,22 +454,22 @@ private:
 
 std::vector<Use> uses_in(const Parsed& file, const Names& names) { return Finder(file, names).all(); }
 
-std::string term_key(const Names& names, const Thing& owner, std::string_view partial, std::string_view name) {
+std::string term_key(const Names& names, const Declaration& owner, std::string_view partial, std::string_view name) {
     const std::string wanted(name);
     const auto step = [&](const std::string& chart) {
         return name.size() > 1 && name[0] == 'X' ? Finder::step_key(names, chart, partial, name.substr(1))
                                                  : std::string();
     };
     const std::string own = owner.key + "/v " + wanted;
-    if (owner.kind != Kind::Loop) {
+    if (owner.kind != DeclarationKind::Loop) {
         if (names.thing(own) != nullptr) return own;
-        return owner.kind == Kind::Chart ? step(owner.key) : std::string();
+        return owner.kind == DeclarationKind::Chart ? step(owner.key) : std::string();
     }
     const std::vector<std::string> charts = names.controllers(owner.key);
     for (const bool internal : {false, true}) {
         for (const std::string& chart : charts) {
-            const Thing* const found = names.thing(chart + "/v " + wanted);
-            if (found != nullptr && (found->kind == Kind::Internal) == internal) return found->key;
+            const Declaration* const found = names.thing(chart + "/v " + wanted);
+            if (found != nullptr && (found->kind == DeclarationKind::Internal) == internal) return found->key;
         }
         if (!internal && names.thing(own) != nullptr) return own;
     }

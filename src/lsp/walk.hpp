@@ -19,6 +19,6 @@ std::vector<Use> uses_in(const Parsed& file, const Names& names);
 
 /// The element that a term's `name` denotes in `owner`, a chart, component or loop, and its partial chart; empty if
 /// none.
-std::string term_key(const Names& names, const Thing& owner, std::string_view partial, std::string_view name);
+std::string term_key(const Names& names, const Declaration& owner, std::string_view partial, std::string_view name);
 
 }  // namespace grafverif::lsp

@@ -202,8 +202,8 @@ Files Workspace::related(const std::string& path) {
 
 // -- parsing ----------------------------------------------------------------------------------------------------------
 
-Reading Workspace::reading(const std::string& path, Inputs& inputs) {
-    Reading reading;
+ParseResult Workspace::reading(const std::string& path, Inputs& inputs) {
+    ParseResult reading;
     const auto main = text(path);
     inputs.emplace_back(path, main);
     if (main == nullptr) return reading;

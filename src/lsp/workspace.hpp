@@ -13,7 +13,7 @@
 
 #include "grafverif/grafverif.hpp"
 #include "lsp/text.hpp"
-#include "pipeline/watch.hpp"
+#include "pipeline/file_watcher.hpp"
 #include "read/text.hpp"
 #include "syntax/language/tree.hpp"
 
@@ -79,7 +79,7 @@ public:
     bool cut_short() const { return cut_short_; }
 
     /// Parses the file with its includes.
-    Reading reading(const std::string& path, Inputs& inputs);
+    ParseResult reading(const std::string& path, Inputs& inputs);
     bool holds(const Inputs& inputs);
 
 private:
@@ -90,7 +90,7 @@ private:
     std::vector<std::string> include_folders_, folders_ = {};
     const std::atomic<bool>* stop_;
     std::map<std::string, OpenText> open_ = {};  ///< by address
-    Watch watch_ = {};
+    FileWatcher watch_ = {};
     std::map<std::string, std::shared_ptr<const Text>> disk_ = {};      ///< by path; null: it cannot be read
     std::map<std::string, std::shared_ptr<const Parsed>> parsed_ = {};  ///< by path
     std::vector<std::string> files_ = {};                               ///< of the folders

@@ -42,7 +42,7 @@ Json rows_json(const ChartRun& run) {
     for (std::size_t k = 0; k < run.rows.size(); ++k)
         rows.push_back({{"moment", run.rows[k].moment},
                         {"words", happening(run, k)},
-                        {"cleared", cleared_words(run, run.rows[k])},
+                        {"cleared", cleared_text(run, run.rows[k])},
                         {"shown", is_shown(run, k)}});
     return rows;
 }
@@ -85,9 +85,9 @@ Json violation_json(const std::optional<SentenceViolation>& violation) {
 
 /// Omits the moves of observers, which change nothing in the loop.
 void omit_observers(ChartRun& run, std::optional<SentenceViolation>& violation) {
-    std::vector<ChartRun::Moment> kept;
+    std::vector<ChartRun::Event> kept;
     std::vector<std::size_t> places;  // per event, the last one kept at or before it
-    for (ChartRun::Moment& moment : run.moments) {
+    for (ChartRun::Event& moment : run.moments) {
         if (moment.kind != ChartRun::Kind::Observer) kept.push_back(std::move(moment));
         places.push_back(kept.size() - 1);
     }
@@ -100,7 +100,7 @@ void omit_observers(ChartRun& run, std::optional<SentenceViolation>& violation) 
     for (ChartRun::Row& row : run.rows) move(row.moment);
     for (ChartRun::Cause& cause : run.causes) move(cause.first), move(cause.last);
     for (std::size_t& moment : run.left_out) move(moment);
-    for (ChartRun::LeftOut& each : run.left_out_values) move(each.moment);
+    for (ChartRun::Counterfactual& each : run.counterfactual_values) move(each.moment);
     run.moments = std::move(kept);
     if (!violation) return;
     move(violation->moment);
@@ -130,9 +130,9 @@ std::vector<const Property*> left_out(const PageContent& content) {
     std::vector<const Property*> list;
     if (!content.loop.valid()) return list;
     for (const Property& property : content.model.loops[content.loop].properties) {
-        const bool asked =
-            content.asked.empty() || std::ranges::find(content.asked, property.name) != content.asked.end();
-        if (asked && !has_answer(content.report, property)) list.push_back(&property);
+        const bool requested =
+            content.requested.empty() || std::ranges::find(content.requested, property.name) != content.requested.end();
+        if (requested && !has_result(content.report, property)) list.push_back(&property);
     }
     return list;
 }
@@ -159,13 +159,13 @@ std::vector<Playable> playable_runs(const PageContent& content) {
         room -= run.run->moments.size();
         runs.push_back(std::move(run));
     };
-    for (std::size_t k = 0; k < content.report.breakdowns.size(); ++k) {
-        const Breakdown& each = content.report.breakdowns[k];
+    for (std::size_t k = 0; k < content.report.error_traces.size(); ++k) {
+        const ModelErrorTrace& each = content.report.error_traces[k];
         add({"breakdown-" + std::to_string(k + 1), "breakdown", "model error: " + each.code, each.message, "",
              &each.trace, all});
     }
     for (const bool violated : {true, false})
-        for (const Answer& answer : content.report.answers) {
+        for (const PropertyResult& answer : content.report.answers) {
             const Verdict& verdict = answer.verdict;
             if (!answer.trace || (verdict.outcome == Outcome::Violated) != violated) continue;
             const std::string kind = violated ? "counterexample" : "witness";

@@ -16,7 +16,7 @@ namespace grafverif {
 
 namespace {
 
-struct Glance {
+struct SummaryItem {
     const char* kind = "";
     std::string words = {};
 };
@@ -37,7 +37,7 @@ std::size_t errors_found(const PageContent& content) {
 }
 
 /// The errors of the charts themselves; empty: none.
-std::string errors_words(const PageContent& content) {
+std::string errors_text(const PageContent& content) {
     if (const std::size_t errors = errors_found(content); errors != 0)
         return "the chart analysis found " + counted(errors, "error", "errors");
     const bool complete =
@@ -46,14 +46,14 @@ std::string errors_words(const PageContent& content) {
 }
 
 /// The summary is positive only if every property was decided as expected and the charts have no errors.
-Glance glance_of(const PageContent& content) {
+SummaryItem glance_of(const PageContent& content) {
     const Report& report = content.report;
     const Tally count = tally(report);
     const bool analysis_failed =
         std::ranges::any_of(content.charts, [](const ChartContent& each) { return !each.analysis.failures.empty(); });
     if (!report.failures.empty() || analysis_failed)
         return {"bad", "Internal error: the trace fails the IEC 60848 replay check."};
-    if (!report.breakdowns.empty()) return {"bad", "Model error."};
+    if (!report.error_traces.empty()) return {"bad", "Model error."};
     if (count.unexpected != 0)
         return {"bad", fmt::format("{} unexpected.", counted(count.unexpected, "verdict is", "verdicts are"))};
     if (const std::size_t open = undecided(content); open != 0)
@@ -61,16 +61,16 @@ Glance glance_of(const PageContent& content) {
     if (count.holds + count.violated == 0) return {"unknown", "There are no properties."};
     std::string words =
         fmt::format("Every {}{} {}", count.violated == 0 ? "property" : "verdict",
-                    content.asked.empty() ? "" : " selected", count.violated == 0 ? "holds" : "is as expected");
+                    content.requested.empty() ? "" : " selected", count.violated == 0 ? "holds" : "is as expected");
     const auto vacuous = static_cast<std::size_t>(
-        std::ranges::count_if(report.answers, [](const Answer& answer) { return answer.verdict.vacuous; }));
+        std::ranges::count_if(report.answers, [](const PropertyResult& answer) { return answer.verdict.vacuous; }));
     if (vacuous != 0) words += fmt::format(", {} vacuously", vacuous);
-    const std::string errors = errors_words(content);
+    const std::string errors = errors_text(content);
     if (errors.empty()) return {vacuous == 0 ? "ok" : "unknown", words + "."};
     return {"unknown", fmt::format("{}; {} (see Findings).", words, errors)};
 }
 
-std::string tally_words(const PageContent& content) {
+std::string tally_text(const PageContent& content) {
     const Tally count = tally(content.report);
     std::vector<std::string> words;
     if (count.holds != 0) words.push_back(counted(count.holds, "holds", "hold"));
@@ -81,28 +81,30 @@ std::string tally_words(const PageContent& content) {
 
 /// The assumptions of all verdicts, one sentence each.
 std::vector<std::string> assumptions(const PageContent& content) {
-    const Basis& basis = content.report.basis;
+    const CheckSettings& settings = content.report.settings;
     std::vector<std::string> said;
-    if (!content.asked.empty()) said.push_back("Only these properties were selected: " + listed(content.asked) + ".");
-    if (basis.untimed.empty())
+    if (!content.requested.empty())
+        said.push_back("Only these properties were selected: " + listed(content.requested) + ".");
+    if (settings.untimed.empty())
         said.push_back(
             fmt::format("Time: the {} engine checked the timed closed loop in units of {}; a PLC cycle takes no time.",
-                        basis.engine, seconds_text(basis.time_unit_ms)));
+                        settings.engine, seconds_text(settings.time_unit_ms)));
     else
         said.push_back(
-            fmt::format("No time: the {} engine checked the untimed model ({}){}.", basis.engine, basis.untimed,
+            fmt::format("No time: the {} engine checked the untimed model ({}){}.", settings.engine, settings.untimed,
                         content.loop.valid() ? "; each verdict states what it implies for the timed loop" : ""));
-    if (!basis.constants.empty()) said.push_back("Constants of the loop: " + constants_text(basis.constants) + ".");
-    if (basis.mode == word(ExecutionMode::StabilitySearch))
+    if (!settings.constants.empty())
+        said.push_back("Constants of the loop: " + constants_text(settings.constants) + ".");
+    if (settings.mode == word(ExecutionMode::StabilitySearch))
         said.push_back(
             "Stability search: the PLC reads its inputs, evolves until the situation is stable, and then writes its "
             "outputs.");
-    else if (basis.mode == word(ExecutionMode::EveryCycle))
+    else if (settings.mode == word(ExecutionMode::EveryCycle))
         said.push_back("Every cycle: the PLC makes one evolution per cycle and writes its outputs in each cycle.");
-    else said.push_back(fmt::format("Modes of the controllers: {}.", basis.mode));
-    if (basis.grain == "phased")
+    else said.push_back(fmt::format("Modes of the controllers: {}.", settings.mode));
+    if (settings.grain == "phased")
         said.push_back("Grain phased: the plant and the timers can move between the phases of a PLC cycle.");
-    else if (basis.grain == "atomic")
+    else if (settings.grain == "atomic")
         said.push_back(
             "Grain atomic: the plant does not move during a PLC cycle; verdicts apply only to this model unless stated "
             "otherwise.");
@@ -115,9 +117,9 @@ std::vector<std::string> assumptions(const PageContent& content) {
         return said;
     }
     const ClosedLoop& loop = content.model.loops[content.loop];
-    if (basis.untimed.starts_with("no plant")) {
+    if (settings.untimed.starts_with("no plant")) {
         said.push_back("This model has no plant: every input can change at any time.");
-        if (basis.untimed.find("constrained inputs") == std::string::npos) return said;
+        if (settings.untimed.find("constrained inputs") == std::string::npos) return said;
         for (const ClosedLoop::Constraint& constraint : loop.constraints)
             said.push_back(fmt::format("The inputs always satisfy {}: {}", constraint.name,
                                        term_text(content.model, loop, constraint.condition)));
@@ -140,10 +142,10 @@ void add_head(const PageContent& content, Html& html) {
     html.open("p", {{"class", "about"}}).put("code", content.file).text(" · grafverif " + content.version);
     if (!content.date.empty()) html.text(" · " + content.date);
     html.close("p");
-    const Glance glance = glance_of(content);
+    const SummaryItem glance = glance_of(content);
     html.open("p", {{"class", std::string("glance ") + glance.kind}}).put("strong", glance.words);
-    html.put("span", tally_words(content)).close("p");
-    for (const Breakdown& each : content.report.breakdowns)
+    html.put("span", tally_text(content)).close("p");
+    for (const ModelErrorTrace& each : content.report.error_traces)
         html.put("p", "Model error: " + each.message + " [" + each.code + "]", {{"class", "bad"}});
     for (const std::string& failure : content.report.failures) html.put("p", failure, {{"class", "bad"}});
     html.open("details", {{"class", "assumed"}, {"open", ""}}).put("summary", "Assumptions").open("ul");

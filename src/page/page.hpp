@@ -44,7 +44,7 @@ struct PageContent {
     const Sources& sources;
     std::string file = {}, version = {};
     std::string date = {};                          ///< as given; empty: not shown
-    std::vector<std::string> asked = {};            ///< the selected properties; empty: all
+    std::vector<std::string> requested = {};        ///< the selected properties; empty: all
     Id<ClosedLoop> loop = {};                       ///< not valid: a chart alone
     std::vector<ChartContent> charts = {};          ///< of the controllers, in order
     std::vector<ComponentContent> components = {};  ///< of the plant, each once

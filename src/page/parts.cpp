@@ -10,9 +10,9 @@
 #include "page/data.hpp"
 #include "page/terms.hpp"
 #include "page/words.hpp"
-#include "report/basis.hpp"
 #include "report/findings.hpp"
 #include "report/report.hpp"
+#include "report/settings_text.hpp"
 #include "report/terminal.hpp"
 #include "syntax/print/equations.hpp"
 
@@ -38,7 +38,7 @@ void add_play(Html& html, const ChartRun& trace, const std::string& run, std::st
 
 // -- properties -------------------------------------------------------------------------------------------------------
 
-std::string outcome_words(const Verdict& verdict) {
+std::string outcome_text(const Verdict& verdict) {
     std::string words(word(verdict.outcome));
     if (verdict.vacuous) words += ", vacuously";
     if (verdict.expected_violated && verdict.outcome != Outcome::Unknown)
@@ -54,7 +54,7 @@ std::pair<const char*, const char*> look_of(const Verdict& verdict) {
     return {verdict.outcome == Outcome::Holds ? "ok" : "expected", mark};
 }
 
-void add_answer(const PageContent& content, const Answer& answer, Html& html) {
+void add_result(const PageContent& content, const PropertyResult& answer, Html& html) {
     const Verdict& verdict = answer.verdict;
     const auto [kind, mark] = look_of(verdict);
     const bool folded = verdict.outcome == Outcome::Holds && as_expected(verdict) && !verdict.vacuous;
@@ -64,8 +64,8 @@ void add_answer(const PageContent& content, const Answer& answer, Html& html) {
     html.put("span", mark, {{"class", "mark"}, {"aria-hidden", "true"}});
     html.open("strong").text(verdict.property).close("strong");
     if (!answer.text.empty()) html.put("span", answer.text, {{"class", "prose"}});
-    html.put("span", outcome_words(verdict), {{"class", "outcome"}}).close("summary");
-    if (const std::string formula = claim_text(content.model, content.loop, verdict.property, content.sources);
+    html.put("span", outcome_text(verdict), {{"class", "outcome"}}).close("summary");
+    if (const std::string formula = expectation_text(content.model, content.loop, verdict.property, content.sources);
         !formula.empty())
         html.open("pre", {{"class", "formula"}}).put("code", formula).close("pre");
     if (!verdict.declared && verdict.outcome != Outcome::Unknown)
@@ -74,7 +74,7 @@ void add_answer(const PageContent& content, const Answer& answer, Html& html) {
     for (const std::string& note : verdict.notes) html.open("p").text("Note: ").prose(note).close("p");
     html.open("p", {{"class", "remark"}})
         .text("Assumptions: ")
-        .prose(basis_words(content.report, answer) + ".")
+        .prose(settings_text(content.report, answer) + ".")
         .close("p");
     const bool witness = verdict.outcome == Outcome::Holds;
     if (answer.trace) add_play(html, *answer.trace, verdict.property, witness ? "witness" : "counterexample");
@@ -112,7 +112,7 @@ void add_finding(const PageContent& content, const Analysis& analysis, const Fin
     html.close("li");
 }
 
-void add_open_questions(const Analysis& analysis, Html& html) {
+void add_open_queries(const Analysis& analysis, Html& html) {
     if (analysis.open.empty()) return;
     html.put("p", "The analysis is incomplete: " + analysis.obstacle + ".");
     html.open("details")
@@ -145,7 +145,7 @@ void add_coverage_of(const PageContent& content, std::size_t place, Html& html) 
             const ChartRun::Controller& controller = run.controllers[{static_cast<std::uint32_t>(k)}];
             std::set<Id<ChartRun::Step>> active;
             std::set<Id<ChartRun::Transition>> cleared;
-            for (const ChartRun::Moment& moment : run.moments) {
+            for (const ChartRun::Event& moment : run.moments) {
                 active.insert(moment.after.situation.begin(), moment.after.situation.end());
                 for (const ChartRun::Act& act : moment.acts)
                     if (act.evolves) cleared.insert(act.fired.begin(), act.fired.end());
@@ -179,10 +179,10 @@ void add_verdicts(const PageContent& content, Html& html) {
         html.put("span", "unknown", {{"class", "outcome"}}).close("summary");
         html.put("p", "This model does not support the property; see the warnings.").close("details");
     }
-    for (const Answer& answer : content.report.answers)
-        if (look_of(answer.verdict).first != std::string_view("ok")) add_answer(content, answer, html);
-    for (const Answer& answer : content.report.answers)
-        if (look_of(answer.verdict).first == std::string_view("ok")) add_answer(content, answer, html);
+    for (const PropertyResult& answer : content.report.answers)
+        if (look_of(answer.verdict).first != std::string_view("ok")) add_result(content, answer, html);
+    for (const PropertyResult& answer : content.report.answers)
+        if (look_of(answer.verdict).first == std::string_view("ok")) add_result(content, answer, html);
     html.close("section");
 }
 
@@ -210,7 +210,7 @@ void add_findings(const PageContent& content, Html& html) {
         html.open("ul");
         for (const Finding& finding : analysis.findings) add_finding(content, analysis, finding, html);
         html.close("ul").close("details");
-        add_open_questions(analysis, html);
+        add_open_queries(analysis, html);
         for (const std::string& note : analysis.notes)
             html.open("p", {{"class", "remark"}}).prose("Note: " + note).close("p");
         for (const std::string& failure : analysis.failures) html.put("p", failure, {{"class", "bad"}});

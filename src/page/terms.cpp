@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "ir/told_name.hpp"
+#include "ir/display_name.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/chart.hpp"
 #include "syntax/print/sentence.hpp"
@@ -197,7 +197,7 @@ Named named(const Model& model, const ClosedLoop& loop, const ClosedLoop::Symbol
                 const ClosedLoop::Instance& instance = loop.instances[of.instance];
                 const Component::Variable& variable = model.components[instance.component].variables[of.variable];
                 return {{{"op", "signal"}, {"boolean", variable.value == Component::ValueKind::Boolean}},
-                        told_name(instance.name, model.components[instance.component], variable.name)};
+                        display_name(instance.name, model.components[instance.component], variable.name)};
             },
             [&](const ClosedLoop::TimeSymbol& of) -> Named {
                 const Chart& chart = chart_of(of.controller);
@@ -312,7 +312,7 @@ std::string term_text(const Model& model, const ClosedLoop& loop, Id<Expr> term)
     return expr_text(loop.exprs, term, chart_spelling, printer(model, loop));
 }
 
-std::string claim_text(const Model& model, const ClosedLoop& loop, const Property& property) {
+std::string expectation_text(const Model& model, const ClosedLoop& loop, const Property& property) {
     std::vector<std::string> operands;
     for (const Id<Expr> operand : property.operands) operands.push_back(term_text(model, loop, operand));
     const std::string claimed = property.pattern == Pattern::Watched
@@ -325,7 +325,7 @@ namespace {
 
 /// The sentence of a property as written in its file, in one line without comments; empty if the property was not read
 /// from a `.grafcet` file.
-std::string written_claim(const Property& property, const Sources& sources) {
+std::string written_expectation(const Property& property, const Sources& sources) {
     const Span name = property.origin;
     if (!sources.contains(name.source)) return {};
     const std::string_view text = sources[name.source].text;
@@ -351,13 +351,13 @@ std::string written_claim(const Property& property, const Sources& sources) {
 
 }  // namespace
 
-std::string claim_text(const Model& model, Id<ClosedLoop> loop, const std::string& name, const Sources& sources) {
+std::string expectation_text(const Model& model, Id<ClosedLoop> loop, const std::string& name, const Sources& sources) {
     if (!loop.valid()) return {};
     for (const std::string& wanted : {name, name.substr(0, name.find('.'))})
         for (const Property& property : model.loops[loop].properties) {
             if (property.name != wanted) continue;
-            const std::string written = written_claim(property, sources);
-            return written.empty() ? claim_text(model, model.loops[loop], property) : written;
+            const std::string written = written_expectation(property, sources);
+            return written.empty() ? expectation_text(model, model.loops[loop], property) : written;
         }
     return {};
 }

@@ -49,9 +49,9 @@ nlohmann::ordered_json property_json(const Model& model, const ClosedLoop& loop,
 
 /// Terms as the file would write them: a condition of the loop, the formula of a property.
 std::string term_text(const Model& model, const ClosedLoop& loop, Id<Expr> term);
-std::string claim_text(const Model& model, const ClosedLoop& loop, const Property& property);
-/// The formula of the property of that name, or of the one that it is a part of (`S.X7`), as written in `sources`; empty
-/// if there is none.
-std::string claim_text(const Model& model, Id<ClosedLoop> loop, const std::string& name, const Sources& sources);
+std::string expectation_text(const Model& model, const ClosedLoop& loop, const Property& property);
+/// The formula of the property of that name, or of the one that it is a part of (`S.X7`), as written in `sources`;
+/// empty if there is none.
+std::string expectation_text(const Model& model, Id<ClosedLoop> loop, const std::string& name, const Sources& sources);
 
 }  // namespace grafverif

@@ -20,14 +20,14 @@ struct WrittenStep {
 };
 
 /// The source text of expressions, by the beginning of their element.
-struct Written {
+struct SourceTexts {
     std::map<std::uint32_t, std::string> conditions = {}, values = {}, events = {};
     std::vector<WrittenStep> steps = {};
 };
 
 class Collector {
 public:
-    Collector(const tree::File& file, Written& written) : file_(file), written_(written) {}
+    Collector(const tree::File& file, SourceTexts& written) : file_(file), written_(written) {}
 
     void add(const std::vector<tree::ChartItem>& items) {
         for (const tree::ChartItem& item : items)
@@ -62,7 +62,7 @@ private:
     }
 
     const tree::File& file_;
-    Written& written_;
+    SourceTexts& written_;
 };
 
 /// The text of `// text`, `/* text */`, `(* text *)`.
@@ -115,7 +115,7 @@ ChartText text_of(const Model& model, Id<Chart> id, const Sources& sources) {
     Diagnostics known;
     const Id<Source> source = copy.add(sources[chart.origin.source]);
     const tree::File file = read_any(source, copy, {true}, known);
-    Written written;
+    SourceTexts written;
     for (const tree::Declaration& declaration : file.declarations)
         if (const auto* found = std::get_if<tree::Chart>(&declaration); found != nullptr)
             Collector(file, written).add(found->items);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "analyse/analyse.hpp"
-#include "check/cells/cells.hpp"
+#include "check/localization/localization.hpp"
 #include "check/pdr/check.hpp"
 #include "check/symbolic/symbolic.hpp"
 #include "check/vacuity.hpp"
@@ -35,7 +35,7 @@ bool all_known(const std::vector<std::string>& names, const std::vector<std::str
 struct LoopToCheck {
     const Network& network;
     std::vector<const Chart*> charts = {};
-    bool cures_left_out = false;  ///< its runs intentionally differ from those of its charts
+    bool disabled_corrections = false;  ///< its runs intentionally differ from those of its charts
     std::function<std::optional<StateProfile::Finest>()> finest = {};  ///< called if states are explained
 };
 /// `network` is that of `loop`.
@@ -79,8 +79,8 @@ private:
 };
 
 /// The selected properties of the system.
-std::vector<std::size_t> asked_properties(const TransitionSystem& system, const std::vector<std::string>& names);
-std::vector<std::string> names_asked(const TransitionSystem& system, const std::vector<std::string>& names);
+std::vector<std::size_t> selected_properties(const TransitionSystem& system, const std::vector<std::string>& names);
+std::vector<std::string> requested_names(const TransitionSystem& system, const std::vector<std::string>& names);
 
 Report check(const SystemToCheck& check, const CheckOptions& options);
 std::string words_of(const SymbolicProgress& now);
@@ -95,15 +95,15 @@ struct StateSearch {
 StateSearch bounded_search(std::optional<std::uint64_t> max_steps);
 Report check_states(const SystemToCheck& check, const CheckOptions& options, const StateSearch& search = {});
 
-/// Decides selected properties about single states by localization (check/cells/cells.hpp): the verdicts of the system,
-/// without runs. Requires interleaved automata: the system then has the runs of the network that it was derived from,
-/// up to a model error, without clocks if time is abstract. Localization gives no verdict if a model error is possible.
-/// It has a third of the remaining time, and 20 seconds at most.
+/// Decides selected properties about single states by localization (check/localization/localization.hpp): the verdicts
+/// of the system, without runs. Requires interleaved automata: the system then has the runs of the network that it was
+/// derived from, up to a model error, without clocks if time is abstract. Localization gives no verdict if a model
+/// error is possible. It has a third of the remaining time, and 20 seconds at most.
 std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOptions& options,
-                                      const CellLimits& limits = {.whole = 1U << 15U, .local = 1U << 18U});
+                                      const LocalizationLimits& limits = {.whole = 1U << 15U, .local = 1U << 18U});
 
-/// Checks by the symbolic engine, which localization, PDR and BMC join if it takes long. `alone`: see TogetherOptions; about
-/// a second, but the same number of steps on any machine.
+/// Checks by the symbolic engine, which localization, PDR and BMC join if it takes long. `alone`: see TogetherOptions;
+/// about a second, but the same number of steps on any machine.
 Report check_together(const SystemToCheck& check, const CheckOptions& options, std::uint64_t alone = 50'000'000);
 
 /// Checks the implicit properties of a chart alone by `decide`. Under stability search, the search of `analyse` adds
@@ -113,7 +113,7 @@ std::optional<Report> check_chart(const Model& model, Id<Chart> chart, const Mod
                                   const std::function<std::optional<Report>(const SystemToCheck& check)>& decide);
 
 /// Adds the implicit properties of a chart alone: each step is reachable (`reachable.X2`).
-void ask_for_steps(TransitionSystem& system);
+void query_steps(TransitionSystem& system);
 
 Analysis analysis_of(const Chart& chart, const Equations& equations, AnalyseOptions options, const Limits& limits);
 

@@ -26,7 +26,7 @@ std::chrono::steady_clock::time_point end_of_cells(std::optional<std::chrono::st
 }  // namespace
 
 std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOptions& options,
-                                      const CellLimits& limits) {
+                                      const LocalizationLimits& limits) {
     if (options.whole || !check.network || !check.network()) return {};
     const Network network = check.system.ticks.valid() ? *check.network() : without_clocks(*check.network());
     const auto is_observer = [](const Network::Process& process) {
@@ -43,18 +43,18 @@ std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOpt
     timed.max_states = limits.local;
     timed.jobs = options.jobs;
     timed.timelock = false;
-    std::map<std::string_view, Id<Property>> asked;
-    for (const std::size_t index : asked_properties(check.system, options.properties)) {
+    std::map<std::string_view, Id<Property>> requested;
+    for (const std::size_t index : selected_properties(check.system, options.properties)) {
         const Id<Property> id{static_cast<std::uint32_t>(index)};
         const Property& property = check.system.properties[id];
         const auto same = [&](const Property& other) {
             return other.name == property.name && other.pattern == property.pattern;
         };
         if (!is_about_single_states(property.pattern) || std::ranges::none_of(network.properties, same)) continue;
-        asked.emplace(property.name, id);
+        requested.emplace(property.name, id);
         timed.properties.push_back(property.name);
     }
-    if (asked.empty()) return {};
+    if (requested.empty()) return {};
     const auto first_look = [&](const Network& whole, TimedOptions look) {  // other engines search the complete network
         look.max_states = std::min(look.max_states, limits.whole);
         return check_timed_by_parts(whole, look);
@@ -62,7 +62,7 @@ std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOpt
     std::vector<Verdict> decided;
     for (Verdict& found : check_timed_by_cells(network, timed, limits, {}, first_look).verdicts) {
         if (!found.scope.cells || found.outcome == Outcome::Unknown) continue;
-        const Id<Property> id = asked.at(found.property);
+        const Id<Property> id = requested.at(found.property);
         Verdict& verdict = decided.emplace_back(verdict_on(id, check.system.properties[id]));
         verdict.outcome = found.outcome;
         verdict.vacuous = found.vacuous;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "check/pdr/check.hpp"
-#include "check/together.hpp"
+#include "check/portfolio.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
 
@@ -50,7 +50,7 @@ Report check_states(const SystemToCheck& check, const CheckOptions& options, con
     pdr.method = search.method;
     pdr.max_steps = search.max_steps;
     pdr.reach = search.reach;
-    pdr.properties = names_asked(check.system, options.properties);
+    pdr.properties = requested_names(check.system, options.properties);
     set_limits(pdr, options.limits);
     if (options.limits.progress)
         pdr.progress = [&options](const PdrProgress& now) {
@@ -62,12 +62,12 @@ Report check_states(const SystemToCheck& check, const CheckOptions& options, con
 }
 
 Report check_together(const SystemToCheck& check, const CheckOptions& options, std::uint64_t alone) {
-    TogetherOptions all;
+    PortfolioOptions all;
     all.witnesses = options.witnesses;
     all.whole = options.whole;
     set_limits(all, options.limits);
     if (options.limits.progress)
-        all.progress = [&options](const TogetherProgress& now) {
+        all.progress = [&options](const PortfolioProgress& now) {
             options.limits.progress({[&now] {
                 if (now.pdr.seconds == 0) return words_of(now.symbolic);
                 return fmt::format("symbolic: {} steps deep; {}", now.symbolic.depth, words_of(now.pdr));
@@ -75,7 +75,7 @@ Report check_together(const SystemToCheck& check, const CheckOptions& options, s
         };
     all.jobs = options.jobs;
     all.alone = alone;
-    all.properties = names_asked(check.system, options.properties);
+    all.properties = requested_names(check.system, options.properties);
     all.first = [&](const std::atomic<bool>* stop) {
         CheckOptions own = options;
         own.jobs = 1;
@@ -85,7 +85,7 @@ Report check_together(const SystemToCheck& check, const CheckOptions& options, s
         return decided_by_cells(check, own);
     };
     const bool asks = options.properties.empty() || !all.properties.empty();  // an empty list would select all
-    TogetherResult result = asks ? check_together(check.system, all) : TogetherResult{{}, true};
+    PortfolioResult result = asks ? check_together(check.system, all) : PortfolioResult{{}, true};
     const std::string engine = result.alone ? "symbolic" : "auto";
     return reported(std::move(result), check, SystemReporter::Of::EmbeddedEngine, engine, options);
 }

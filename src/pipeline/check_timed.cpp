@@ -12,9 +12,9 @@
 #include <optional>
 #include <utility>
 
-#include "check/cells/cells.hpp"
+#include "check/decomposition/decomposition.hpp"
 #include "check/inputs/inputs.hpp"
-#include "check/parts/parts.hpp"
+#include "check/localization/localization.hpp"
 #include "check/shares.hpp"
 #include "check/timed/timed.hpp"
 #include "check/vacuity.hpp"
@@ -63,7 +63,7 @@ TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options)
 }
 
 bool is_open(const Verdict& verdict) {
-    return verdict.obstacle == Obstacle::Bound || verdict.obstacle == Obstacle::Stopped;
+    return verdict.obstacle == UnknownReason::Bound || verdict.obstacle == UnknownReason::Stopped;
 }
 
 /// A search in steps, so that searches under one limit interleave: a bounded search of the complete loop with
@@ -84,8 +84,8 @@ public:
 
     /// The first step. `is_large`: the complete loop exceeds the bound of this step.
     void begin(const Deadline& deadline, bool is_large) {
-        CellLimits limits;
-        if (options_.max_states <= limits.whole || loop_.cures_left_out) in_steps_ = in_steps_ && !is_watched_;
+        LocalizationLimits limits;
+        if (options_.max_states <= limits.whole || loop_.disabled_corrections) in_steps_ = in_steps_ && !is_watched_;
         options_.deadline = deadline;
         if (!in_steps_) return void(result_ = check_timed(network_, options_));
         if (is_large) limits.whole >>= 3U;
@@ -93,7 +93,7 @@ public:
         const WholeSearch whole = is_watched_ ? WholeSearch(check_timed) : WholeSearch(check_timed_by_parts);
         complete_.emplace(expand(network_), options_, limits, LocalAblations{}, whole);
         complete_->begin();
-        if (options_.max_states <= limits.whole || loop_.cures_left_out || !needs_whole()) return;
+        if (options_.max_states <= limits.whole || loop_.disabled_corrections || !needs_whole()) return;
         expanded_ = expand(loop_.network);
         abstract_ = options_;
         abstract_.max_states = TimedOptions{}.max_states;
@@ -112,9 +112,9 @@ public:
     }
 
     /// The search of the complete loop.
-    void search_whole(const Deadline& deadline) {
+    void search_complete(const Deadline& deadline) {
         options_.deadline = deadline;
-        complete_->search_whole();
+        complete_->search_complete();
     }
 
     std::uint64_t states() { return complete_ ? complete_->found().states : result_.states; }
@@ -163,7 +163,7 @@ std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Deadlin
     for (std::size_t i = 0; i < searches.size(); ++i)
         if (searches[i]->needs_whole()) open.push_back(i);
     for (std::size_t left = open.size(); const std::size_t i : open)
-        step(i, [&](StagedSearch& search) { search.search_whole(share_of(deadline, left--)); });
+        step(i, [&](StagedSearch& search) { search.search_complete(share_of(deadline, left--)); });
     return earlier;
 }
 
@@ -187,8 +187,8 @@ public:
         Report report{network_.name, basis_of(network_, "timed")};
         for (ModelError& error : result.errors) {
             if (!replays(error.run, fmt::format("the trace to `{}`", word(error.kind)))) error.run = {};
-            report.breakdowns.push_back(breakdown_of(network_, error, detail_));
-            if (error.kind == ModelError::Kind::ActionRace) name_race(report.breakdowns.back(), error.run);
+            report.error_traces.push_back(error_trace_of(network_, error, detail_));
+            if (error.kind == ModelError::Kind::ActionRace) name_race(report.error_traces.back(), error.run);
         }
         std::vector<Violation> violations;
         apply_probes(network_.properties, result.verdicts);
@@ -199,9 +199,9 @@ public:
                 verdict.run.reset();
             if (verdict.run && verdict.outcome == Outcome::Violated)
                 violations.push_back({report.answers.size(), *verdict.run});
-            report.answers.push_back(answer_of(network_, std::move(verdict), detail_));
+            report.answers.push_back(result_of(network_, std::move(verdict), detail_));
         }
-        if (!loop_.cures_left_out && !is_watched()) {
+        if (!loop_.disabled_corrections && !is_watched()) {
             explain(network_, violations, again(result, options_.limits), options_.limits, report);
             Limits limits = options_.limits;
             limits.states = std::min(limits.states.value_or(many_states), many_states);
@@ -215,7 +215,7 @@ public:
 
 private:
     /// Decides properties of a similar network; empty if that may take long.
-    Search again(const TimedResult& result, const Limits& limits) const {
+    PropertyChecker again(const TimedResult& result, const Limits& limits) const {
         if (result.states >= many_states) return {};
         return [this, limits](const Network& network, std::vector<std::string> names) {
             CheckOptions options = options_;
@@ -232,8 +232,8 @@ private:
                network_.processes.end();
     }
 
-    void name_race(Breakdown& breakdown, const Run& run) const {
-        const std::optional<Clash> found = clash(project(network_, run), loop_.charts);
+    void name_race(ModelErrorTrace& breakdown, const Run& run) const {
+        const std::optional<ContradictoryActions> found = clash(project(network_, run), loop_.charts);
         if (!found) return;
         const std::string what =
             found->variable.empty()
@@ -243,7 +243,7 @@ private:
     }
 
     bool replays(const Run& run, const std::string& what) {
-        if (loop_.cures_left_out) return true;
+        if (loop_.disabled_corrections) return true;
         const std::optional<Disagreement> found = disagreement(project(network_, run), loop_.charts);
         if (found) failures_.push_back(replay_failure(what, *found));
         return !found;
@@ -284,10 +284,10 @@ public:
     StagedSearch& search() { return search_; }
 
     Report report() {
-        const LoopToCheck watched_loop{network_, loop_.charts, loop_.cures_left_out, loop_.finest};
+        const LoopToCheck watched_loop{network_, loop_.charts, loop_.disabled_corrections, loop_.finest};
         Report report = Reporter(watched_loop, own_).report(search_.result());
         const Property& sentence = loop_.network.properties[id_];
-        for (Answer& answer : report.answers) {
+        for (PropertyResult& answer : report.answers) {
             if (answer.verdict.outcome != Outcome::Violated || !answer.trace) continue;
             if (const auto found = violation_of(sentence.watch, operand_texts(loop_.network, sentence), *answer.trace))
                 answer.verdict.notes.insert(answer.verdict.notes.begin(), found->words());
@@ -314,24 +314,26 @@ private:
 
 /// Adds the results of another search; `earlier`: number of states explored by the searches before.
 void take(Report&& found, std::uint64_t earlier, Report& report) {
-    for (Answer& answer : found.answers) tell_earlier(answer.verdict, "searches for other properties", earlier);
+    for (PropertyResult& answer : found.answers)
+        report_earlier(answer.verdict, "searches for other properties", earlier);
     std::ranges::move(found.answers, std::back_inserter(report.answers));
     std::ranges::move(found.failures, std::back_inserter(report.failures));
-    for (Breakdown& breakdown : found.breakdowns)
-        if (std::ranges::find(report.breakdowns, breakdown.message, &Breakdown::message) == report.breakdowns.end())
-            report.breakdowns.push_back(std::move(breakdown));
+    for (ModelErrorTrace& breakdown : found.error_traces)
+        if (std::ranges::find(report.error_traces, breakdown.message, &ModelErrorTrace::message) ==
+            report.error_traces.end())
+            report.error_traces.push_back(std::move(breakdown));
 }
 
 /// Sorts by the properties of the loop, followed by the others.
-void put_in_order(const Network& network, std::vector<Answer>& answers) {
-    for (Answer& answer : answers) {
+void put_in_order(const Network& network, std::vector<PropertyResult>& answers) {
+    for (PropertyResult& answer : answers) {
         if (!answer.verdict.declared || !answer.verdict.about.valid()) continue;
         const std::string& name = answer.verdict.property;  // `S.X7` of a property `S`
         for (const Id<Property> id : network.properties.ids())
             if (const std::string& of = network.properties[id].name; name == of || name.starts_with(of + '.'))
                 answer.verdict.about = id;
     }
-    std::ranges::stable_sort(answers, {}, [](const Answer& answer) { return answer.verdict.about.index; });
+    std::ranges::stable_sort(answers, {}, [](const PropertyResult& answer) { return answer.verdict.about.index; });
 }
 
 }  // namespace
@@ -340,7 +342,7 @@ Report check(const LoopToCheck& loop, const CheckOptions& options) {
     const std::vector<Id<Property>> by_observers = watched(loop.network);
     if (by_observers.empty()) return Reporter(loop, options).report(search(loop, options));
 
-    const auto is_asked = [&](Id<Property> id) {
+    const auto is_requested = [&](Id<Property> id) {
         const std::string& name = loop.network.properties[id].name;
         return options.properties.empty() || std::ranges::find(options.properties, name) != options.properties.end();
     };
@@ -353,15 +355,16 @@ Report check(const LoopToCheck& loop, const CheckOptions& options) {
     const bool only_watched = rest.properties.empty() && !options.properties.empty();
     if (only_watched) {  // here the timelock is only a note and does not justify a search of the complete loop
         rest.properties = {"no_timelock"};
-        rest.limits.states = std::min(rest.limits.states.value_or(CellLimits{}.whole), CellLimits{}.whole);
+        rest.limits.states =
+            std::min(rest.limits.states.value_or(LocalizationLimits{}.whole), LocalizationLimits{}.whole);
     }
-    const LoopToCheck unwatched{alone, loop.charts, loop.cures_left_out, loop.finest};
+    const LoopToCheck unwatched{alone, loop.charts, loop.disabled_corrections, loop.finest};
     const Observe nothing = std::identity{};
     StagedSearch search(unwatched, nothing, alone, rest);
     std::deque<StagedSearch*> searches{&search};
     std::deque<WatchedCheck> checks;
     for (const Id<Property> id : by_observers)
-        if (is_asked(id)) searches.push_back(&checks.emplace_back(loop, id, options).search());
+        if (is_requested(id)) searches.push_back(&checks.emplace_back(loop, id, options).search());
     const std::vector<std::uint64_t> earlier = run(searches, options.limits.deadline);
     Report report{alone.name, basis_of(alone, "timed")};
     for (std::size_t i = 0; i < checks.size(); ++i) take(checks[i].report(), earlier[i + 1], report);

@@ -6,7 +6,7 @@
 #include <ranges>
 #include <utility>
 
-#include "check/parts/by_turns.hpp"
+#include "check/decomposition/interleaved.hpp"
 #include "check/symbolic/symbolic.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/explain.hpp"
@@ -34,8 +34,8 @@ std::string replay_failure(std::string_view what, const Disagreement& disagreeme
 namespace {
 
 /// True if the property `property` is selected; `S` also selects `S.X7`.
-bool is_asked(std::string_view property, const std::vector<std::string>& asked) {
-    return std::ranges::any_of(asked, [&](const std::string& name) {
+bool is_requested(std::string_view property, const std::vector<std::string>& requested) {
+    return std::ranges::any_of(requested, [&](const std::string& name) {
         return property == name || (property.starts_with(name) && property.substr(name.size()).starts_with('.'));
     });
 }
@@ -44,7 +44,7 @@ bool is_asked(std::string_view property, const std::vector<std::string>& asked) 
 
 bool all_known(const std::vector<std::string>& names, const std::vector<std::string>& known, Diagnostics& diagnostics) {
     for (const std::string& name : names) {
-        if (std::ranges::any_of(known, [&](const std::string& each) { return is_asked(each, {name}); })) continue;
+        if (std::ranges::any_of(known, [&](const std::string& each) { return is_requested(each, {name}); })) continue;
         diagnostics.add(messages::no_such_choice("property", name, known, nearest_of(name, known)));
         return false;
     }
@@ -67,25 +67,25 @@ std::vector<std::string> property_names(const TransitionSystem& system) {
     return names;
 }
 
-std::vector<std::size_t> asked_properties(const TransitionSystem& system, const std::vector<std::string>& names) {
-    std::vector<std::size_t> asked;
+std::vector<std::size_t> selected_properties(const TransitionSystem& system, const std::vector<std::string>& names) {
+    std::vector<std::size_t> requested;
     for (const Id<Property> id : system.properties.ids())
-        if (names.empty() || is_asked(system.properties[id].name, names)) asked.push_back(id.index);
-    return asked;
+        if (names.empty() || is_requested(system.properties[id].name, names)) requested.push_back(id.index);
+    return requested;
 }
 
-std::vector<std::string> names_asked(const TransitionSystem& system, const std::vector<std::string>& names) {
-    std::vector<std::string> asked;
-    for (const std::size_t index : asked_properties(system, names))
-        asked.push_back(system.properties[{static_cast<std::uint32_t>(index)}].name);
-    return asked;
+std::vector<std::string> requested_names(const TransitionSystem& system, const std::vector<std::string>& names) {
+    std::vector<std::string> requested;
+    for (const std::size_t index : selected_properties(system, names))
+        requested.push_back(system.properties[{static_cast<std::uint32_t>(index)}].name);
+    return requested;
 }
 
 SystemReporter::SystemReporter(const SystemToCheck& check, Of of, std::string engine, const CheckOptions& options,
                                const std::vector<Verdict>& verdicts)
     : check_(check), of_(of), options_(options), unproven_(unproven_faults(check.system, verdicts)) {
     report_ = {check.system.name, basis_of(check.system, std::move(engine), check.abstraction.words)};
-    report_.basis.grain = check.abstraction.grain;
+    report_.settings.grain = check.abstraction.grain;
 }
 
 void SystemReporter::add(Verdict verdict, std::optional<SystemRun> run) {
@@ -102,31 +102,31 @@ void SystemReporter::add(Verdict verdict, std::optional<SystemRun> run) {
         verdict.notes.push_back(fmt::format("no plant has this run: {}/{} has expired in it, but {}/{} has not",
                                             duration_text(found->longer_ms), found->step.variable(),
                                             duration_text(found->shorter_ms), found->step.variable()));
-    std::string carries = carries_words(check_, check_.system.properties[verdict.about], verdict, unproven_);
-    Answer answer = answer_of(check_.system, std::move(verdict), run, detail(options_));
-    answer.carries = std::move(carries);
+    std::string preservation = preservation_text(check_, check_.system.properties[verdict.about], verdict, unproven_);
+    PropertyResult answer = result_of(check_.system, std::move(verdict), run, detail(options_));
+    answer.preservation = std::move(preservation);
     if (run && answer.verdict.outcome == Outcome::Violated) explain(check_, *run, options_.limits, answer);
     report_.answers.push_back(std::move(answer));
 }
 
 void SystemReporter::add(const SystemFault& fault) {
     if (!fault.run.states.empty()) replays(fault.run, "the trace to the model error");
-    report_.breakdowns.push_back(breakdown_of(check_.system, fault, detail(options_)));
+    report_.error_traces.push_back(error_trace_of(check_.system, fault, detail(options_)));
 }
 
 void SystemReporter::add_omitted() {
-    const std::vector<std::string>& asked = options_.properties;
-    std::vector<Answer>& answers = report_.answers;
+    const std::vector<std::string>& requested = options_.properties;
+    std::vector<PropertyResult>& answers = report_.answers;
     for (const TransitionSystem::Omitted& omitted : check_.system.omitted | std::views::reverse) {
         const Property& property = omitted.property;
         if (is_probe(property)) continue;
-        if (!asked.empty() && !is_asked(property.name, asked)) continue;
-        Answer answer{.text = property.text};
+        if (!requested.empty() && !is_requested(property.name, requested)) continue;
+        PropertyResult answer{.text = property.text};
         answer.verdict = verdict_on({}, property);
-        answer.verdict.obstacle = Obstacle::Unsupported;
+        answer.verdict.obstacle = UnknownReason::Unsupported;
         answer.verdict.reason = omitted.reason;
         answer.verdict.declared = true;
-        const std::size_t place = asked.empty() ? std::min(omitted.before, answers.size()) : answers.size();
+        const std::size_t place = requested.empty() ? std::min(omitted.before, answers.size()) : answers.size();
         answers.insert(answers.begin() + static_cast<std::ptrdiff_t>(place), std::move(answer));
     }
 }
@@ -145,7 +145,7 @@ bool SystemReporter::replays(const SystemRun& run, const std::string& what) {
 Report check(const SystemToCheck& check, const CheckOptions& options) {
     SymbolicOptions symbolic;
     symbolic.witnesses = options.witnesses;
-    symbolic.properties = names_asked(check.system, options.properties);
+    symbolic.properties = requested_names(check.system, options.properties);
     set_limits(symbolic, options.limits);
     if (options.limits.progress)
         symbolic.progress = [&options](const SymbolicProgress& now) {
@@ -160,7 +160,7 @@ Report check(const SystemToCheck& check, const CheckOptions& options) {
     return std::move(reporter).report();
 }
 
-void ask_for_steps(TransitionSystem& system) {
+void query_steps(TransitionSystem& system) {
     for (const TransitionSystem::Controller& controller : system.controllers)
         for (const auto& step : controller.words.steps) {
             Property property{.name = "reachable." + step.name.variable(), .pattern = Pattern::Reachable};
@@ -176,12 +176,12 @@ namespace {
 constexpr const char* stabilises = "stabilises";
 
 void add_stabilises(const Chart& chart, const Equations& equations, const Limits& limits, Report& report) {
-    AnalyseOptions asked;
-    asked.instability_only = true;
-    set_limits(asked, limits);
-    Analysis analysis = analyse(chart, equations, asked);
+    AnalyseOptions requested;
+    requested.instability_only = true;
+    set_limits(requested, limits);
+    Analysis analysis = analyse(chart, equations, requested);
     report.failures.insert(report.failures.end(), analysis.failures.begin(), analysis.failures.end());
-    Answer answer{.text = "the situation becomes stable for all inputs"};
+    PropertyResult answer{.text = "the situation becomes stable for all inputs"};
     Verdict& verdict = answer.verdict;
     verdict = {.property = stabilises, .declared = false, .seconds = analysis.seconds, .origin = chart.origin};
     const auto unstable = std::ranges::find(analysis.findings, "total-instability", &Finding::code);
@@ -196,10 +196,10 @@ void add_stabilises(const Chart& chart, const Equations& equations, const Limits
         verdict.outcome = Outcome::Holds;
     } else {
         const bool stopped = analysis.obstacle.starts_with("stopped");
-        verdict.obstacle = stopped ? Obstacle::Stopped : Obstacle::Memory;
+        verdict.obstacle = stopped ? UnknownReason::Stopped : UnknownReason::Memory;
         verdict.reason = analysis.obstacle;
     }
-    if (const std::string& engine = report.basis.engine; engine != "symbolic")
+    if (const std::string& engine = report.settings.engine; engine != "symbolic")
         verdict.notes.push_back(fmt::format("decided by the exploration of `analyse`, not by {}", engine));
     report.answers.push_back(std::move(answer));
 }
@@ -225,13 +225,13 @@ std::optional<Report> check_chart(const Model& model, Id<Chart> chart, const Mod
     const auto equations = equations_of(model, chart, diagnostics);
     if (!equations) return {};
     TransitionSystem system = transition_system_of(model, chart, *equations, how.mode);
-    ask_for_steps(system);
+    query_steps(system);
     const bool stability = system.controllers.front().words.mode == ExecutionMode::StabilitySearch;
     std::vector<std::string> known = property_names(system);
     if (stability) known.emplace_back(stabilises);
     if (!all_known(options.properties, known, diagnostics)) return {};
     std::optional<Report> report = decide({system, {&model.charts[chart]}, abstraction_of(how, nullptr)});
-    if (report && stability && (options.properties.empty() || is_asked(stabilises, options.properties)))
+    if (report && stability && (options.properties.empty() || is_requested(stabilises, options.properties)))
         add_stabilises(model.charts[chart], *equations, options.limits, *report);
     return report;
 }

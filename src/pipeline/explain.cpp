@@ -8,14 +8,14 @@
 #include <chrono>
 #include <utility>
 
-#include "check/parts/by_turns.hpp"
+#include "check/decomposition/interleaved.hpp"
 #include "explain/causes.hpp"
-#include "explain/change.hpp"
+#include "explain/counterfactual.hpp"
 #include "explain/dead_steps.hpp"
 #include "explain/inputs.hpp"
+#include "explain/instability.hpp"
 #include "explain/instants.hpp"
 #include "explain/moves.hpp"
-#include "explain/settling.hpp"
 #include "explain/standstill.hpp"
 #include "ir/network_run.hpp"
 #include "ir/patterns.hpp"
@@ -27,7 +27,7 @@ namespace grafverif {
 namespace {
 
 /// Searches once more for properties violated at power-on: whether they hold `at stable`.
-void explain_power_on(const Network& network, const std::vector<Violation>& violations, const Search& search,
+void explain_power_on(const Network& network, const std::vector<Violation>& violations, const PropertyChecker& search,
                       Report& report) {
     Network settled = network;
     std::vector<std::string> names;
@@ -44,7 +44,7 @@ void explain_power_on(const Network& network, const std::vector<Violation>& viol
     for (const std::size_t answer : trapped) {
         Verdict& verdict = report.answers[answer].verdict;
         const auto at_stable = std::ranges::find(found, verdict.property, &Verdict::property);
-        verdict.notes.push_back(power_on_words(at_stable == found.end() ? Verdict{} : *at_stable));
+        verdict.notes.push_back(power_on_text(at_stable == found.end() ? Verdict{} : *at_stable));
     }
 }
 
@@ -54,7 +54,7 @@ std::string gave_up(std::size_t count, std::string_view what, std::size_t tried)
 }
 
 /// Returns true if a search is to stop; `limits` must outlive it.
-StopAsked stopped_by(const Limits& limits) {
+StopRequested stopped_by(const Limits& limits) {
     return [&limits] {
         if (limits.stop != nullptr && limits.stop->load(std::memory_order_relaxed)) return true;
         return limits.deadline && std::chrono::steady_clock::now() >= *limits.deadline;
@@ -65,7 +65,7 @@ StopAsked stopped_by(const Limits& limits) {
 constexpr std::size_t most_moves = 5000, most_steps = 20'000;
 
 /// Marks the values that cause the failure, and finds moves without which the property holds.
-void explain_run(const Network& network, const Run& run, const Limits& limits, Answer& answer) {
+void explain_run(const Network& network, const Run& run, const Limits& limits, PropertyResult& answer) {
     if (!answer.verdict.about.valid() || !answer.trace) return;
     const Property& property = network.properties[answer.verdict.about];
     const auto states = replay(network, run);
@@ -79,9 +79,9 @@ void explain_run(const Network& network, const Run& run, const Limits& limits, A
 }
 
 /// For a violated `no timelock`: why time cannot pass at the end of `run`.
-void explain_standstill(const Network& network, const Run& run, Answer& answer) {
+void explain_standstill(const Network& network, const Run& run, PropertyResult& answer) {
     const Standstill found = standstill(network, run);
-    const std::string unsettled = unsettled_words(*answer.trace);
+    const std::string unsettled = unstable_text(*answer.trace);
     if (!unsettled.empty()) answer.verdict.notes.push_back(unsettled);
     if (!unsettled.empty() && found.blockers.empty()) return;
     if (std::string words = standstill_words(network, found); !words.empty())
@@ -90,7 +90,7 @@ void explain_standstill(const Network& network, const Run& run, Answer& answer) 
 
 /// For a run without a plant, whose inputs are free.
 void explain_inputs(const TransitionSystem& system, const Property& property, const SystemRun& run,
-                    const Limits& limits, Answer& answer) {
+                    const Limits& limits, PropertyResult& answer) {
     const InputChange change = fewest_input_changes(system, property, run, most_steps, stopped_by(limits));
     if (change.left_out) mark(system, *change.left_out, *answer.trace);
     if (change.exhausted)
@@ -99,40 +99,41 @@ void explain_inputs(const TransitionSystem& system, const Property& property, co
 
 /// For a run with interleaved plant automata.
 void explain_moves(const Network& timed, const TransitionSystem& system, const Property& property, const SystemRun& run,
-                   const Limits& limits, Answer& answer) {
+                   const Limits& limits, PropertyResult& answer) {
     const Network played = system.ticks.valid() ? timed : without_clocks(timed);
-    const auto asked = std::ranges::find(played.properties, property.name, &Property::name);
-    if (asked == played.properties.end() || asked->pattern != property.pattern) return;
+    const auto requested = std::ranges::find(played.properties, property.name, &Property::name);
+    if (requested == played.properties.end() || requested->pattern != property.pattern) return;
     const auto moves = moves_of(played, system, run);
     if (!moves) return;
-    const ShortestChange change = shortest_change(played, timed, *asked, moves->run, most_moves, stopped_by(limits));
+    const ShortestChange change =
+        shortest_change(played, timed, *requested, moves->run, most_moves, stopped_by(limits));
     if (change.found) mark(*moves, change.found->left_out, *answer.trace);
     if (change.exhausted) answer.verdict.notes.push_back(gave_up(change.free_moves, "free moves", change.tried));
 }
 
 /// In discrete time, `no timelock` is `always possible` a tick.
-void explain_time(const SystemToCheck& check, const Property& property, const SystemRun& run, Answer& answer) {
+void explain_time(const SystemToCheck& check, const Property& property, const SystemRun& run, PropertyResult& answer) {
     const std::optional<Network>* const network = check.network ? &check.network() : nullptr;
     if (network == nullptr || !*network) return;
-    const auto asked = std::ranges::find((*network)->properties, property.name, &Property::name);
-    if (asked == (*network)->properties.end() || asked->pattern != Pattern::NoTimelock) return;
+    const auto requested = std::ranges::find((*network)->properties, property.name, &Property::name);
+    if (requested == (*network)->properties.end() || requested->pattern != Pattern::NoTimelock) return;
     if (const auto moves = moves_of(**network, check.system, run)) explain_standstill(**network, moves->run, answer);
 }
 
 }  // namespace
 
-void explain(const Network& network, const std::vector<Violation>& violations, const Search& search,
+void explain(const Network& network, const std::vector<Violation>& violations, const PropertyChecker& search,
              const Limits& limits, Report& report) {
     explain_power_on(network, violations, search, report);
     for (const Violation& each : violations) {
-        Answer& answer = report.answers[each.answer];
+        PropertyResult& answer = report.answers[each.answer];
         explain_run(network, each.run, limits, answer);
         if (answer.verdict.pattern != Pattern::NoTimelock || !answer.trace) continue;
         explain_standstill(network, each.run, answer);
     }
 }
 
-void explain(const SystemToCheck& check, const SystemRun& run, const Limits& limits, Answer& answer) {
+void explain(const SystemToCheck& check, const SystemRun& run, const Limits& limits, PropertyResult& answer) {
     const TransitionSystem& system = check.system;
     if (!answer.verdict.about.valid() || !answer.trace) return;
     const Property& property = system.properties[answer.verdict.about];
@@ -164,14 +165,14 @@ bool is_reachable(const Exprs& exprs, const Property& property, std::uint32_t va
 }
 
 /// True if `answer` finds that the step with this variable is unreachable.
-bool is_about(const Network& network, const Answer& answer, Id<Network::Variable> step) {
+bool is_about(const Network& network, const PropertyResult& answer, Id<Network::Variable> step) {
     const Property& property = network.properties[answer.verdict.about];
     if (property.pattern == Pattern::ReachableAllSteps)
         return answer.verdict.property == property.name + '.' + step_variable_name(network, step);
     return is_reachable(network.exprs, property, step.index);
 }
 
-bool is_about(const TransitionSystem& system, const Answer& answer, Id<TransitionSystem::Symbol> step) {
+bool is_about(const TransitionSystem& system, const PropertyResult& answer, Id<TransitionSystem::Symbol> step) {
     return is_reachable(system.exprs, system.properties[answer.verdict.about], step.index);
 }
 
@@ -189,14 +190,14 @@ Id<Expr> clearing(TransitionSystem& system, Id<TransitionSystem::Symbol> firing)
 /// `decide` returns the verdicts on the properties of these names of the model.
 template <class Model, class Decide>
 void name_dead_transitions(Model model, const std::vector<const Chart*>& charts, const Decide& decide, Report& report) {
-    struct Asked {
-        Answer* answer = nullptr;
+    struct Requested {
+        PropertyResult* answer = nullptr;
         std::string words = {};
         std::pair<std::size_t, std::uint32_t> transition = {};  // controller, transition
     };
-    std::vector<Asked> asked;
+    std::vector<Requested> requested;
     std::vector<std::string> names;
-    for (Answer& answer : report.answers) {
+    for (PropertyResult& answer : report.answers) {
         if (answer.verdict.outcome != Outcome::Violated || !answer.verdict.about.valid()) continue;
         if (names.size() > most_candidates) break;
         std::size_t index = 0;
@@ -212,27 +213,27 @@ void name_dead_transitions(Model model, const std::vector<const Chart*>& charts,
                     property.operands = {model.exprs.disjunction(each.never, clearing(model, firing))};
                     names.push_back(property.name);
                     model.properties.add(std::move(property));
-                    asked.push_back({&answer, prefix + each.words, {index, each.transition.index}});
+                    requested.push_back({&answer, prefix + each.words, {index, each.transition.index}});
                 }
             }
         }
     }
-    if (asked.empty()) return;
+    if (requested.empty()) return;
     const std::vector<Verdict> verdicts = decide(std::as_const(model), names);
-    const Asked* last = nullptr;
-    for (std::size_t k = 0; k < asked.size(); ++k) {
+    const Requested* last = nullptr;
+    for (std::size_t k = 0; k < requested.size(); ++k) {
         const bool again =
-            last != nullptr && last->answer == asked[k].answer && last->transition == asked[k].transition;
+            last != nullptr && last->answer == requested[k].answer && last->transition == requested[k].transition;
         const auto found = std::ranges::find(verdicts, names[k], &Verdict::property);
         if (again || found == verdicts.end() || found->outcome != Outcome::Holds) continue;
-        last = &asked[k];
+        last = &requested[k];
         last->answer->verdict.notes.push_back(last->words);
     }
 }
 
 }  // namespace
 
-void explain_dead_steps(const Network& network, const std::vector<const Chart*>& charts, const Search& search,
+void explain_dead_steps(const Network& network, const std::vector<const Chart*>& charts, const PropertyChecker& search,
                         Report& report) {
     if (!search || charts.size() != network.controllers.size()) return;
     name_dead_transitions(network, charts, search, report);
@@ -241,7 +242,7 @@ void explain_dead_steps(const Network& network, const std::vector<const Chart*>&
 void explain_dead_steps(const SystemToCheck& check, const Limits& limits, Report& report) {
     if (check.charts.size() != check.system.controllers.size()) return;
     double seconds = 0;
-    for (const Answer& answer : report.answers) seconds = std::max(seconds, answer.verdict.seconds);
+    for (const PropertyResult& answer : report.answers) seconds = std::max(seconds, answer.verdict.seconds);
     name_dead_transitions(
         check.system, check.charts,
         [&](const TransitionSystem& system, std::vector<std::string> names) {
@@ -253,10 +254,10 @@ void explain_dead_steps(const SystemToCheck& check, const Limits& limits, Report
         report);
 }
 
-void explain(const Chart& chart, ExecutionMode mode, const Limits& limits, Answer& answer) {
+void explain(const Chart& chart, ExecutionMode mode, const Limits& limits, PropertyResult& answer) {
     if (!answer.trace) return;
     InstantChange change = fewest_changes(chart, mode, *answer.trace, most_steps, stopped_by(limits));
-    if (change.left_out) answer.trace->left_out_values = std::move(*change.left_out);
+    if (change.left_out) answer.trace->counterfactual_values = std::move(*change.left_out);
     if (change.exhausted) answer.verdict.notes.push_back(gave_up(change.events, "input changes", change.tried));
 }
 

@@ -26,7 +26,7 @@ std::optional<std::vector<Equations>> equations_of_controllers(const Model& mode
     return all;
 }
 
-bool take_turns(const ClosedLoop& loop, const ModelOptions& how) {
+bool interleave(const ClosedLoop& loop, const ModelOptions& how) {
     return how.untimed.plant == PlantApproach::Automata &&
            how.untimed.schedule.value_or(loop.schedule.value_or(Schedule::Interleaved)) == Schedule::Interleaved;
 }
@@ -37,10 +37,10 @@ std::optional<Network> with_observers(const Network& plant_network, const Closed
                                       Diagnostics& diagnostics) {
     const auto network = compose(plant_network, loop, equations, {how.grain, how.mode, {}}, diagnostics);
     if (!network) return {};
-    std::vector<Id<Property>> asked = watched(*network);
+    std::vector<Id<Property>> requested = watched(*network);
     if (how.untimed.time == TimeModel::Abstract)  // no clock advances
-        std::erase_if(asked, [&](Id<Property> id) { return network->properties[id].watch.duration_ms > 0; });
-    return observed(*network, asked, vacuity);
+        std::erase_if(requested, [&](Id<Property> id) { return network->properties[id].watch.duration_ms > 0; });
+    return observed(*network, requested, vacuity);
 }
 
 std::optional<TransitionSystem> scheduled(const Model& model, const ClosedLoop& loop, const ModelOptions& how,
@@ -55,22 +55,22 @@ std::optional<TransitionSystem> scheduled(const Model& model, const ClosedLoop& 
     }
     const auto plant_network = plant(model, loop, diagnostics);
     if (!plant_network) return {};
-    if (!take_turns(loop, how)) return schedule_together(model, loop, *equations, *plant_network, options, diagnostics);
+    if (!interleave(loop, how)) return schedule_together(model, loop, *equations, *plant_network, options, diagnostics);
     const auto network = with_observers(*plant_network, loop, *equations, how, vacuity, diagnostics);
     return network ? schedule_network(model, loop, *equations, *network, options, diagnostics) : std::nullopt;
 }
 
 }  // namespace
 
-ExecutionMode execution_mode(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> asked) {
+ExecutionMode execution_mode(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> requested) {
     std::optional<ExecutionMode> agreed;
     for (const ClosedLoop& loop : model.loops)
         for (const ClosedLoop::Controller& controller : loop.controllers) {
             if (controller.chart != chart) continue;
-            if (agreed && *agreed != controller.mode) return asked.value_or(ExecutionMode::StabilitySearch);
+            if (agreed && *agreed != controller.mode) return requested.value_or(ExecutionMode::StabilitySearch);
             agreed = controller.mode;
         }
-    return asked.value_or(agreed.value_or(ExecutionMode::StabilitySearch));
+    return requested.value_or(agreed.value_or(ExecutionMode::StabilitySearch));
 }
 
 std::optional<Equations> equations_of(const Model& model, Id<Chart> chart, Diagnostics& diagnostics) {
@@ -142,10 +142,10 @@ SystemToCheck system_to_check(const TransitionSystem& system, const Model& model
                               const ModelOptions& how) {
     const ClosedLoop& loop = model.loops[id];
     SystemToCheck check{system, charts_of(model, loop), abstraction_of(how, &loop)};
-    if (take_turns(loop, how))
-        check.network = [&model, &loop, how, asked = false,
+    if (interleave(loop, how))
+        check.network = [&model, &loop, how, requested = false,
                          made = std::optional<Network>{}]() mutable -> const std::optional<Network>& {
-            if (std::exchange(asked, true)) return made;
+            if (std::exchange(requested, true)) return made;
             Diagnostics known;  // the system exists, so there can be no errors
             const auto equations = equations_of_controllers(model, loop, known);
             const auto plant_network = plant(model, loop, known);

@@ -42,11 +42,11 @@ SystemToCheck system_to_check(const TransitionSystem& system, const Model& model
                               const ModelOptions& how);
 
 /// Network -> UPPAAL project and its queries, one formula per verdict.
-struct UppaalQuestions {
+struct UppaalQueries {
     std::string project = {};
-    std::vector<ExternalQuestion> questions = {};
+    std::vector<ExternalQuery> questions = {};
 };
-UppaalQuestions uppaal_questions(const Network& network, Diagnostics& diagnostics);
+UppaalQueries uppaal_queries(const Network& network, Diagnostics& diagnostics);
 
 /// The network as a C file for LTSmin.
 std::string pins_model(const Network& network);

@@ -14,9 +14,9 @@ namespace grafverif {
 
 namespace {
 
-Reading read(const std::string& path, std::optional<std::string> text, const std::string& why,
-             const ReadOptions& options) {
-    Reading reading;
+ParseResult read(const std::string& path, std::optional<std::string> text, const std::string& why,
+                 const ReadOptions& options) {
+    ParseResult reading;
     if (!text) {
         reading.diagnostics.add(messages::cannot_read(path, why));
         return reading;
@@ -37,17 +37,17 @@ ReadContext context_of(const Reach& reach, const std::vector<std::string>& folde
     return {load, library(), lossy, identity_of_existing, folders, {}};
 }
 
-Reading read_file(const std::string& path, const ReadOptions& options) {
+ParseResult read_file(const std::string& path, const ReadOptions& options) {
     std::string why;
     auto text = content_of_file(path, why);
     return read(path, std::move(text), why, options);
 }
 
-Reading read_string(std::string text, const std::string& name, const ReadOptions& options) {
+ParseResult read_string(std::string text, const std::string& name, const ReadOptions& options) {
     return read(name, std::move(text), {}, options);
 }
 
-std::string Reading::complaints() const {
+std::string ParseResult::complaints() const {
     std::ostringstream out;
     render_text(diagnostics.all(), sources, Colour::Plain, out);
     return std::move(out).str();

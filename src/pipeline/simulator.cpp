@@ -22,16 +22,16 @@ Simulator::Simulator(Simulator&&) noexcept = default;
 Simulator& Simulator::operator=(Simulator&&) noexcept = default;
 Simulator::~Simulator() = default;
 
-std::string Simulator::obey(std::string_view command) {
-    return inside_->problem = inside_->moved->obey(command_of(command));
+std::string Simulator::execute(std::string_view command) {
+    return inside_->problem = inside_->moved->execute(command_of(command));
 }
 const std::string& Simulator::problem() const { return inside_->problem; }
 std::vector<Choice> Simulator::choices() const { return inside_->moved->choices(); }
 const ChartRun& Simulator::run() const { return inside_->moved->told(); }
-std::optional<std::size_t> Simulator::trial_row() const { return inside_->moved->trial_row(); }
+std::optional<std::size_t> Simulator::what_if_row() const { return inside_->moved->what_if_row(); }
 
 std::string Simulator::disagreement() const {
-    if (trial_row()) return {};
+    if (what_if_row()) return {};
     const auto found = grafverif::disagreement(run(), inside_->charts);
     return found ? replay_failure("this run", *found) : std::string();
 }

@@ -42,11 +42,11 @@ std::string pins_model(const Network& network) {
     return written([&](std::ostream& out) { pins::emit(observed(network, watched(network)), out); });
 }
 
-UppaalQuestions uppaal_questions(const Network& network, Diagnostics& diagnostics) {
+UppaalQueries uppaal_queries(const Network& network, Diagnostics& diagnostics) {
     const Network lowered = uppaal::lower(observed(network, watched(network)));
     if (!fits(lowered, "UPPAAL", diagnostics)) return {};
     const std::vector<uppaal::Inexpressible> left_out = uppaal::inexpressible(lowered);
-    UppaalQuestions result;
+    UppaalQueries result;
     for (const uppaal::Formula& formula : uppaal::formulas(lowered)) {
         const auto why = std::ranges::find(left_out, formula.property, &uppaal::Inexpressible::property);
         result.questions.push_back(
@@ -74,14 +74,14 @@ AigerModel aiger_model(const TransitionSystem& system, aiger::Form form, Diagnos
     for (const TransitionSystem::Omitted& omitted : system.omitted)
         diagnostics.add(
             messages::not_expressible(omitted.property.origin, omitted.property.name, "AIGER", omitted.reason));
-    const std::vector<aiger::Question> questions = aiger::questions_of(system, flat, circuit);
-    aiger::Written model = aiger::written(circuit, questions, form, aiger::Extent::Whole);
+    const std::vector<aiger::AigerProperty> questions = aiger::queries_of(system, flat, circuit);
+    aiger::AigerText model = aiger::written(circuit, questions, form, aiger::Extent::Whole);
     std::string map = aiger::map_of(system, flat, circuit, model);
     return {std::move(model.text), std::move(map)};
 }
 
 std::string btor2_model(const TransitionSystem& system, Diagnostics& diagnostics) {
-    btor2::Written model = btor2::written(system);
+    btor2::Btor2Text model = btor2::written(system);
     for (const NotInCircuit& each : model.omitted) {
         const Property& property = system.properties[each.about];
         diagnostics.add(messages::not_expressible(property.origin, property.name, "BTOR2", each.reason));

@@ -47,21 +47,23 @@ bool speaks_of_every_plant(const SystemToCheck& check, const Property& property,
 }  // namespace
 
 Abstraction abstraction_of(const ModelOptions& options, const ClosedLoop* loop) {
-    using Carries = Abstraction::Carries;
+    using Preservation = Abstraction::Preservation;
     const ScheduleOptions& untimed = options.untimed;
-    if (loop == nullptr || untimed.plant == PlantApproach::None) return {"no plant", {}, Carries::ToEveryPlant, false};
+    if (loop == nullptr || untimed.plant == PlantApproach::None)
+        return {"no plant", {}, Preservation::ToEveryPlant, false};
     if (untimed.plant == PlantApproach::Constraints)
-        return {"no plant, constrained inputs", {}, Carries::ToEveryPlant, !loop->constraints.empty()};
+        return {"no plant, constrained inputs", {}, Preservation::ToEveryPlant, !loop->constraints.empty()};
     const std::string fair = untimed.fairness ? ", under fairness" : "";
     switch (untimed.schedule.value_or(loop->schedule.value_or(Schedule::Interleaved))) {
-    case Schedule::Synchronous: return {"plant automata, synchronous" + fair, {}, Carries::Nowhere, false};
-    case Schedule::Sequenced: return {"plant automata, sequenced" + fair, {}, Carries::Nowhere, false};
+    case Schedule::Synchronous: return {"plant automata, synchronous" + fair, {}, Preservation::Nowhere, false};
+    case Schedule::Sequenced: return {"plant automata, sequenced" + fair, {}, Preservation::Nowhere, false};
     case Schedule::Interleaved: break;
     }
     const std::string grain = options.grain.value_or(loop->grain) == Grain::Phased ? "phased" : "atomic";
     if (untimed.time == TimeModel::Discrete)
-        return {"plant automata, integer time" + fair, grain, Carries::ExactInIntegerTime, false, untimed.fairness};
-    return {"plant automata, interleaved" + fair, grain, Carries::ToTimedLoop, false, untimed.fairness};
+        return {"plant automata, integer time" + fair, grain, Preservation::ExactInIntegerTime, false,
+                untimed.fairness};
+    return {"plant automata, interleaved" + fair, grain, Preservation::ToTimedLoop, false, untimed.fairness};
 }
 
 namespace {
@@ -73,8 +75,8 @@ std::string carried(const SystemToCheck& check, const Property& property, const 
     const bool about_states = is_about_single_states(property.pattern);
     if (check.abstraction.fair && !about_states) return "no conclusion beyond this model";
     const bool observed = reads_observer(check.system, property);
-    switch (check.abstraction.carries) {
-    case Abstraction::Carries::ToEveryPlant: {
+    switch (check.abstraction.preservation) {
+    case Abstraction::Preservation::ToEveryPlant: {
         if (observed || !speaks_of_every_plant(check, property, verdict.outcome))
             return all_runs && !holds ? "may hold with the real plant" : "no conclusion about any plant";
         const bool constrained = check.abstraction.constrained;
@@ -86,16 +88,16 @@ std::string carried(const SystemToCheck& check, const Property& property, const 
         }
         return words + ", in grain atomic";
     }
-    case Abstraction::Carries::ToTimedLoop:
+    case Abstraction::Preservation::ToTimedLoop:
         if ((holds && all_runs) || (!holds && property.pattern == Pattern::Reachable))
             return "valid for the timed loop";
         return all_runs ? "may hold in the timed loop" : "no conclusion about the timed loop";
-    case Abstraction::Carries::ExactInIntegerTime:
+    case Abstraction::Preservation::ExactInIntegerTime:
         if (!about_states || observed) return "integer time only";
         return holds == (property.pattern == Pattern::Reachable)
                    ? "valid for the timed loop"  // a run shows it, and a run of integer time is one of dense time
                    : "applies to integer time, and to dense time only without strict clock constraints";
-    case Abstraction::Carries::Nowhere: return "no conclusion beyond this model";
+    case Abstraction::Preservation::Nowhere: return "no conclusion beyond this model";
     }
     return {};
 }
@@ -114,8 +116,8 @@ std::vector<std::string> unproven_faults(const TransitionSystem& system, const s
     return unproven;
 }
 
-std::string carries_words(const SystemToCheck& check, const Property& property, const Verdict& verdict,
-                          const std::vector<std::string>& unproven) {
+std::string preservation_text(const SystemToCheck& check, const Property& property, const Verdict& verdict,
+                              const std::vector<std::string>& unproven) {
     std::string words = carried(check, property, verdict);
     if (!words.starts_with("valid ")) return words;
     bool first = true;

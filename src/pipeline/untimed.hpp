@@ -12,7 +12,7 @@
 namespace grafverif {
 
 struct Abstraction {
-    enum class Carries {
+    enum class Preservation {
         ToEveryPlant,        ///< no plant: a property of all runs also holds with every plant, in grain atomic
         ToTimedLoop,         ///< plant automata that move at any time in any order: also for the timed loop
         ExactInIntegerTime,  ///< the states of the timed engine
@@ -20,7 +20,7 @@ struct Abstraction {
     };
     std::string words = {};  ///< `no plant`, `plant automata, interleaved`
     std::string grain = {};  ///< empty: no separate one
-    Carries carries = Carries::Nowhere;
+    Preservation preservation = Preservation::Nowhere;
     bool constrained = false;  ///< the constraints on the inputs are assumed
     bool fair = false;         ///< runs are fair: a property of runs, other than of states, holds for this model only
 };
@@ -42,7 +42,7 @@ struct SystemToCheck {
 std::vector<std::string> unproven_faults(const TransitionSystem& system, const std::vector<Verdict>& verdicts);
 
 /// The implications of a verdict beyond its model, provided that the `unproven` hold; empty if it is unknown.
-std::string carries_words(const SystemToCheck& check, const Property& property, const Verdict& verdict,
-                          const std::vector<std::string>& unproven);
+std::string preservation_text(const SystemToCheck& check, const Property& property, const Verdict& verdict,
+                              const std::vector<std::string>& unproven);
 
 }  // namespace grafverif

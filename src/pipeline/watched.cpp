@@ -12,7 +12,7 @@ namespace grafverif {
 namespace {
 
 /// Names in the charts of variables that have another name in the network.
-std::map<Id<Network::Variable>, std::string> told_variables(const Network& network) {
+std::map<Id<Network::Variable>, std::string> reported_variables(const Network& network) {
     std::map<Id<Network::Variable>, std::string> told;
     for (const Network::Controller& controller : network.controllers) {
         const std::string owner = prefix_of(network, controller);
@@ -25,8 +25,8 @@ std::map<Id<Network::Variable>, std::string> told_variables(const Network& netwo
     return told;
 }
 
-std::string term_words(const Network& network, Id<Expr> term) {
-    const auto told = told_variables(network);
+std::string term_text(const Network& network, Id<Expr> term) {
+    const auto told = reported_variables(network);
     return expr_text(network.exprs, term, chart_spelling, [&](std::ostream& out, const Expr& leaf) {
         if (leaf.op == Op::Variable) {
             const Id<Network::Variable> variable{static_cast<std::uint32_t>(leaf.value)};
@@ -43,7 +43,7 @@ std::string term_words(const Network& network, Id<Expr> term) {
 
 std::vector<std::string> operand_texts(const Network& network, const Property& property) {
     std::vector<std::string> texts;
-    for (const Id<Expr> operand : property.operands) texts.push_back(term_words(network, operand));
+    for (const Id<Expr> operand : property.operands) texts.push_back(term_text(network, operand));
     return texts;
 }
 

@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "check/cells/cells.hpp"
+#include "check/localization/localization.hpp"
 #include "check/timed/timed.hpp"
 #include "compose/observe.hpp"
-#include "explain/drop.hpp"
+#include "explain/ablation.hpp"
 #include "ir/patterns.hpp"
 #include "pipeline/models.hpp"
 #include "support/element_of.hpp"
@@ -28,8 +28,8 @@ namespace grafverif {
 
 namespace {
 
-using Ground = Why::Ground;
-using Thing = Why::Thing;
+using ProofCore = ProofExplanation::ProofCore;
+using ModelElement = ProofExplanation::ModelElement;
 using Names = std::vector<std::string>;
 
 /// True if `verdict` is on the property called `name`, or on a step of it.
@@ -42,7 +42,7 @@ Outcome outcome_of(const std::vector<Verdict>& verdicts, const std::string& name
     bool any = false, all = true;
     for (const Verdict& verdict : verdicts) {
         if (!is_of(verdict, name)) continue;
-        if (verdict.outcome == Outcome::Violated || verdict.obstacle == Obstacle::Faulty) return Outcome::Violated;
+        if (verdict.outcome == Outcome::Violated || verdict.obstacle == UnknownReason::Faulty) return Outcome::Violated;
         any = true;
         all = all && verdict.outcome == Outcome::Holds;
     }
@@ -52,14 +52,14 @@ Outcome outcome_of(const std::vector<Verdict>& verdicts, const std::string& name
 /// The premise p of `always !p or q`; not valid for any other property.
 Id<Expr> left_side(const Property& property, Exprs& exprs) {
     if (property.pattern != Pattern::Always || exprs[property.operands[0]].op != Op::Or) return {};
-    std::vector<Id<Expr>> asked;
+    std::vector<Id<Expr>> requested;
     bool answered = false;
     for (const Id<Expr> operand : std::vector<Id<Expr>>(exprs.operands(property.operands[0]).begin(),
                                                         exprs.operands(property.operands[0]).end())) {
-        if (exprs[operand].op == Op::Not) asked.push_back(exprs.negation(operand));
+        if (exprs[operand].op == Op::Not) requested.push_back(exprs.negation(operand));
         else answered = true;
     }
-    return asked.empty() || !answered ? Id<Expr>{} : exprs.conjunction(asked);
+    return requested.empty() || !answered ? Id<Expr>{} : exprs.conjunction(requested);
 }
 
 /// The element that the term is a condition of: `t3`, `OUT in step 5`.
@@ -100,13 +100,13 @@ Network with_observer(const Network& network, Id<Property> property) {
     return made;
 }
 
-class Seeker {
+class ProofCoreSearch {
 public:
-    Seeker(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how, const CheckOptions& options,
-           const Report& report)
+    ProofCoreSearch(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how, const CheckOptions& options,
+                    const Report& report)
         : model_(model), loop_(loop), how_(how), options_(options) {
         std::uint64_t states = 0;
-        for (const Answer& answer : report.answers) {
+        for (const PropertyResult& answer : report.answers) {
             states = std::max<std::uint64_t>(states, std::stoull("0" + answer.verdict.states));
             // Localization most often decides these properties again, so the complete network is searched only briefly
             // before.
@@ -115,18 +115,18 @@ public:
         most_states_ = std::max<std::uint64_t>(8 * states, 100'000);
     }
 
-    Why why(const Report& report) {
+    ProofExplanation why(const Report& report) {
         Diagnostics diagnostics;
         auto network = network_of(model_, loop_, how_, diagnostics);
         if (!network) return {};
         std::vector<Verdict> found;
-        for (const Answer& answer : report.answers) found.push_back(answer.verdict);
+        for (const PropertyResult& answer : report.answers) found.push_back(answer.verdict);
         for (const Property& property : network->properties)
             if (outcome_of(found, property.name) == Outcome::Holds)
                 why_.grounds.push_back(
                     {.property = property.name, .about_states = is_about_all_states(property.pattern)});
         if (why_.grounds.empty()) return std::move(why_);
-        ask_left_sides(*network);
+        query_premises(*network);
         leave_out_transitions();
         leave_out_parts(expand(*network));
         leave_out_actions();
@@ -165,45 +165,45 @@ private:
 
     bool stopped() {
         const bool over = options_.limits.deadline && std::chrono::steady_clock::now() >= *options_.limits.deadline;
-        const bool asked = options_.limits.stop != nullptr && *options_.limits.stop;
-        if (over || asked) why_.ended = over ? "time limit reached" : "stopped";
-        return over || asked;
+        const bool requested = options_.limits.stop != nullptr && *options_.limits.stop;
+        if (over || requested) why_.ended = over ? "time limit reached" : "stopped";
+        return over || requested;
     }
 
-    void ask_left_sides(Network network) {
+    void query_premises(Network network) {
         std::vector<std::string> names;
         std::vector<Property> questions;
-        for (const Ground& ground : why_.grounds) {
+        for (const ProofCore& ground : why_.grounds) {
             const Property& property = element_of(network.properties, ground.property, &Property::name);
-            const Id<Expr> asked = left_side(property, network.exprs);
-            if (!asked.valid()) continue;
+            const Id<Expr> requested = left_side(property, network.exprs);
+            if (!requested.valid()) continue;
             questions.push_back({.name = ground.property + " premise",
                                  .pattern = Pattern::Reachable,
-                                 .operands = {asked},
+                                 .operands = {requested},
                                  .at_stable = property.at_stable});
             names.push_back(questions.back().name);
         }
         for (Property& question : questions) network.properties.add(std::move(question));
         const std::vector<Verdict> found = names.empty() ? std::vector<Verdict>{} : search(network, names);
-        for (Ground& ground : why_.grounds)
-            ground.never_asked = outcome_of(found, ground.property + " premise") == Outcome::Violated;
+        for (ProofCore& ground : why_.grounds)
+            ground.vacuous = outcome_of(found, ground.property + " premise") == Outcome::Violated;
     }
 
     // -- one element alone -------------------------------------------------------------------------------------------
 
-    Names names_of(const std::function<bool(const Ground&)>& asked) const {
+    Names names_of(const std::function<bool(const ProofCore&)>& requested) const {
         Names names;
-        for (const Ground& ground : why_.grounds)
-            if (asked(ground)) names.push_back(ground.property);
+        for (const ProofCore& ground : why_.grounds)
+            if (requested(ground)) names.push_back(ground.property);
         return names;
     }
     Names all() const {
-        return names_of([](const Ground&) { return true; });
+        return names_of([](const ProofCore&) { return true; });
     }
 
     /// Checks the properties called `names` of the model with the change in it. `original`: for a change to the plant,
     /// the network of the unchanged model.
-    void leave_out(Thing thing, const Names& names, const std::function<void(Model&)>& change,
+    void leave_out(ModelElement thing, const Names& names, const std::function<void(Model&)>& change,
                    const Network* original = nullptr) {
         std::optional<Network> network;
         std::vector<Verdict> found;
@@ -249,8 +249,9 @@ private:
         for_each_chart([&](Id<Chart> id, const std::string& prefix) {
             const Chart& chart = model_.charts[id];
             for (const Id<Chart::Transition> transition : chart.transitions.ids())
-                leave_out({.kind = Why::Kind::Transition, .name = prefix + chart.transitions[transition].name}, all(),
-                          [&](Model& without) { drop_transition(without.charts[id], transition); });
+                leave_out(
+                    {.kind = ProofExplanation::Kind::Transition, .name = prefix + chart.transitions[transition].name},
+                    all(), [&](Model& without) { drop_transition(without.charts[id], transition); });
         });
     }
 
@@ -260,8 +261,8 @@ private:
             for (const Id<Chart::Step> step : chart.steps.ids()) {
                 Chart idle = chart;
                 if (drop_actions(idle, step))
-                    leave_out({.kind = Why::Kind::Step, .name = prefix + name_of(chart, step).text()}, all(),
-                              [&](Model& without) { without.charts[id] = idle; });
+                    leave_out({.kind = ProofExplanation::Kind::Step, .name = prefix + name_of(chart, step).text()},
+                              all(), [&](Model& without) { without.charts[id] = idle; });
             }
         });
     }
@@ -270,14 +271,15 @@ private:
         for_each_chart([&](Id<Chart> id, const std::string& prefix) {
             const Chart& chart = model_.charts[id];
             for (const TermPlace& place : terms_of(chart))
-                leave_out({.kind = Why::Kind::Term,
+                leave_out({.kind = ProofExplanation::Kind::Term,
                            .name = term_text(chart, term_at(chart, place)),
                            .of = prefix + owner_of(chart, place)},
-                          all(), [&](Model& without) { drop_term(without.charts[id], place); });
+                          all(), [&](Model& without) { remove_term(without.charts[id], place); });
         });
     }
 
-    void for_each_edge(const std::function<void(Id<ClosedLoop::Instance>, Id<Component::Edge>, Thing)>& visit) const {
+    void for_each_edge(
+        const std::function<void(Id<ClosedLoop::Instance>, Id<Component::Edge>, ModelElement)>& visit) const {
         const ClosedLoop& loop = model_.loops[loop_];
         for (const Id<ClosedLoop::Instance> id : loop.instances.ids()) {
             const Component& component = model_.components[loop.instances[id].component];
@@ -289,52 +291,52 @@ private:
     /// A property that holds for any behaviour of an instance also holds for any value of its guards, without a search.
     /// But if the edge has assignments, a model error may be possible without the guard.
     void leave_out_guards(const Network& original) {
-        for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, Thing thing) {
+        for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement thing) {
             const Component& component = model_.components[model_.loops[loop_].instances[id].component];
-            if (!is_guarded(component, edge) || std::ranges::none_of(why_.grounds, &Ground::about_states)) return;
+            if (!is_guarded(component, edge) || std::ranges::none_of(why_.grounds, &ProofCore::about_states)) return;
             const bool assigns = !component.edges[edge].assignments.empty();
-            const auto asked = [&](const Ground& ground) {
+            const auto requested = [&](const ProofCore& ground) {
                 const auto names = [&](const Names& list) { return std::ranges::find(list, thing.of) != list.end(); };
                 return ground.about_states &&
                        (assigns || names(ground.parts) || names(ground.open) || !why_.ended.empty());
             };
-            thing.kind = Why::Kind::Guard;
+            thing.kind = ProofExplanation::Kind::Guard;
             leave_out(
-                thing, names_of(asked), [&](Model& without) { drop_guard(without, loop_, id, edge); }, &original);
+                thing, names_of(requested), [&](Model& without) { drop_guard(without, loop_, id, edge); }, &original);
         });
     }
 
     /// If an edge is not forced, the loop without it has no new behaviour, so a property of all states still holds.
     void leave_out_edges(const Network& original) {
-        for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, Thing thing) {
+        for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement thing) {
             const bool forced = is_forced(model_.components[model_.loops[loop_].instances[id].component], edge);
-            thing.kind = Why::Kind::Edge;
+            thing.kind = ProofExplanation::Kind::Edge;
             leave_out(
-                thing, names_of([&](const Ground& ground) { return forced || !ground.about_states; }),
+                thing, names_of([&](const ProofCore& ground) { return forced || !ground.about_states; }),
                 [&](Model& without) { drop_edge(without, loop_, id, edge); }, &original);
         });
     }
 
     void number_namesakes() {
-        std::map<std::tuple<Why::Kind, std::string, std::string>, std::size_t> seen;
-        for (Thing& thing : why_.things) thing.nth = ++seen[{thing.kind, thing.of, thing.name}];
+        std::map<std::tuple<ProofExplanation::Kind, std::string, std::string>, std::size_t> seen;
+        for (ModelElement& thing : why_.things) thing.nth = ++seen[{thing.kind, thing.of, thing.name}];
     }
 
     // -- the plant and the timers ------------------------------------------------------------------------------------
 
     void leave_out_parts(const Network& network) {
-        told_ = told_names(network);
+        told_ = display_names(network);
         const std::vector<Id<Network::Process>> order = in_order(network);
         std::set<std::string> needed;
-        bool asked = false;
-        for (Ground& ground : why_.grounds) {
+        bool requested = false;
+        for (ProofCore& ground : why_.grounds) {
             if (!ground.about_states) continue;
-            asked = true;
+            requested = true;
             leave_out_parts(network, order, ground);
             for (const auto* names : {&ground.parts, &ground.open}) needed.insert(names->begin(), names->end());
         }
         for (const Id<Network::Process> id : order)
-            if (asked && why_.ended.empty() && !needed.contains(told_[id.index]))
+            if (requested && why_.ended.empty() && !needed.contains(told_[id.index]))
                 why_.unneeded_parts.push_back(told_[id.index]);
     }
 
@@ -360,7 +362,7 @@ private:
     }
 
     /// Elements that could not be decided are tried again with the others removed, all together and one by one.
-    void leave_out_parts(const Network& network, std::vector<Id<Network::Process>> order, Ground& ground) {
+    void leave_out_parts(const Network& network, std::vector<Id<Network::Process>> order, ProofCore& ground) {
         Network open = network;
         for (const bool again : {false, true}) {
             std::vector<Id<Network::Process>> undecided;
@@ -376,7 +378,7 @@ private:
         if (!why_.ended.empty()) ground.open.emplace_back("all other parts");
     }
 
-    bool leave_out_all(const std::vector<Id<Network::Process>>& processes, Network& open, const Ground& ground) {
+    bool leave_out_all(const std::vector<Id<Network::Process>>& processes, Network& open, const ProofCore& ground) {
         const Property& property = element_of(open.properties, ground.property, &Property::name);
         Network less = open;
         for (const Id<Network::Process> id : processes)
@@ -388,7 +390,7 @@ private:
     }
 
     /// Removes as much as possible of a process from `open`. Holds: everything; Unknown: no result.
-    Outcome leave_out(Id<Network::Process> id, Network& open, Ground& ground) {
+    Outcome leave_out(Id<Network::Process> id, Network& open, ProofCore& ground) {
         const std::string& name = told_[id.index];
         const Property& property = element_of(open.properties, ground.property, &Property::name);
         const bool timer = open.processes[id].kind == Network::ProcessKind::Timer;
@@ -425,16 +427,16 @@ private:
     const ModelOptions& how_;
     const CheckOptions& options_;
     std::uint64_t most_states_ = 0;
-    CellLimits cells_ = {};
+    LocalizationLimits cells_ = {};
     std::vector<std::string> told_ = {};  // per process of the network
-    Why why_ = {};
+    ProofExplanation why_ = {};
 };
 
 }  // namespace
 
-Why why_it_holds(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how, const CheckOptions& options,
-                 const Report& report) {
-    return Seeker(model, loop, how, options, report).why(report);
+ProofExplanation why_it_holds(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
+                              const CheckOptions& options, const Report& report) {
+    return ProofCoreSearch(model, loop, how, options, report).why(report);
 }
 
 }  // namespace grafverif

@@ -7,10 +7,10 @@
 
 namespace grafverif {
 
-/// Analyses the properties in `report` that hold in all states and are declared; see Why. Each search explores at most
-/// eight times the states of the first one, but at least 100 000, or the number that `options` allow. Elements that are
-/// undecided at the deadline or when it is stopped stay open.
-Why why_it_holds(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how, const CheckOptions& options,
-                 const Report& report);
+/// Analyses the properties in `report` that hold in all states and are declared; see ProofExplanation. Each search
+/// explores at most eight times the states of the first one, but at least 100 000, or the number that `options` allow.
+/// Elements that are undecided at the deadline or when it is stopped stay open.
+ProofExplanation why_it_holds(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
+                              const CheckOptions& options, const Report& report);
 
 }  // namespace grafverif

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "ir/told_name.hpp"
+#include "ir/display_name.hpp"
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "support/unique_names.hpp"
@@ -136,7 +136,7 @@ void power_on(const Component& component, const ClosedLoop::Instance& instance, 
     }
     for (const Component::Variable& declared : component.variables) {
         Variable variable{.name = names.fresh(instance.name + "_" + declared.name), .origin = declared.origin};
-        variable.told = told_name(instance.name, component, declared.name);
+        variable.told = display_name(instance.name, component, declared.name);
         here.declare(variable, declared.low, declared.high, declared.initial, declared.origin);
         own.push_back(plant.variables.add(std::move(variable)));
         written.push_back(own.back());

@@ -69,8 +69,8 @@ tree::File read_sfc_text(Id<Source> source, const Sources& sources, bool lossy, 
 }
 
 /// First words of files in IEC 61131-3 that cannot begin a .grafcet file.
-constexpr std::array first_words = {"PROGRAM", "FUNCTION_BLOCK", "FUNCTION",   "VAR_GLOBAL",  "TYPE", "CONFIGURATION",
-                                    "VAR",     "VAR_INPUT",      "VAR_OUTPUT", "INITIAL_STEP"};
+constexpr std::array first_text = {"PROGRAM", "FUNCTION_BLOCK", "FUNCTION",   "VAR_GLOBAL",  "TYPE", "CONFIGURATION",
+                                   "VAR",     "VAR_INPUT",      "VAR_OUTPUT", "INITIAL_STEP"};
 
 constexpr std::array our_first_words = {"grafcet", "component", "closed_loop", "include"};
 
@@ -131,7 +131,7 @@ FileFormat format_of(std::string_view text) {
         ++length;
     const std::string_view word = first.substr(0, length);
     if (std::ranges::find(our_first_words, word) != our_first_words.end()) return FileFormat::Grafcet;
-    const bool structured = std::ranges::find(first_words, st::capitals(word)) != first_words.end();
+    const bool structured = std::ranges::find(first_text, st::capitals(word)) != first_text.end();
     return structured ? FileFormat::StructuredText : FileFormat::Unknown;
 }
 

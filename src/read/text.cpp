@@ -90,7 +90,7 @@ std::vector<tree::File> parse_with_includes(Id<Source> file, Sources& sources, c
     return files;
 }
 
-struct Reading {
+struct ReadState {
     Sources& sources;
     const ReadContext& context;
     Diagnostics& diagnostics;
@@ -101,14 +101,14 @@ struct Reading {
 };
 
 /// True if the name is new in `seen`; otherwise reports a duplicate.
-bool is_new(Reading& reading, std::unordered_map<std::string, Span>& seen, std::string_view kind, std::string_view name,
-            Span where) {
+bool is_new(ReadState& reading, std::unordered_map<std::string, Span>& seen, std::string_view kind,
+            std::string_view name, Span where) {
     const auto [known, fresh] = seen.try_emplace(std::string(name), where);
     if (!fresh) reading.diagnostics.add(messages::duplicate_name(where, kind, name, known->second));
     return fresh;
 }
 
-void read_chart(Reading& reading, const tree::File& file, const tree::Chart& written) {
+void read_chart(ReadState& reading, const tree::File& file, const tree::Chart& written) {
     const std::string name(file.text(written.name));
     if (!is_new(reading, reading.charts, "chart", name, written.name.where)) return;
     auto chart = written.broken ? std::nullopt : resolve_chart(file, written, reading.diagnostics);
@@ -117,12 +117,12 @@ void read_chart(Reading& reading, const tree::File& file, const tree::Chart& wri
 }
 
 /// The component of this name in the library; null if there is none.
-const LibraryEntry* library_entry(const Reading& reading, std::string_view name) {
+const LibraryEntry* library_entry(const ReadState& reading, std::string_view name) {
     const auto entry = std::ranges::find(reading.context.library, name, &LibraryEntry::name);
     return entry == reading.context.library.end() ? nullptr : &*entry;
 }
 
-void read_component(Reading& reading, const tree::File& file, const tree::Component& written) {
+void read_component(ReadState& reading, const tree::File& file, const tree::Component& written) {
     const std::string name(file.text(written.name));
     if (!is_new(reading, reading.components, "component", name, written.name.where)) return;
     if (library_entry(reading, name) != nullptr)
@@ -133,7 +133,7 @@ void read_component(Reading& reading, const tree::File& file, const tree::Compon
 }
 
 /// Charts and components first, because loops refer to them independently of the order of declaration.
-void read_parts(Reading& reading, const tree::File& file) {
+void read_parts(ReadState& reading, const tree::File& file) {
     for (const tree::Declaration& declaration : file.declarations) {
         std::visit(overloaded{
                        [](const tree::Include&) {},
@@ -146,7 +146,7 @@ void read_parts(Reading& reading, const tree::File& file) {
 }
 
 /// Takes a component from the library, if the input does not define it and the library does.
-void take_from_library(Reading& reading, const std::string& name) {
+void take_from_library(ReadState& reading, const std::string& name) {
     const LibraryEntry* const entry = library_entry(reading, name);
     if (entry == nullptr || reading.components.contains(name)) return;
     const Id<Source> source = reading.sources.add({std::string(entry->path), std::string(entry->text)});
@@ -161,7 +161,7 @@ void take_from_library(Reading& reading, const std::string& name) {
     }
 }
 
-void take_components(Reading& reading, const tree::File& file) {
+void take_components(ReadState& reading, const tree::File& file) {
     for (const tree::Declaration& declaration : file.declarations) {
         const auto* loop = std::get_if<tree::ClosedLoop>(&declaration);
         if (loop == nullptr) continue;
@@ -172,7 +172,7 @@ void take_components(Reading& reading, const tree::File& file) {
 }
 
 /// Checks that every constant set by the user is one of some loop.
-void check_settings(Reading& reading) {
+void check_settings(ReadState& reading) {
     std::vector<std::string> known;
     for (const ClosedLoop& loop : reading.model.loops)
         for (const NamedConstant& constant : loop.constants) known.push_back(constant.name);
@@ -182,7 +182,7 @@ void check_settings(Reading& reading) {
                 messages::no_such_choice("constant of a closed loop", name, known, nearest_of(name, known)));
 }
 
-LoopContext loop_context(const Reading& reading) {
+LoopContext loop_context(const ReadState& reading) {
     LoopContext context{
         reading.model, reading.charts_in_error, reading.components_in_error, {}, reading.context.constants};
     for (const auto& [name, where] : reading.components) context.component_names.push_back(name);
@@ -193,7 +193,7 @@ LoopContext loop_context(const Reading& reading) {
     return context;
 }
 
-void read_loops(Reading& reading, const tree::File& file, const LoopContext& context) {
+void read_loops(ReadState& reading, const tree::File& file, const LoopContext& context) {
     for (const tree::Declaration& declaration : file.declarations) {
         const auto* written = std::get_if<tree::ClosedLoop>(&declaration);
         if (written == nullptr) continue;
@@ -228,7 +228,7 @@ std::optional<Model> read_text(Id<Source> file, Sources& sources, const ReadCont
 std::optional<Model> model_of(std::span<const tree::File> files, bool files_missing, Sources& sources,
                               const ReadContext& context, Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
-    Reading reading{sources, context, diagnostics};
+    ReadState reading{sources, context, diagnostics};
     for (const tree::File& parsed : files) read_parts(reading, parsed);
     for (const tree::File& parsed : files) take_components(reading, parsed);
     // Declarations omitted because of an error may define the missing names.

@@ -29,10 +29,10 @@ Json number(const std::string& decimal) {
 }
 
 /// The constants of the loop with their current values, if it has any.
-void add_constants(Json& object, const Basis& basis) {
-    if (basis.constants.empty()) return;
+void add_constants(Json& object, const CheckSettings& settings) {
+    if (settings.constants.empty()) return;
     Json list = Json::array();
-    for (const NamedConstant& each : basis.constants) {
+    for (const NamedConstant& each : settings.constants) {
         Json value = value_text(each);
         if (each.kind == NamedConstant::Kind::Boolean) value = each.value != 0;
         if (each.kind == NamedConstant::Kind::Integer) value = each.value;
@@ -47,16 +47,16 @@ void add_place(Json& object, const std::optional<FilePlace>& where) {
     object["column"] = where ? Json(where->at.column) : Json(nullptr);
 }
 
-Json property(const Report& report, const Answer& answer, const Sources& sources) {
+Json property(const Report& report, const PropertyResult& answer, const Sources& sources) {
     const Verdict& verdict = answer.verdict;
     Json made = {{"name", verdict.property}, {"text", text_or_null(answer.text)}};
     add_place(made, file_place(sources, verdict.origin));
     const Json found = {{"verdict", word(verdict.outcome)},
                         {"expected", verdict.expected_violated ? "violated" : "holds"},
                         {"declared", verdict.declared},
-                        {"engine", text_or_null(report.basis.engine)},
-                        {"mode", text_or_null(report.basis.mode)},
-                        {"grain", text_or_null(report.basis.grain)},
+                        {"engine", text_or_null(report.settings.engine)},
+                        {"mode", text_or_null(report.settings.mode)},
+                        {"grain", text_or_null(report.settings.grain)},
                         {"states", number(verdict.states)},
                         {"transitions", verdict.transitions ? Json(*verdict.transitions) : Json(nullptr)},
                         {"seconds", verdict.seconds},
@@ -65,7 +65,7 @@ Json property(const Report& report, const Answer& answer, const Sources& sources
                         {"notes", verdict.notes},
                         {"trace", answer.trace ? trace_json(*answer.trace) : Json(nullptr)}};
     made.update(found);
-    const Scope& scope = verdict.scope;
+    const SearchScope& scope = verdict.scope;
     if (!scope.searched.empty() || !scope.left_out.empty())
         made[scope.cells ? "cells" : "sub_loops"] = {
             {"searched", scope.searched}, {"left_out", scope.left_out}, {"because", text_or_null(scope.because)}};
@@ -79,15 +79,15 @@ Json property(const Report& report, const Answer& answer, const Sources& sources
 
 }  // namespace
 
-void print_json(const Report& report, const Sources& sources, std::ostream& out, const Why* why) {
+void print_json(const Report& report, const Sources& sources, std::ostream& out, const ProofExplanation* why) {
     Json properties = Json::array();
-    for (const Answer& answer : report.answers) properties.push_back(property(report, answer, sources));
+    for (const PropertyResult& answer : report.answers) properties.push_back(property(report, answer, sources));
     Json document = {{"model", report.model}};
-    add_constants(document, report.basis);
+    add_constants(document, report.settings);
     document["properties"] = std::move(properties);
-    if (!report.breakdowns.empty()) {
+    if (!report.error_traces.empty()) {
         Json errors = Json::array();
-        for (const Breakdown& breakdown : report.breakdowns)
+        for (const ModelErrorTrace& breakdown : report.error_traces)
             errors.push_back(
                 {{"code", breakdown.code}, {"message", breakdown.message}, {"trace", trace_json(breakdown.trace)}});
         document["errors"] = std::move(errors);
@@ -122,14 +122,14 @@ Json error_line(const std::optional<FilePlace>& where, const Json& model, std::s
 
 }  // namespace
 
-void print_json_lines(const Report& report, const Written& written, std::ostream& out) {
-    for (const Breakdown& breakdown : report.breakdowns) {
+void print_json_lines(const Report& report, const ReportSource& written, std::ostream& out) {
+    for (const ModelErrorTrace& breakdown : report.error_traces) {
         Json line =
             error_line(file_place(written.sources, origin(written)), report.model, breakdown.code, breakdown.message);
         line["trace_text"] = trace_text(breakdown.trace, "");
         print_line(line, out);
     }
-    for (const Answer& answer : report.answers) {
+    for (const PropertyResult& answer : report.answers) {
         const Verdict& verdict = answer.verdict;
         const bool shown = answer.trace && !as_expected(verdict);
         Json line = Json::object();
@@ -141,9 +141,9 @@ void print_json_lines(const Report& report, const Written& written, std::ostream
                             {"expected", verdict.expected_violated ? "violated" : "holds"},
                             {"declared", verdict.declared},
                             {"as_expected", as_expected(verdict)},
-                            {"engine", text_or_null(report.basis.engine)},
-                            {"mode", text_or_null(report.basis.mode)},
-                            {"grain", text_or_null(report.basis.grain)},
+                            {"engine", text_or_null(report.settings.engine)},
+                            {"mode", text_or_null(report.settings.mode)},
+                            {"grain", text_or_null(report.settings.grain)},
                             {"states", number(verdict.states)},
                             {"seconds", verdict.seconds},
                             {"reason", text_or_null(verdict.reason)},
@@ -151,7 +151,7 @@ void print_json_lines(const Report& report, const Written& written, std::ostream
                             {"notes", verdict.notes},
                             {"trace_text", shown ? trace_text(*answer.trace, end_of(verdict)) : Json(nullptr)}};
         line.update(found);
-        add_constants(line, report.basis);
+        add_constants(line, report.settings);
         print_line(line, out);
     }
 }

@@ -11,8 +11,8 @@
 //   trace     {"loop_from", "steps":[{"time", "kind", "component", "inputs", "fired", "situation", "outputs",
 //             "moment"}], "run"}
 //
-// JSON lines: one object per verdict. For an unexpected verdict `trace_text` is the table of its trace, line by line. For a
-// model error and an error in the input, `verdict` is `error`, with `code` and `message`.
+// JSON lines: one object per verdict. For an unexpected verdict `trace_text` is the table of its trace, line by line.
+// For a model error and an error in the input, `verdict` is `error`, with `code` and `message`.
 //
 //   {"file", "line", "column", "model", "property", "text", "verdict", "expected", "declared", "as_expected", "engine",
 //   "mode", "grain", "states", "seconds", "reason", "vacuous", "notes", "trace_text"}
@@ -25,13 +25,13 @@
 #include "grafverif/ir/why.hpp"
 #include "grafverif/support/diagnostic.hpp"
 #include "report/report.hpp"
-#include "report/written.hpp"
+#include "report/report_source.hpp"
 
 namespace grafverif {
 
 /// `sources`: of the model; without them the report has no locations.
-void print_json(const Report& report, const Sources& sources, std::ostream& out, const Why* why = nullptr);
-void print_json_lines(const Report& report, const Written& written, std::ostream& out);
+void print_json(const Report& report, const Sources& sources, std::ostream& out, const ProofExplanation* why = nullptr);
+void print_json_lines(const Report& report, const ReportSource& written, std::ostream& out);
 /// Prints the errors among `diagnostics`; `file`: the checked file.
 void print_json_lines(const std::string& file, const std::vector<Diagnostic>& diagnostics, const Sources& sources,
                       std::ostream& out);

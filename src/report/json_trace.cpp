@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "report/words.hpp"
+#include "report/trace_text.hpp"
 
 namespace grafverif {
 
@@ -107,8 +107,8 @@ Json values_json(const ChartRun::State* before, const ChartRun::State& now) {
     return list;
 }
 
-Json moment_json(const ChartRun& run, std::size_t index) {
-    const ChartRun::Moment& moment = run.moments[index];
+Json event_json(const ChartRun& run, std::size_t index) {
+    const ChartRun::Event& moment = run.moments[index];
     const ChartRun::State* const before = index == 0 ? nullptr : &run.moments[index - 1].after;
     Json object = {{"time", moment.after.time_ms},
                    {"kind", word(moment.kind)},
@@ -133,14 +133,14 @@ Json cause_json(const ChartRun& run, const ChartRun::Cause& cause) {
             {"value", cause.value},
             {"from", cause.first},
             {"to", cause.last},
-            {"words", cause_words(run, cause)}};
+            {"words", cause_text(run, cause)}};
 }
 
 }  // namespace
 
 Json run_json(const ChartRun& run) {
     Json moments = Json::array();
-    for (std::size_t i = 0; i < run.moments.size(); ++i) moments.push_back(moment_json(run, i));
+    for (std::size_t i = 0; i < run.moments.size(); ++i) moments.push_back(event_json(run, i));
     Json made = {{"version", 1},
                  {"name", run.name},
                  {"timed", run.timed},
@@ -176,13 +176,13 @@ Json run_json(const ChartRun& run) {
         made["causes"] = {{"exact", run.causes_exact}, {"values", listed(run.causes, each)}};
     }
     if (!run.left_out.empty()) made["left_out"] = run.left_out;
-    const auto value = [&run](const ChartRun::LeftOut& each) {
+    const auto value = [&run](const ChartRun::Counterfactual& each) {
         return Json{{"moment", each.moment},
                     {"signal", place(each.signal)},
                     {"timer", place(each.timer)},
-                    {"words", left_out_words(run, each)}};
+                    {"words", counterfactual_text(run, each)}};
     };
-    if (!run.left_out_values.empty()) made["left_out_values"] = listed(run.left_out_values, value);
+    if (!run.counterfactual_values.empty()) made["left_out_values"] = listed(run.counterfactual_values, value);
     return made;
 }
 

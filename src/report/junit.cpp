@@ -50,7 +50,7 @@ std::string failure(std::string_view type, std::string_view message, const std::
     return element("failure", type, first + "\n" + first_lines(trace), first + "\n" + trace);
 }
 
-std::string result(const Answer& answer, const std::optional<FilePlace>& where) {
+std::string result(const PropertyResult& answer, const std::optional<FilePlace>& where) {
     const Verdict& verdict = answer.verdict;
     if (verdict.outcome == Outcome::Unknown) {
         const std::string message = "unknown: " + verdict.reason;
@@ -63,7 +63,7 @@ std::string result(const Answer& answer, const std::optional<FilePlace>& where) 
 }
 
 /// Output of every case: the text of the property, and a note if it holds vacuously.
-std::string output(const Answer& answer) {
+std::string output(const PropertyResult& answer) {
     if (!answer.verdict.vacuous) return answer.text;
     return fmt::format("{}{}{}, vacuously: {}", answer.text, answer.text.empty() ? "" : "\n",
                        word(answer.verdict.outcome), fmt::join(answer.verdict.notes, "; "));
@@ -96,17 +96,17 @@ std::string suite_of_error(std::string_view file, const std::string& one_case) {
 
 }  // namespace
 
-std::string junit_suite(const Report& report, const Written& written) {
+std::string junit_suite(const Report& report, const ReportSource& written) {
     const Tally count = tally(report);
     double seconds = 0;
     std::string cases;
-    for (const Breakdown& breakdown : report.breakdowns) {
+    for (const ModelErrorTrace& breakdown : report.error_traces) {
         const auto where = file_place(written.sources, origin(written));
         const std::string trace = breakdown.trace.steps.empty() ? "" : told(breakdown.trace, "");
         cases += test_case({report.model, breakdown.code, "", where, 0},
                            failure(breakdown.code, breakdown.message, where, trace));
     }
-    for (const Answer& answer : report.answers) {
+    for (const PropertyResult& answer : report.answers) {
         const Verdict& verdict = answer.verdict;
         const auto where = file_place(written.sources, origin(written, verdict));
         const std::string text = output(answer);
@@ -115,8 +115,8 @@ std::string junit_suite(const Report& report, const Written& written) {
     }
     return fmt::format(
                "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{:.3f}\">\n",
-               attribute_xml(report.model), report.answers.size() + report.breakdowns.size(),
-               count.unexpected + report.breakdowns.size(), count.unknown, count.undeclared_unknown, seconds) +
+               attribute_xml(report.model), report.answers.size() + report.error_traces.size(),
+               count.unexpected + report.error_traces.size(), count.unknown, count.undeclared_unknown, seconds) +
            cases + "  </testsuite>\n";
 }
 

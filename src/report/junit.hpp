@@ -14,12 +14,12 @@
 #include "grafverif/support/diagnostic.hpp"
 #include "grafverif/support/source.hpp"
 #include "report/report.hpp"
-#include "report/written.hpp"
+#include "report/report_source.hpp"
 
 namespace grafverif {
 
 /// `<testsuite>...</testsuite>`, its lines indented.
-std::string junit_suite(const Report& report, const Written& written);
+std::string junit_suite(const Report& report, const ReportSource& written);
 /// For a file with errors.
 std::string junit_suite(std::string_view file, const std::vector<Diagnostic>& diagnostics, const Sources& sources);
 /// For a file without results; `message` is the reason.

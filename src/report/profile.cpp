@@ -41,7 +41,7 @@ public:
                             all ? fmt::format("these {} states", profile_.states)
                                 : fmt::format("the first {} of {} states", profile_.sampled, profile_.states),
                             "x N: N times fewer states would remain without this element");
-        print_lines(profile_.parts, [&](const StateProfile::Part& part) {
+        print_lines(profile_.parts, [&](const StateProfile::Component& part) {
             const bool more = part.combinations >= profile_.most_combinations;
             return fmt::format("{} {}, {}{} combinations of its variables", kind_word(part.kind), printable(part.name),
                                part.combinations, more ? " or more" : "");
@@ -92,7 +92,7 @@ private:
 }  // namespace
 
 void name_places(StateProfile& profile, const Sources& sources) {
-    for (StateProfile::Part& part : profile.parts) part.place = file_and_line(sources, part.origin);
+    for (StateProfile::Component& part : profile.parts) part.place = file_and_line(sources, part.origin);
     for (StateProfile::Clock& clock : profile.clocks) clock.place = file_and_line(sources, clock.origin);
     if (profile.finest) profile.finest->place = file_and_line(sources, profile.finest->origin);
 }
@@ -101,7 +101,7 @@ void print_profile(const StateProfile& profile, std::ostream& out) { Printer(pro
 
 Json profile_json(const StateProfile& profile) {
     Json parts = Json::array(), clocks = Json::array();
-    for (const StateProfile::Part& part : profile.parts)
+    for (const StateProfile::Component& part : profile.parts)
         parts.push_back({{"name", part.name},
                          {"kind", kind_word(part.kind)},
                          {"combinations", part.combinations},

@@ -13,7 +13,7 @@ namespace grafverif {
 
 namespace {
 
-std::string mode_words(bool searches, bool cycles) {
+std::string mode_text(bool searches, bool cycles) {
     std::string mode = searches ? "stability-search" : "";
     if (cycles) mode += searches ? ", every-cycle" : "every-cycle";
     return mode;
@@ -21,20 +21,20 @@ std::string mode_words(bool searches, bool cycles) {
 
 }  // namespace
 
-Basis basis_of(const Network& network, std::string engine) {
+CheckSettings basis_of(const Network& network, std::string engine) {
     bool searches = false, cycles = false;
     for (const Network::Controller& controller : network.controllers)
         (controller.words.mode == ExecutionMode::EveryCycle ? cycles : searches) = true;
-    const std::string mode = mode_words(searches, cycles);
+    const std::string mode = mode_text(searches, cycles);
     return {std::move(engine),    mode, network.grain == Grain::Atomic ? "atomic" : "phased",
             network.time_unit_ms, {},   network.constants};
 }
 
-Basis basis_of(const TransitionSystem& system, std::string engine, std::string untimed) {
+CheckSettings basis_of(const TransitionSystem& system, std::string engine, std::string untimed) {
     bool searches = false, cycles = false;
     for (const TransitionSystem::Controller& controller : system.controllers)
         (controller.words.mode == ExecutionMode::EveryCycle ? cycles : searches) = true;
-    return {std::move(engine), mode_words(searches, cycles), {}, 0, std::move(untimed), system.constants};
+    return {std::move(engine), mode_text(searches, cycles), {}, 0, std::move(untimed), system.constants};
 }
 
 namespace {
@@ -51,35 +51,36 @@ std::string message_of(const SystemFault& fault) {
 
 }  // namespace
 
-Breakdown breakdown_of(const TransitionSystem& system, const SystemFault& fault, Detail detail) {
+ModelErrorTrace error_trace_of(const TransitionSystem& system, const SystemFault& fault, Detail detail) {
     const bool shown = !fault.run.states.empty();
     return {std::string(word(fault.kind)), message_of(fault),
-            shown ? tell(project(system, fault.run), detail) : ChartRun{}};
+            shown ? with_rows(project(system, fault.run), detail) : ChartRun{}};
 }
 
-Answer answer_of(const TransitionSystem& system, Verdict verdict, const std::optional<SystemRun>& run, Detail detail) {
-    Answer answer;
+PropertyResult result_of(const TransitionSystem& system, Verdict verdict, const std::optional<SystemRun>& run,
+                         Detail detail) {
+    PropertyResult answer;
     if (verdict.about.valid()) answer.text = system.properties[verdict.about].text;
-    if (run) answer.trace = tell(project(system, *run), detail);
+    if (run) answer.trace = with_rows(project(system, *run), detail);
     answer.verdict = std::move(verdict);
     return answer;
 }
 
-Answer answer_of(const Network& network, Verdict verdict, Detail detail) {
-    Answer answer;
+PropertyResult result_of(const Network& network, Verdict verdict, Detail detail) {
+    PropertyResult answer;
     if (verdict.about.valid()) answer.text = network.properties[verdict.about].text;
-    if (verdict.run) answer.trace = tell(project(network, *verdict.run), detail);
+    if (verdict.run) answer.trace = with_rows(project(network, *verdict.run), detail);
     verdict.run.reset();
     answer.verdict = std::move(verdict);
     return answer;
 }
 
-Breakdown breakdown_of(const Network& network, const ModelError& error, Detail detail) {
-    return {std::string(word(error.kind)), text_of(network, error), tell(project(network, error.run), detail)};
+ModelErrorTrace error_trace_of(const Network& network, const ModelError& error, Detail detail) {
+    return {std::string(word(error.kind)), text_of(network, error), with_rows(project(network, error.run), detail)};
 }
 
 void name_places(Report& report, const Sources& sources) {
-    for (Answer& answer : report.answers)
+    for (PropertyResult& answer : report.answers)
         if (sources.contains(answer.verdict.origin.source))
             answer.place = file_and_line(sources, answer.verdict.origin);
     if (report.profile) name_places(*report.profile, sources);
@@ -87,7 +88,7 @@ void name_places(Report& report, const Sources& sources) {
 
 Tally tally(const Report& report) {
     Tally tally;
-    for (const Answer& answer : report.answers) {
+    for (const PropertyResult& answer : report.answers) {
         const Verdict& verdict = answer.verdict;
         if (verdict.outcome == Outcome::Holds) ++tally.holds;
         if (verdict.outcome == Outcome::Violated) ++tally.violated;
@@ -97,8 +98,8 @@ Tally tally(const Report& report) {
     return tally;
 }
 
-bool has_answer(const Report& report, const Property& property) {
-    return std::ranges::any_of(report.answers, [&](const Answer& answer) {
+bool has_result(const Report& report, const Property& property) {
+    return std::ranges::any_of(report.answers, [&](const PropertyResult& answer) {
         const std::string& name = answer.verdict.property;
         return name == property.name || name.starts_with(property.name + '.');
     });

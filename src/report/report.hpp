@@ -11,21 +11,22 @@
 #include "grafverif/ir/network.hpp"
 #include "grafverif/ir/report.hpp"
 #include "ir/flat_system.hpp"
-#include "report/tell.hpp"
+#include "report/trace_rows.hpp"
 
 namespace grafverif {
 
 /// The assumptions for the controllers and the grain of `network`.
-Basis basis_of(const Network& network, std::string engine);
+CheckSettings basis_of(const Network& network, std::string engine);
 /// For an untimed check; it has no grain unless the caller sets one.
-Basis basis_of(const TransitionSystem& system, std::string engine, std::string untimed);
+CheckSettings basis_of(const TransitionSystem& system, std::string engine, std::string untimed);
 
 /// `verdict` with the text of its property; its run is converted to a trace, and removed.
-Answer answer_of(const Network& network, Verdict verdict, Detail detail);
+PropertyResult result_of(const Network& network, Verdict verdict, Detail detail);
 /// For an untimed check; `run` shows the verdict.
-Answer answer_of(const TransitionSystem& system, Verdict verdict, const std::optional<SystemRun>& run, Detail detail);
-Breakdown breakdown_of(const TransitionSystem& system, const SystemFault& fault, Detail detail);
-Breakdown breakdown_of(const Network& network, const ModelError& error, Detail detail);
+PropertyResult result_of(const TransitionSystem& system, Verdict verdict, const std::optional<SystemRun>& run,
+                         Detail detail);
+ModelErrorTrace error_trace_of(const TransitionSystem& system, const SystemFault& fault, Detail detail);
+ModelErrorTrace error_trace_of(const Network& network, const ModelError& error, Detail detail);
 
 /// Determines the source locations of the properties and of the profile.
 void name_places(Report& report, const Sources& sources);
@@ -39,6 +40,6 @@ struct Tally {
 Tally tally(const Report& report);
 
 /// True if the report has a verdict on the property, or on a part of it (`S.X7`); false: its model omits it.
-bool has_answer(const Report& report, const Property& property);
+bool has_result(const Report& report, const Property& property);
 
 }  // namespace grafverif

@@ -100,7 +100,7 @@ std::string row_text(const ChartRun& run, std::size_t index) {
     return text;
 }
 
-Json code_flow(const ChartRun& run, std::string_view end, const Written& written) {
+Json code_flow(const ChartRun& run, std::string_view end, const ReportSource& written) {
     Json locations = Json::array();
     for (const std::size_t index : shown_rows(run)) {
         const Span where = origin(written, run, index);
@@ -121,7 +121,7 @@ Json code_flow(const ChartRun& run, std::string_view end, const Written& written
 
 /// `kind`: `fail`; `open` for an undecided and `review` for a vacuous property, which have no level.
 Json result(std::string_view rule, std::size_t index, std::string_view kind, std::string_view message, Span where,
-            const Written& written) {
+            const ReportSource& written) {
     Json object = {{"ruleId", rule},
                    {"ruleIndex", index},
                    {"kind", kind},
@@ -138,7 +138,7 @@ std::string_view meaning(std::string_view rule) {
     return "the verdict on a property is unknown";
 }
 
-void add_answer(const Report& report, const Answer& answer, const Written& written, SarifLog& log) {
+void add_result(const Report& report, const PropertyResult& answer, const ReportSource& written, SarifLog& log) {
     const Verdict& verdict = answer.verdict;
     std::string message = report.model + ": " + verdict.property;
     if (!answer.text.empty()) message += " \"" + answer.text + '"';
@@ -190,15 +190,15 @@ void add_findings(const Analysis& analysis, const Sources& sources, SarifLog& lo
     }
 }
 
-void add_report(const Report& report, const Written& written, SarifLog& log) {
-    for (const Breakdown& breakdown : report.breakdowns) {
+void add_report(const Report& report, const ReportSource& written, SarifLog& log) {
+    for (const ModelErrorTrace& breakdown : report.error_traces) {
         const std::size_t index = rule_index(log, breakdown.code, "model error", "error");
         Json object = result(breakdown.code, index, "fail", report.model + ": model error: " + breakdown.message,
                              origin(written), written);
         if (!breakdown.trace.rows.empty()) object["codeFlows"] = {code_flow(breakdown.trace, "", written)};
         log.results.push_back(std::move(object));
     }
-    for (const Answer& answer : report.answers) add_answer(report, answer, written, log);
+    for (const PropertyResult& answer : report.answers) add_result(report, answer, written, log);
     log.successful = log.successful && report.failures.empty();
 }
 

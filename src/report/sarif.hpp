@@ -16,7 +16,7 @@
 #include "grafverif/ir/report.hpp"
 #include "grafverif/support/diagnostic.hpp"
 #include "grafverif/support/source.hpp"
-#include "report/written.hpp"
+#include "report/report_source.hpp"
 
 namespace grafverif {
 
@@ -27,7 +27,7 @@ struct SarifLog {
 };
 
 void add_findings(const Analysis& analysis, const Sources& sources, SarifLog& log);
-void add_report(const Report& report, const Written& written, SarifLog& log);
+void add_report(const Report& report, const ReportSource& written, SarifLog& log);
 /// Adds the errors in the input; `warnings`: warnings too.
 void add_diagnostics(const std::vector<Diagnostic>& diagnostics, const Sources& sources, bool warnings, SarifLog& log);
 

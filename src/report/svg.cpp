@@ -73,7 +73,7 @@ public:
             if (run.loop_from && index >= *run.loop_from && !loop_from_) loop_from_ = columns_.size();
             columns_.push_back(&run.after(run.rows[index]));
             events_.push_back(index);
-            const std::string cleared = cleared_words(run, run.rows[index]);
+            const std::string cleared = cleared_text(run, run.rows[index]);
             labels_.push_back(
                 shortened(happening(run, index) + (cleared.empty() ? "" : ": " + cleared), longest_label));
         }
@@ -205,7 +205,7 @@ private:
             if (i > 0 && columns_[i]->time_ms == columns_[i - 1]->time_ms) continue;
             ground_ += fmt::format("<line class=\"rule\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/>\n", x(i),
                                    top - row_height, bottom);
-            text(x(i) + 3, top - 8, "moment", moment_text(run_, *columns_[i]));
+            text(x(i) + 3, top - 8, "moment", event_text(run_, *columns_[i]));
         }
     }
 

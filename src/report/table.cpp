@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "report/words.hpp"
+#include "report/trace_text.hpp"
 #include "support/printable.hpp"
 
 namespace grafverif {
@@ -23,7 +23,7 @@ std::vector<Id<ChartRun::Signal>> changed(const ChartRun& run, ChartRun::Role ro
 
 }  // namespace
 
-std::string cleared_words(const ChartRun& run, const ChartRun::Row& row) {
+std::string cleared_text(const ChartRun& run, const ChartRun::Row& row) {
     std::string list;
     for (const std::vector<Id<ChartRun::Transition>>& evolution : row.fired) {
         std::string names;
@@ -33,14 +33,14 @@ std::string cleared_words(const ChartRun& run, const ChartRun::Row& row) {
     return list;
 }
 
-std::string standing_words(const ChartRun& run, ChartRun::Role role, const ChartRun::State& state) {
+std::string standing_text(const ChartRun& run, ChartRun::Role role, const ChartRun::State& state) {
     std::string list;
     for (const Id<ChartRun::Signal> id : signals_of(run, role))
-        if (state.values[id.index] != 0) append(list, value_words(run.signals[id], state.values[id.index]));
+        if (state.values[id.index] != 0) append(list, value_text(run.signals[id], state.values[id.index]));
     return list.empty() ? "none" : list;
 }
 
-std::string situation_words(const ChartRun& run, const ChartRun::State& state) {
+std::string situation_text(const ChartRun& run, const ChartRun::State& state) {
     std::string list;
     for (const Id<ChartRun::Step> step : state.situation) append(list, run.steps[step].short_name);
     return list.empty() ? "none" : list;
@@ -52,7 +52,7 @@ std::string happening(const ChartRun& run, std::size_t index) {
     if (index > 0) {
         const ChartRun::State &before = run.after(run.rows[index - 1]), &now = run.after(row);
         for (const Id<ChartRun::Signal> id : changed(run, ChartRun::Role::Internal, before, now))
-            append(words, change_words(run.signals[id], before.values[id.index], now.values[id.index]));
+            append(words, change_text(run.signals[id], before.values[id.index], now.values[id.index]));
     }
     if (row.component.empty()) return words;
     return words.empty() ? row.component : row.component + ": " + words;
@@ -65,15 +65,15 @@ Cells cells(const ChartRun& run, std::size_t index, bool complete) {
     while (previous > 0 && !is_shown(run, previous)) --previous;
     const ChartRun::State& before = run.after(run.rows[previous]);
     Cells cells;
-    if (first || now.time_ms != before.time_ms) cells[0] = moment_text(run, now);
+    if (first || now.time_ms != before.time_ms) cells[0] = event_text(run, now);
     cells[1] = happening(run, index);
-    if (first) cells[2] = standing_words(run, ChartRun::Role::Input, now);
+    if (first) cells[2] = standing_text(run, ChartRun::Role::Input, now);
     for (const Id<ChartRun::Signal> id : changed(run, ChartRun::Role::Input, before, now))
-        append(cells[2], value_words(run.signals[id], now.values[id.index]));
-    cells[3] = cleared_words(run, run.rows[index]);
-    if (first || complete || now.situation != before.situation) cells[4] = situation_words(run, now);
+        append(cells[2], value_text(run.signals[id], now.values[id.index]));
+    cells[3] = cleared_text(run, run.rows[index]);
+    if (first || complete || now.situation != before.situation) cells[4] = situation_text(run, now);
     if (first || complete || !changed(run, ChartRun::Role::Output, before, now).empty())
-        cells[5] = standing_words(run, ChartRun::Role::Output, now);
+        cells[5] = standing_text(run, ChartRun::Role::Output, now);
     return cells;
 }
 

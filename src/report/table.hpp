@@ -20,16 +20,16 @@ inline const Cells column_titles = {"time", "event", "inputs", "cleared", "situa
 Cells cells(const ChartRun& run, std::size_t index, bool complete);
 
 /// `T0; TW0`
-std::string cleared_words(const ChartRun& run, const ChartRun::Row& row);
+std::string cleared_text(const ChartRun& run, const ChartRun::Row& row);
 
 /// `V_Act: going_out, V 0 -> 1`; for a controller also the stored values.
 std::string happening(const ChartRun& run, std::size_t index);
 
 /// `0`, `3 4`; if no step is active: `none`.
-std::string situation_words(const ChartRun& run, const ChartRun::State& state);
+std::string situation_text(const ChartRun& run, const ChartRun::State& state);
 
 /// The signals of the role that are not 0: `X`, `N = 3`; if there are none: `none`.
-std::string standing_words(const ChartRun& run, ChartRun::Role role, const ChartRun::State& state);
+std::string standing_text(const ChartRun& run, ChartRun::Role role, const ChartRun::State& state);
 
 /// The lines of `text` in `width` columns of a terminal, broken at blanks, or within a word that is too long; each line
 /// has at least one character. `later_width`: the width of all lines but the first, if it differs.

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "report/table.hpp"
-#include "report/words.hpp"
+#include "report/trace_text.hpp"
 #include "support/printable.hpp"
 
 namespace grafverif {
@@ -158,9 +158,9 @@ void print_trace(const ChartRun& run, std::ostream& out) {
         begin += period * copies;
     }
     if (!run.causes.empty())
-        print_paragraph(fmt::format("* causes{}: {}", run.causes_exact ? "" : ", approximately", causes_words(run)),
+        print_paragraph(fmt::format("* causes{}: {}", run.causes_exact ? "" : ", approximately", causes_text(run)),
                         out);
-    if (const std::string words = left_out_words(run); !words.empty()) print_paragraph(words, out);
+    if (const std::string words = counterfactual_text(run); !words.empty()) print_paragraph(words, out);
 }
 
 }  // namespace grafverif

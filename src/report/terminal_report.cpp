@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "report/basis.hpp"
 #include "report/profile.hpp"
+#include "report/settings_text.hpp"
 #include "report/table.hpp"
 #include "report/terminal.hpp"
 #include "support/printable.hpp"
@@ -21,7 +21,7 @@ namespace grafverif {
 
 namespace {
 
-bool fails(const Answer& answer) {
+bool fails(const PropertyResult& answer) {
     const Verdict& verdict = answer.verdict;
     return verdict.outcome == Outcome::Unknown ? verdict.declared : !as_expected(verdict);
 }
@@ -29,7 +29,7 @@ bool fails(const Answer& answer) {
 /// The remark on a property that neither the model nor the command requests.
 const char* undeclared(const Verdict& verdict) { return verdict.about.valid() ? " (not selected)" : " (not declared)"; }
 
-using Answers = std::vector<const Answer*>;
+using Answers = std::vector<const PropertyResult*>;
 
 /// Texts shared by several verdicts, in the order of their first use: a reason, a note.
 struct Shared {
@@ -38,7 +38,7 @@ struct Shared {
 };
 class SharedTexts {
 public:
-    void add(const std::string& text, const Answer& answer) {
+    void add(const std::string& text, const PropertyResult& answer) {
         const auto [place, fresh] = index_.try_emplace(text, all_.size());
         if (fresh) all_.push_back({text, {}});
         all_[place->second].answers.push_back(&answer);
@@ -72,13 +72,13 @@ public:
         : report_(report), options_(options), out_(out), families_(family_sizes(report)) {}
 
     void print() {
-        for (const Answer& answer : report_.answers) {
+        for (const PropertyResult& answer : report_.answers) {
             if (options_.failures_only && !fails(answer)) continue;
             shown_.push_back(&answer);
             if (is_reason_only(answer)) reasons_.add(answer.verdict.reason, answer);
             for (const std::string& note : answer.verdict.notes) notes_.add(note, answer);
         }
-        for (const Breakdown& breakdown : report_.breakdowns) print(breakdown);
+        for (const ModelErrorTrace& breakdown : report_.error_traces) print(breakdown);
         if (!shown_.empty()) print_basis();
         print_in_full();
         if (options_.failures_only) return;
@@ -110,28 +110,28 @@ private:
     }
 
     /// True if the table contains all information about the property.
-    static bool in_table_only(const Answer& answer) {
+    static bool in_table_only(const PropertyResult& answer) {
         return answer.verdict.outcome == Outcome::Holds && as_expected(answer.verdict);
     }
 
     /// True if only the reason for being undecided is known.
-    static bool is_reason_only(const Answer& answer) {
+    static bool is_reason_only(const PropertyResult& answer) {
         const Verdict& verdict = answer.verdict;
         return verdict.outcome == Outcome::Unknown && !verdict.reason.empty() && !answer.trace && verdict.notes.empty();
     }
 
     /// Notes of properties that hold, and shared notes, are printed here; others after their verdict.
-    bool is_told_above(const Shared& note) const {
+    bool is_reported_above(const Shared& note) const {
         return note.answers.size() > 1 || in_table_only(*note.answers.front());
     }
 
     void print_basis() {
-        const SharedBasis basis = shared_basis(report_, shown_);
-        out_ << report_.model << ", checked with: " << printable(basis.shared) << '\n';
-        for (const SharedBasis::Group& group : basis.groups)
+        const SharedSettings settings = shared_settings(report_, shown_);
+        out_ << report_.model << ", checked with: " << printable(settings.shared) << '\n';
+        for (const SharedSettings::Group& group : settings.groups)
             out_ << folded(fmt::format("    {}: {}", names_of(families_, group.answers), group.words), 8);
         for (const Shared& note : notes_.all()) {
-            if (!is_told_above(note)) continue;
+            if (!is_reported_above(note)) continue;
             const bool all = note.answers.size() == shown_.size();
             out_ << folded(
                 fmt::format("    note{}: {}", all ? "" : " (" + names_of(families_, note.answers) + ")", note.text), 8);
@@ -141,7 +141,7 @@ private:
     /// The properties that do not hold, in the order of the model; undecided ones with the same reason together.
     void print_in_full() {
         bool alone = false;
-        for (const Answer* answer : shown_) {
+        for (const PropertyResult* answer : shown_) {
             const std::string text = in_full(*answer);
             const bool lone_line = std::ranges::count(text, '\n') == 1;
             if (!text.empty()) out_ << (alone && lone_line ? "" : "\n") << text;
@@ -149,13 +149,13 @@ private:
         }
     }
 
-    static std::string name_in_full(const Answer& answer) {
+    static std::string name_in_full(const PropertyResult& answer) {
         return printable(answer.place) + (answer.place.empty() ? "" : ": ") + answer.verdict.property +
                (answer.text.empty() ? "" : " \"" + printable(answer.text) + '"') +
                (answer.verdict.declared ? "" : undeclared(answer.verdict));
     }
 
-    std::string in_full(const Answer& answer) const {
+    std::string in_full(const PropertyResult& answer) const {
         const Verdict& verdict = answer.verdict;
         const bool witness = verdict.outcome == Outcome::Holds && answer.trace && options_.verbose;
         if (in_table_only(answer) && !witness) return {};
@@ -170,23 +170,23 @@ private:
         out << head;
         if (!verdict.reason.empty()) out << "    why: " << printable(verdict.reason) << '\n';
         for (const std::string& note : verdict.notes)
-            if (!is_told_above(notes_[note])) out << "    note: " << printable(note) << '\n';
-        if (witness) print_told("witness", *answer.trace, end_of(verdict), out);
+            if (!is_reported_above(notes_[note])) out << "    note: " << printable(note) << '\n';
+        if (witness) print_reported("witness", *answer.trace, end_of(verdict), out);
         if (answer.trace && verdict.outcome != Outcome::Holds)
-            print_told("counterexample", *answer.trace, end_of(verdict), out);
+            print_reported("counterexample", *answer.trace, end_of(verdict), out);
         return std::move(out).str();
     }
 
     /// `end`: text at the end of a trace that does not repeat.
-    static void print_told(std::string_view what, const ChartRun& run, std::string_view end, std::ostream& out) {
+    static void print_reported(std::string_view what, const ChartRun& run, std::string_view end, std::ostream& out) {
         out << what << ":\n";
         print_trace(run, out);
         if (!run.loop_from && !end.empty()) out << "    " << end << '\n';
     }
 
-    void print(const Breakdown& breakdown) {
+    void print(const ModelErrorTrace& breakdown) {
         out_ << painted("model error", red) << ": " << printable(breakdown.message) << " [" << breakdown.code << "]\n";
-        if (!breakdown.trace.steps.empty()) print_told("trace", breakdown.trace, "", out_);
+        if (!breakdown.trace.steps.empty()) print_reported("trace", breakdown.trace, "", out_);
         out_ << '\n';
     }
 
@@ -195,9 +195,9 @@ private:
         std::vector<Row> rows;
         std::set<std::string> families;
         FamilySizes holding;
-        for (const Answer& answer : report_.answers)
+        for (const PropertyResult& answer : report_.answers)
             if (outcome(answer.verdict) == word(Outcome::Holds)) ++holding[family_of(answer)];
-        for (const Answer& answer : report_.answers) {
+        for (const PropertyResult& answer : report_.answers) {
             const Verdict& verdict = answer.verdict;
             const std::string family = family_of(answer), said = outcome(verdict);
             Row row{verdict.property, said, answer.place, answer.text, colour_of(verdict)};
@@ -212,7 +212,7 @@ private:
     }
 
     /// `S (9 of 11 steps)`, or the only step.
-    std::string steps_that_hold(const Answer& first, const FamilySizes& families_that_hold) const {
+    std::string steps_that_hold(const PropertyResult& first, const FamilySizes& families_that_hold) const {
         const std::string family = family_of(first);
         const std::size_t holding = families_that_hold.at(family), all = families_.at(family);
         if (all == 1) return first.verdict.property;
@@ -260,7 +260,7 @@ private:
         add(count.holds, "holds", "hold");
         add(count.violated, "violated", "violated");
         add(count.unknown + count.undeclared_unknown, "unknown", "unknown");
-        add(report_.breakdowns.size(), "model error", "model errors");
+        add(report_.error_traces.size(), "model error", "model errors");
         out_ << report_.model << ": " << (line.empty() ? "no properties" : line);
         if (count.unexpected != 0) out_ << "; " << count.unexpected << " unexpected";
         if (options_.verbose && !report_.answers.empty())

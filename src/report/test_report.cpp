@@ -144,10 +144,10 @@ std::string junit_suite(const TestReport& report) {
         out += fmt::format("    <testcase classname=\"{}\" name=\"{}\"", attribute_xml(report.test.chart),
                            attribute_xml(row_name(report.test, sequence, row)));
         std::string told;
-        if (failed != nullptr) escape_xml(failure_words(report, *failed), told);
+        if (failed != nullptr) escape_xml(failure_text(report, *failed), told);
         if (failed != nullptr)
             out += fmt::format(">\n      <failure type=\"{}\" message=\"{}\">{}</failure>\n    </testcase>\n",
-                               word(failed->cause), attribute_xml(cause_words(report, *failed)), told);
+                               word(failed->cause), attribute_xml(cause_text(report, *failed)), told);
         else if (report.verdicts[sequence][row] == StepVerdict::NotRun) out += ">\n      <skipped/>\n    </testcase>\n";
         else out += "/>\n";
     });

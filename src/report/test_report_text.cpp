@@ -54,7 +54,7 @@ void print_rows(const TestReport& report, bool failures_only, std::ostream& out)
         const TestSequence::Step& step = *rows_of(test.sequences[sequence])[row];
         out << fmt::format("{}: {} -> {}, {}: {}\n", row_name(test, sequence, row), scan_line(step.inputs),
                            scan_line(step.outputs), manner(step), verdict_word(report.verdicts[sequence][row]));
-        if (failure != nullptr) out << failure_words(report, *failure);
+        if (failure != nullptr) out << failure_text(report, *failure);
     });
 }
 
@@ -64,7 +64,7 @@ std::string_view mode_word(ExecutionMode mode) {
     return mode == ExecutionMode::StabilitySearch ? "stability-search" : "every-cycle";
 }
 
-std::string cause_words(const TestReport& report, const TestReport::Failure& failure) {
+std::string cause_text(const TestReport& report, const TestReport::Failure& failure) {
     if (failure.cause != TestReport::Cause::Different) return failure.message;
     const TestSequence::Step& step = *rows_of(report.test.sequences[failure.sequence])[failure.row];
     std::string differing;
@@ -74,7 +74,7 @@ std::string cause_words(const TestReport& report, const TestReport::Failure& fai
     return "differs in " + differing;
 }
 
-std::string failure_words(const TestReport& report, const TestReport::Failure& failure) {
+std::string failure_text(const TestReport& report, const TestReport::Failure& failure) {
     const TestSequence::Step& step = *rows_of(report.test.sequences[failure.sequence])[failure.row];
     const std::string& situation = report.test.situations[step.situation].text;
     std::string text = fmt::format("    inputs    {}\n    expected  {}{}\n", named(report.test.inputs, step.inputs),
@@ -83,7 +83,7 @@ std::string failure_words(const TestReport& report, const TestReport::Failure& f
     if (!failure.answered.empty())
         text += fmt::format("    observed  {}\n", named(report.test.outputs, failure.answered));
     return text +
-           fmt::format("    scan {} of {}: {}\n", failure.scan, step.cycles, printable(cause_words(report, failure)));
+           fmt::format("    scan {} of {}: {}\n", failure.scan, step.cycles, printable(cause_text(report, failure)));
 }
 
 void print_text(const TestReport& report, bool failures_only, std::ostream& out) {

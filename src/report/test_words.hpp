@@ -13,10 +13,10 @@ namespace grafverif {
 std::string_view mode_word(ExecutionMode mode);
 
 /// `V1 and W1 differ`, `no answer in time`.
-std::string cause_words(const TestReport& report, const TestReport::Failure& failure);
+std::string cause_text(const TestReport& report, const TestReport::Failure& failure);
 
 /// Inputs, expected and actual outputs by name, and the expected situation; lines end with a line feed.
-std::string failure_words(const TestReport& report, const TestReport::Failure& failure);
+std::string failure_text(const TestReport& report, const TestReport::Failure& failure);
 
 /// Calls `visit(sequence, row, failure)` for each row; `failure` is null if the row has not failed.
 template <class Visit>

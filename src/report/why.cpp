@@ -22,8 +22,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Names = std::vector<std::string>;
 
-constexpr std::array kinds = {Why::Kind::Transition, Why::Kind::Step, Why::Kind::Term, Why::Kind::Guard,
-                              Why::Kind::Edge};
+constexpr std::array kinds = {ProofExplanation::Kind::Transition, ProofExplanation::Kind::Step,
+                              ProofExplanation::Kind::Term, ProofExplanation::Kind::Guard,
+                              ProofExplanation::Kind::Edge};
 
 /// Maximum number of open queries of one kind that are listed as text; more are counted.
 constexpr std::size_t most_open = 3;
@@ -37,24 +38,29 @@ std::string listed(const Names& names, std::string_view last = ", ", std::string
 
 bool has(const Names& names, const std::string& name) { return std::ranges::find(names, name) != names.end(); }
 
-bool of_plant(Why::Kind kind) { return kind == Why::Kind::Guard || kind == Why::Kind::Edge; }
+bool of_plant(ProofExplanation::Kind kind) {
+    return kind == ProofExplanation::Kind::Guard || kind == ProofExplanation::Kind::Edge;
+}
 
-std::string nth_of(const Why::Thing& thing) { return thing.nth > 1 ? fmt::format(" ({})", thing.nth) : ""; }
+std::string nth_of(const ProofExplanation::ModelElement& thing) {
+    return thing.nth > 1 ? fmt::format(" ({})", thing.nth) : "";
+}
 
 /// The name in a list of its kind; elements of an instance follow its name (see by_instance).
-std::string name_of(const Why::Thing& thing) {
-    if (thing.kind == Why::Kind::Term) return fmt::format("`{}`{} of {}", thing.name, nth_of(thing), thing.of);
+std::string name_of(const ProofExplanation::ModelElement& thing) {
+    if (thing.kind == ProofExplanation::Kind::Term)
+        return fmt::format("`{}`{} of {}", thing.name, nth_of(thing), thing.of);
     return thing.name + nth_of(thing);
 }
 
-using Choice = bool (*)(const Why::Thing&);
+using Choice = bool (*)(const ProofExplanation::ModelElement&);
 
 /// Edges grouped by instance: their number, `Cups 2 of 6`, or their names, `Cups (off -> on, on -> off)`.
-Names by_instance(const std::vector<Why::Thing>& edges, Choice chosen, bool named) {
+Names by_instance(const std::vector<ProofExplanation::ModelElement>& edges, Choice chosen, bool named) {
     Names groups;
     for (auto first = edges.begin(); first != edges.end();) {
-        const auto last =
-            std::find_if(first, edges.end(), [&](const Why::Thing& each) { return each.of != first->of; });
+        const auto last = std::find_if(
+            first, edges.end(), [&](const ProofExplanation::ModelElement& each) { return each.of != first->of; });
         Names names;
         for (auto each = first; each != last; ++each)
             if (chosen(*each)) names.push_back(name_of(*each));
@@ -65,22 +71,22 @@ Names by_instance(const std::vector<Why::Thing>& edges, Choice chosen, bool name
     return groups;
 }
 
-std::vector<Why::Thing> of_kind(const Why& why, Why::Kind kind) {
-    std::vector<Why::Thing> found;
-    for (const Why::Thing& thing : why.things)
+std::vector<ProofExplanation::ModelElement> of_kind(const ProofExplanation& why, ProofExplanation::Kind kind) {
+    std::vector<ProofExplanation::ModelElement> found;
+    for (const ProofExplanation::ModelElement& thing : why.things)
         if (thing.kind == kind) found.push_back(thing);
     return found;
 }
 
 /// The result for a model without the elements of these names.
-std::string without(Why::Kind kind, const Names& names) {
+std::string without(ProofExplanation::Kind kind, const Names& names) {
     const std::string list = listed(names, " or ");
     switch (kind) {
-    case Why::Kind::Transition: return fmt::format("if {} is never cleared", list);
-    case Why::Kind::Step: return fmt::format("if step {} has no effect", list);
-    case Why::Kind::Term: return "without " + list;
-    case Why::Kind::Guard: return "without the guard of " + list;
-    case Why::Kind::Edge: return fmt::format("if {} is never taken", list);
+    case ProofExplanation::Kind::Transition: return fmt::format("if {} is never cleared", list);
+    case ProofExplanation::Kind::Step: return fmt::format("if step {} has no effect", list);
+    case ProofExplanation::Kind::Term: return "without " + list;
+    case ProofExplanation::Kind::Guard: return "without the guard of " + list;
+    case ProofExplanation::Kind::Edge: return fmt::format("if {} is never taken", list);
     }
     return {};
 }
@@ -91,12 +97,12 @@ struct OfCharts {
     Names open = {};
 };
 
-OfCharts of_charts(const Why& why, const Why::Ground& ground, std::size_t most) {
+OfCharts of_charts(const ProofExplanation& why, const ProofExplanation::ProofCore& ground, std::size_t most) {
     OfCharts said;
-    for (const Why::Kind kind : kinds) {
+    for (const ProofExplanation::Kind kind : kinds) {
         if (of_plant(kind)) continue;
         Names needed, open;
-        for (const Why::Thing& thing : of_kind(why, kind)) {
+        for (const ProofExplanation::ModelElement& thing : of_kind(why, kind)) {
             if (has(thing.needed_by, ground.property)) needed.push_back(name_of(thing));
             if (has(thing.open, ground.property)) open.push_back(name_of(thing));
         }
@@ -109,7 +115,7 @@ OfCharts of_charts(const Why& why, const Why::Ground& ground, std::size_t most) 
     return said;
 }
 
-std::string parts_words(const Why::Ground& ground) {
+std::string parts_text(const ProofExplanation::ProofCore& ground) {
     Names parts;
     for (const std::string& name : ground.parts) {
         const bool timed = std::ranges::find(ground.timings, name) != ground.timings.end();
@@ -128,22 +134,23 @@ void print_folded(const std::string& text, std::ostream& out) {
     }
 }
 
-std::string plural(Why::Kind kind) {
+std::string plural(ProofExplanation::Kind kind) {
     switch (kind) {
-    case Why::Kind::Transition: return "transitions";
-    case Why::Kind::Step: return "steps with actions";
-    case Why::Kind::Term: return "terms of conditions";
-    case Why::Kind::Guard: return "guards of the plant";
-    case Why::Kind::Edge: return "edges of the plant";
+    case ProofExplanation::Kind::Transition: return "transitions";
+    case ProofExplanation::Kind::Step: return "steps with actions";
+    case ProofExplanation::Kind::Term: return "terms of conditions";
+    case ProofExplanation::Kind::Guard: return "guards of the plant";
+    case ProofExplanation::Kind::Edge: return "edges of the plant";
     }
     return {};
 }
 
-bool is_needed(const Why::Thing& thing) { return !thing.needed_by.empty(); }
-bool is_free(const Why::Thing& thing) { return thing.needed_by.empty() && thing.open.empty(); }
+bool is_needed(const ProofExplanation::ModelElement& thing) { return !thing.needed_by.empty(); }
+bool is_free(const ProofExplanation::ModelElement& thing) { return thing.needed_by.empty() && thing.open.empty(); }
 
 /// The number of elements of the kind that some property needs, and the ones that none needs.
-std::string coverage_words(Why::Kind kind, const std::vector<Why::Thing>& things, bool verbose) {
+std::string coverage_text(ProofExplanation::Kind kind, const std::vector<ProofExplanation::ModelElement>& things,
+                          bool verbose) {
     const auto covered = std::ranges::count_if(things, is_needed), free = std::ranges::count_if(things, is_free);
     const auto open = std::ssize(things) - covered - free;
     std::string text = fmt::format("{}: {} of {}", plural(kind), covered, things.size());
@@ -151,33 +158,33 @@ std::string coverage_words(Why::Kind kind, const std::vector<Why::Thing>& things
     const bool some = free > 0 && free < std::ssize(things);
     if (of_plant(kind) && some) text += fmt::format(" ({})", listed(by_instance(things, is_needed, false)));
     Names names;
-    for (const Why::Thing& thing : things)
+    for (const ProofExplanation::ModelElement& thing : things)
         if (!of_plant(kind) && is_free(thing)) names.push_back(name_of(thing));
     if (of_plant(kind) && verbose) names = by_instance(things, is_free, true);
     if (names.empty() || !some) return text;
-    const std::string_view who = kind == Why::Kind::Guard ? "no property of all states" : "no property";
+    const std::string_view who = kind == ProofExplanation::Kind::Guard ? "no property of all states" : "no property";
     return fmt::format("{}; {} fails {}", text, who, without(kind, names));
 }
 
-std::string ground_words(const Why& why, const Why::Ground& ground) {
+std::string proof_core_text(const ProofExplanation& why, const ProofExplanation::ProofCore& ground) {
     OfCharts charts = of_charts(why, ground, most_open);
     Names said;
     if (!charts.fails.empty()) said.push_back("fails " + listed(charts.fails, ", or "));
     else if (charts.open.empty()) said.emplace_back("no single transition, step or term of the charts is needed");
-    if (ground.about_states && ground.open.empty()) said.push_back(parts_words(ground));
+    if (ground.about_states && ground.open.empty()) said.push_back(parts_text(ground));
     if (!ground.open.empty() && !ground.parts.empty())
         said.push_back("depends, among other elements of the plant and the timers, on " + listed(ground.parts));
     charts.open.insert(charts.open.end(), ground.open.begin(), ground.open.end());
     if (!charts.open.empty()) said.push_back("undecided: " + listed(charts.open));
-    if (ground.never_asked) said.emplace_back("vacuous: the premise is never true");
+    if (ground.vacuous) said.emplace_back("vacuous: the premise is never true");
     return listed(said, "; ", "; ");
 }
 
 /// Properties with the same text are grouped at the first of them.
-void print_grounds(const Why& why, std::ostream& out) {
+void print_proof_cores(const ProofExplanation& why, std::ostream& out) {
     std::vector<std::pair<Names, std::string>> said;
-    for (const Why::Ground& ground : why.grounds) {
-        const std::string words = ground_words(why, ground);
+    for (const ProofExplanation::ProofCore& ground : why.grounds) {
+        const std::string words = proof_core_text(why, ground);
         auto same = std::ranges::find(said, words, &std::pair<Names, std::string>::second);
         if (same == said.end()) same = said.insert(said.end(), {{}, words});
         same->first.push_back(ground.property);
@@ -187,7 +194,7 @@ void print_grounds(const Why& why, std::ostream& out) {
 
 }  // namespace
 
-void print_why(const Why& why, bool verbose, std::ostream& out) {
+void print_why(const ProofExplanation& why, bool verbose, std::ostream& out) {
     if (why.grounds.empty()) {
         out << "\n"
                "proof dependencies: no declared property holds\n";
@@ -197,38 +204,38 @@ void print_why(const Why& why, bool verbose, std::ostream& out) {
         "\n"
         "proof dependencies ({} additional {}):\n",
         why.searches, why.searches == 1 ? "search" : "searches");
-    print_grounds(why, out);
+    print_proof_cores(why, out);
     if (!why.unneeded_parts.empty())
         print_folded("no property of all states depends on " + listed(why.unneeded_parts, " or "), out);
     out << "\n"
            "proof coverage of these properties:\n";
-    for (const Why::Kind kind : kinds)
+    for (const ProofExplanation::Kind kind : kinds)
         if (const auto things = of_kind(why, kind); !things.empty())
-            print_folded(coverage_words(kind, things, verbose), out);
+            print_folded(coverage_text(kind, things, verbose), out);
     if (!why.ended.empty()) out << "incomplete: " << why.ended << '\n';
 }
 
-nlohmann::ordered_json why_json(const Why& why) {
-    const auto needed = [&](Why::Kind kind, const std::string& property) {
+nlohmann::ordered_json why_json(const ProofExplanation& why) {
+    const auto needed = [&](ProofExplanation::Kind kind, const std::string& property) {
         Json names = Json::array();
-        for (const Why::Thing& thing : why.things)
+        for (const ProofExplanation::ModelElement& thing : why.things)
             if (thing.kind == kind && has(thing.needed_by, property)) names.push_back(thing.name);
         return names;
     };
     Json grounds = Json::array(), unneeded = Json::array(), things = Json::array();
-    for (const Why::Ground& ground : why.grounds) {
+    for (const ProofExplanation::ProofCore& ground : why.grounds) {
         Names open = of_charts(why, ground, why.things.size()).open;
         open.insert(open.end(), ground.open.begin(), ground.open.end());
         grounds.push_back({{"property", ground.property},
-                           {"transitions", needed(Why::Kind::Transition, ground.property)},
-                           {"steps", needed(Why::Kind::Step, ground.property)},
+                           {"transitions", needed(ProofExplanation::Kind::Transition, ground.property)},
+                           {"steps", needed(ProofExplanation::Kind::Step, ground.property)},
                            {"parts", ground.about_states ? Json(ground.parts) : Json(nullptr)},
                            {"timings", ground.about_states ? Json(ground.timings) : Json(nullptr)},
                            {"open", open},
-                           {"vacuous", ground.never_asked}});
+                           {"vacuous", ground.vacuous}});
     }
-    for (const Why::Thing& thing : why.things) {
-        if (thing.kind == Why::Kind::Transition && thing.needed_by.empty() && thing.open.empty())
+    for (const ProofExplanation::ModelElement& thing : why.things) {
+        if (thing.kind == ProofExplanation::Kind::Transition && thing.needed_by.empty() && thing.open.empty())
             unneeded.push_back(thing.name);
         things.push_back({{"kind", word(thing.kind)},
                           {"name", thing.name + nth_of(thing)},

@@ -10,8 +10,8 @@
 namespace grafverif {
 
 /// `verbose`: lists edges of the plant that no property needs, instead of only counting them.
-void print_why(const Why& why, bool verbose, std::ostream& out);
+void print_why(const ProofExplanation& why, bool verbose, std::ostream& out);
 
-nlohmann::ordered_json why_json(const Why& why);
+nlohmann::ordered_json why_json(const ProofExplanation& why);
 
 }  // namespace grafverif

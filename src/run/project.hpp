@@ -77,7 +77,7 @@ private:
     Id<ChartRun::Signal> add_signal(Id<Network::Variable> id, ChartRun::Role role);
     ChartRun::Controller controller_of(const Network::Controller& from);
     void add_timers(const Network::Controller& from, ChartRun::Controller& controller);
-    void fill(ChartRun::Moment& moment, const Fire& fire, const NetworkState& before, const NetworkState& after) const;
+    void fill(ChartRun::Event& moment, const Fire& fire, const NetworkState& before, const NetworkState& after) const;
     ChartRun::Act act(Id<Network::Controller> id, const Network::Edge& edge, const NetworkState& before,
                       const NetworkState& after) const;
 

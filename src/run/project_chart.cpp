@@ -49,8 +49,8 @@ ChartRun::State project(const Chart& chart, const State& state, InputValues inpu
 
 void append_instant(ChartRun& run, std::string what, const std::vector<std::vector<Id<Chart::Transition>>>& fired,
                     ChartRun::State after) {
-    ChartRun::Moment moment;
-    const auto has_acts = [](const ChartRun::Moment& earlier) { return !earlier.acts.empty(); };
+    ChartRun::Event moment;
+    const auto has_acts = [](const ChartRun::Event& earlier) { return !earlier.acts.empty(); };
     const bool is_first = std::ranges::none_of(run.moments, has_acts);
     ChartRun::Row row{.kind = ChartRun::Kind::Controller, .what = std::move(what), .moment = run.moments.size()};
     if (is_first && fired.size() == 1 && row.what.empty()) row.what = "first evolution";

@@ -55,9 +55,9 @@ NetworkProjection::NetworkProjection(const Network& network, const NetworkState&
     for (const Id<Network::Variable> id : network.variables.ids()) {
         const Network::Variable& variable = network.variables[id];
         if (variable.role == Network::Role::Plant && !variable.scratch)
-            view_.add_signal(id.index, {ChartRun::Role::Plant, variable.told_name(), variable.type});
+            view_.add_signal(id.index, {ChartRun::Role::Plant, variable.display_name(), variable.type});
     }
-    ChartRun::Moment power_on;
+    ChartRun::Event power_on;
     for (const Id<Network::Controller> id : network.controllers.ids())
         if (!network.controllers[id].start.valid())  // the first evolution has no effect
             power_on.acts.push_back({.controller = {id.index},
@@ -114,7 +114,7 @@ void NetworkProjection::add_timers(const Network::Controller& from, ChartRun::Co
 }
 
 void NetworkProjection::append(const Move& move, const NetworkState& before, const NetworkState& after) {
-    ChartRun::Moment moment{.move = run_.moments.size() - 1};
+    ChartRun::Event moment{.move = run_.moments.size() - 1};
     std::visit(overloaded{
                    [&](const Delay& delay) {
                        time_ms_ += delay.units * network_.time_unit_ms;
@@ -134,7 +134,7 @@ void NetworkProjection::append_by_hand(const NetworkState& after) {
                             .after = view_.state(time_ms_, after.variables)});
 }
 
-void NetworkProjection::fill(ChartRun::Moment& moment, const Fire& fire, const NetworkState& before,
+void NetworkProjection::fill(ChartRun::Event& moment, const Fire& fire, const NetworkState& before,
                              const NetworkState& after) const {
     const Network::Process& process = network_.processes[fire.process];
     const Network::Edge& edge = network_.templates[process.automaton].edges[fire.edge];

@@ -72,15 +72,15 @@ private:
         shorten_names(made_.steps);
     }
 
-    void add(ChartRun::Moment moment) {
+    void add(ChartRun::Event moment) {
         moment.move = step_;
         moment.after = view_.state(time_, shown_);
         made_.moments.push_back(std::move(moment));
     }
 
     /// The event at power-on, including the first evolutions that are not separate steps of the system.
-    ChartRun::Moment power_on() const {
-        ChartRun::Moment moment;
+    ChartRun::Event power_on() const {
+        ChartRun::Event moment;
         for (std::uint32_t index = 0; index < system_.controllers.size(); ++index) {
             const System::Controller& from = system_.controllers[index];
             if (from.starts.valid()) continue;
@@ -123,7 +123,7 @@ private:
             project_timers(controller, before, next);
         for (std::uint32_t component = 0; component < system_.components.size(); ++component)
             project_component(component, next);
-        ChartRun::Moment inputs{.kind = ChartRun::Kind::Environment};
+        ChartRun::Event inputs{.kind = ChartRun::Kind::Environment};
         for (const System::Controller& controller : system_.controllers)
             for (const System::Named& input : controller.words.inputs)
                 if (take(input.variable, next)) inputs.changed.push_back(view_.signal(input.variable.index));
@@ -179,7 +179,7 @@ private:
     void project_component(std::uint32_t index, const Values& next) {
         const System::Component& component = system_.components[index];
         const bool of_model = component.kind == System::Component::Kind::Timer;  // its expiry is shown
-        ChartRun::Moment moment{.kind = kind_of(component.kind), .internal = of_model, .instance = {index}};
+        ChartRun::Event moment{.kind = kind_of(component.kind), .internal = of_model, .instance = {index}};
         if (component.location.valid() && take(component.location, next))
             moment.location =
                 static_cast<std::size_t>(next[component.location.index] - symbols()[component.location].type.low);

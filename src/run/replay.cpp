@@ -214,7 +214,7 @@ std::optional<Disagreement> replay(const ChartRun& run, std::span<const Chart* c
     for (const Id<ChartRun::Controller> id : run.controllers.ids())
         replays.emplace_back(run, run.controllers[id], *charts[id.index]);
     const ChartRun::State* before = &run.moments.front().after;
-    for (const ChartRun::Moment& moment : run.moments) {
+    for (const ChartRun::Event& moment : run.moments) {
         const std::int64_t passed = moment.after.time_ms - before->time_ms;
         if (run.timed && passed > 0)
             for (ControllerReplay& replay : replays) replay.pass(passed);
@@ -239,17 +239,18 @@ std::optional<Disagreement> disagreement(const ChartRun& run, std::span<const Ch
     return replay(run, charts, replays);
 }
 
-std::optional<Clash> clash(const ChartRun& run, std::span<const Chart* const> charts) {
+std::optional<ContradictoryActions> clash(const ChartRun& run, std::span<const Chart* const> charts) {
     std::vector<ControllerReplay> replays;
     if (replay(run, charts, replays)) return {};
     const auto raced = std::ranges::find_if(replays, &ControllerReplay::raced);
     if (raced == replays.end()) return {};
-    return Clash{raced->name(), raced->racing()};
+    return ContradictoryActions{raced->name(), raced->racing()};
 }
 
 namespace {
 
-std::optional<Untimely> untimely(const ChartRun& run, const ChartRun::Act& act, const ChartRun::State& before) {
+std::optional<UntimelyConditions> untimely(const ChartRun& run, const ChartRun::Act& act,
+                                           const ChartRun::State& before) {
     const ChartRun::Controller& controller = run.controllers[act.controller];
     for (std::size_t over = 0; over < act.timers.size(); ++over)
         for (std::size_t not_over = 0; not_over < act.timers.size(); ++not_over) {
@@ -259,14 +260,14 @@ std::optional<Untimely> untimely(const ChartRun& run, const ChartRun::Act& act, 
             if (!same || shorter.rise_ms >= longer.rise_ms || !act.timers[over] || act.timers[not_over]) continue;
             const Id<ChartRun::Step> step = controller.steps[*longer.step];
             if (std::ranges::binary_search(before.situation, step))
-                return Untimely{run.steps[step].name, longer.rise_ms, shorter.rise_ms};
+                return UntimelyConditions{run.steps[step].name, longer.rise_ms, shorter.rise_ms};
         }
     return {};
 }
 
 }  // namespace
 
-std::optional<Untimely> untimely(const ChartRun& run) {
+std::optional<UntimelyConditions> untimely(const ChartRun& run) {
     for (std::size_t i = 1; !run.timed && i < run.moments.size(); ++i)
         for (const ChartRun::Act& act : run.moments[i].acts)
             if (auto found = untimely(run, act, run.moments[i - 1].after)) return found;

@@ -33,19 +33,19 @@ struct Disagreement {
 std::optional<Disagreement> disagreement(const ChartRun& run, std::span<const Chart* const> charts);
 
 /// Contradictory actions in one evolution.
-struct Clash {
+struct ContradictoryActions {
     std::string controller = {};
     std::string variable = {};  ///< two stored actions give it different values; empty: contradictory forcing orders
 };
 /// The contradiction at the end of a run that ends in a race; empty if the rules find none.
-std::optional<Clash> clash(const ChartRun& run, std::span<const Chart* const> charts);
+std::optional<ContradictoryActions> clash(const ChartRun& run, std::span<const Chart* const> charts);
 
 /// In an untimed run: two time conditions on one step, of which a cycle samples the longer as true and the shorter as
 /// false. This run is not possible with any plant.
-struct Untimely {
+struct UntimelyConditions {
     StepName step = {};
     std::int64_t longer_ms = 0, shorter_ms = 0;
 };
-std::optional<Untimely> untimely(const ChartRun& run);
+std::optional<UntimelyConditions> untimely(const ChartRun& run);
 
 }  // namespace grafverif

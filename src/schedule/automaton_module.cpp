@@ -205,7 +205,7 @@ struct Taken {
 };
 
 /// `within`: receives the firing conditions that exist only within a step.
-Taken taken_edges(const Declared& declared, const std::optional<Clocks>& clocks,
+Taken edges_taken(const Declared& declared, const std::optional<Clocks>& clocks,
                   std::vector<AutomatonModule::Held>& within) {
     Exprs& exprs = declared.draft.exprs;
     Taken taken;
@@ -370,7 +370,7 @@ AutomatonModule automaton_module(const AutomatonContext& context, Id<Network::Pr
     AutomatonModule made = declared.made;
     std::optional<Clocks> clocks;
     if (declared.counts()) clocks.emplace(declared, process);
-    Taken taken = taken_edges(declared, clocks, made.within);
+    Taken taken = edges_taken(declared, clocks, made.within);
 
     set_location(declared);
     if (clocks) {

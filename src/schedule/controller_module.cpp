@@ -262,7 +262,7 @@ void set_watched(Cycle& cycle, Draft& draft, const std::vector<Id<Expr>>& next, 
     if (!cycle.style().scans) return;
     const Id<Expr> off = draft.exprs.constant(false);
     TermCopier after = cycle.after(next);
-    for (const Equations::Watch& watch : cycle.equations().watches)
+    for (const Equations::ObservedTerm& watch : cycle.equations().watches)
         cycle.set(cycle.read(watch.variable), off, cycle.total(after(watch.value), off, faults.conditions));
 }
 

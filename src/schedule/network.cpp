@@ -20,9 +20,9 @@
 #include "ir/slots.hpp"
 #include "ir/words_of.hpp"
 #include "schedule/observers.hpp"
-#include "schedule/parts.hpp"
 #include "schedule/plant_instances.hpp"
 #include "schedule/scope.hpp"
+#include "schedule/subsystems.hpp"
 #include "syntax/print/sentence.hpp"
 
 namespace grafverif {
@@ -122,7 +122,7 @@ void add_watched(const LoopMeaning& meaning, const PlantInstances& plant, const 
 }
 
 /// Properties of the network first, then those with observers.
-void add_questions(LoopMeaning& meaning, const PlantInstances& plant) {
+void add_queries(LoopMeaning& meaning, const PlantInstances& plant) {
     const ClosedLoop& loop = meaning.loop;
     const Network& network = plant.context.network;
     add_observers(meaning);
@@ -139,14 +139,14 @@ void add_questions(LoopMeaning& meaning, const PlantInstances& plant) {
 }
 
 /// The parts of the network, unless an observer reads all of them.
-System::Parts parts(const PlantInstances& plant, const Turn& move, const Offers& offers) {
+System::Subsystems parts(const PlantInstances& plant, const Turn& move, const Offers& offers) {
     Main& main = plant.main;
     const bool watched = std::ranges::find(plant.context.network.processes, Network::ProcessKind::Observer,
                                            &Network::Process::kind) != plant.context.network.processes.end();
     if (!main.system.observers.empty() || watched) return {};
     std::vector<Id<Expr>> turns;
     for (std::size_t process = 0; process < move.processes; ++process) turns.push_back(move.of(main, process));
-    System::Parts made{.each = parts_that_take_turns(plant, turns)};
+    System::Subsystems made{.each = interleaved_subsystems(plant, turns)};
     made.waits = main.system.ticks.valid() ? main.system.ticks : move.of_none(main);
     made.can_move = offers.can_move;
     made.can_wait = offers.can_wait;
@@ -218,7 +218,7 @@ TransitionSystem interleaved(const Model& model, const ClosedLoop& loop, std::sp
                         .own = [&](std::size_t process, std::size_t place) { return plant.argument(process, place); },
                         .can_move = offers.can_move,
                         .can_wait = offers.can_wait};
-    add_questions(meaning, plant);
+    add_queries(meaning, plant);
     main.system.settled = over_main(plant, network.settled);
     main.system.scope = network_scope(network, options);
     for (const Id<Network::Controller> id : network.controllers.ids())

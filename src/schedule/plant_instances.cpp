@@ -63,7 +63,7 @@ TransitionSystem::Component PlantInstances::component(std::size_t process) const
     if (automaton.location.valid()) made.location = main.member(instances[process], automaton.location);
     for (const auto& [variable, symbol] : automaton.owned) {
         const Network::Variable& owned = context.network.variables[variable];
-        const TransitionSystem::Named named{owned.told_name(), main.member(instances[process], symbol)};
+        const TransitionSystem::Named named{owned.display_name(), main.member(instances[process], symbol)};
         if (owned.role == Network::Role::Plant) made.variables.push_back(named);
         if (owned.role == Network::Role::Input) made.inputs.push_back(named);
     }

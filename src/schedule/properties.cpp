@@ -123,7 +123,7 @@ void add_property(const LoopMeaning& meaning, const Property& property) {
         system.omitted.push_back({std::move(translated), std::move(reason), system.properties.size()});
         return;
     }
-    if (meaning.judged_when_settled) translated.at_stable = true;
+    if (meaning.checked_when_stable) translated.at_stable = true;
     if (property.pattern == Pattern::ReachableAllSteps) return add_all_steps(meaning, translated);
     if (property.pattern == Pattern::NoDeadlock || property.pattern == Pattern::NoTimelock) {
         // If no edge is enabled, only time passes until one is; so `possible` is equivalent to `eventually`.

@@ -37,7 +37,7 @@ struct LoopMeaning {
     /// An edge can be taken, time can pass: conditions of `no deadlock` and `no timelock`. Invalid if the model does
     /// not determine them.
     Id<Expr> can_move = {}, can_wait = {};
-    bool judged_when_settled = false;  ///< every property is evaluated only in quiescent states
+    bool checked_when_stable = false;  ///< every property is evaluated only in quiescent states
 };
 
 /// Translates `expr` of the loop to the symbols of main; invalid if not possible, with the reason in `reason`.

@@ -96,7 +96,7 @@ TransitionSystem together(const Model& model, const ClosedLoop& loop, std::span<
                                         Id<Equations::Variable> id) { return controllers.variable(controller, id); },
                         .at = [&](std::size_t process, std::uint32_t location) { return plant.at(process, location); },
                         .own = [&](std::size_t process, std::size_t place) { return plant.argument(process, place); },
-                        .judged_when_settled = sequenced};
+                        .checked_when_stable = sequenced};
     add_observers(meaning, sequenced ? system.settled : Id<Expr>{});
     for (const Property& property : loop.properties) add_property(meaning, property);
     for (const Property& constraint : constraints_to_prove(loop)) add_property(meaning, constraint);

@@ -85,17 +85,17 @@ std::vector<std::string> instances_of(const ChartRun& run) {
 
 std::string variable_of(const ChartRun::Step& step) { return within(step.controller, step.name.variable()); }
 
-std::string range_words(std::string_view name, const Type& type, std::int64_t value) {
+std::string range_text(std::string_view name, const Type& type, std::int64_t value) {
     if (value >= type.low && value <= type.high) return {};
     if (type.boolean) return fmt::format("`{}` is Boolean and cannot be {}; use true or false", name, value);
     return fmt::format("`{}` takes {} to {}; not {}", name, type.low, type.high, value);
 }
 
-std::string ambiguous_words(std::string_view name, const std::vector<std::string>& all) {
+std::string ambiguous_text(std::string_view name, const std::vector<std::string>& all) {
     return fmt::format("`{}` is ambiguous between `{}` and `{}`; write the qualified name", name, all[0], all[1]);
 }
 
-std::string unknown_words(std::string_view what, std::string_view name, const std::vector<std::string>& known) {
+std::string unknown_reason_text(std::string_view what, std::string_view name, const std::vector<std::string>& known) {
     const std::string meant = nearest_of(name, known);
     return fmt::format("unknown {} `{}`{}", what, name,
                        meant.empty() ? "" : fmt::format("; did you mean `{}`?", meant));

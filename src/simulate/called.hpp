@@ -36,11 +36,11 @@ std::vector<std::string> instances_of(const ChartRun& run);
 std::string variable_of(const ChartRun::Step& step);
 
 /// Reason why a variable of this type cannot have the value; empty if it can.
-std::string range_words(std::string_view name, const Type& type, std::int64_t value);
+std::string range_text(std::string_view name, const Type& type, std::int64_t value);
 
 /// Message: several elements are called `name`; `all`: their complete names.
-std::string ambiguous_words(std::string_view name, const std::vector<std::string>& all);
+std::string ambiguous_text(std::string_view name, const std::vector<std::string>& all);
 /// Message: there is no `what` of this name; suggests the nearest known one.
-std::string unknown_words(std::string_view what, std::string_view name, const std::vector<std::string>& known);
+std::string unknown_reason_text(std::string_view what, std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace grafverif

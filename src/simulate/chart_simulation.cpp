@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "run/by_hand.hpp"
+#include "run/manual_situation.hpp"
 #include "run/project.hpp"
 #include "run/reader.hpp"
 #include "run/scanner.hpp"
@@ -20,7 +20,7 @@ namespace grafverif {
 namespace {
 
 /// The term that a timer observes, if it is a name, in the notation of conditions: `X2`, `a`; otherwise empty.
-std::string watched_words(const Chart& chart, const TimedElement& element) {
+std::string watched_text(const Chart& chart, const TimedElement& element) {
     if (element.step.valid()) return step_variable(chart, element.step);
     const Expr& term = chart.exprs[element.watched];
     if (term.op == Op::Step) return step_variable(chart, {static_cast<std::uint32_t>(term.value)});
@@ -45,7 +45,7 @@ void ChartSimulation::power_on() {
     state_ = grafverif::power_on(chart_);
     time_ms_ = 0;
     broken_ = false;
-    trial_row_.reset();
+    what_if_row_.reset();
     inputs_.assign(chart_.variables.size(), 0);
     for (const Id<Chart::Variable> id : chart_.variables.ids())
         inputs_[id.index] = std::clamp<std::int64_t>(0, chart_.variables[id].type.low, chart_.variables[id].type.high);
@@ -54,7 +54,7 @@ void ChartSimulation::power_on() {
     for (std::size_t k = 0; k < elements_.size(); ++k) {
         const TimedElement& element = elements_[k];
         controller.timers.push_back(
-            told_.timers.add({chart_.name, watched_words(chart_, element), watched_step(chart_, element),
+            told_.timers.add({chart_.name, watched_text(chart_, element), watched_step(chart_, element),
                               element.rise_ms, element.fall_ms, true}));
         if (k < chart_.time_conditions.size()) controller.conditions.emplace_back(k);
     }
@@ -62,17 +62,17 @@ void ChartSimulation::power_on() {
     add({});
 }
 
-void ChartSimulation::add(ChartRun::Moment moment) {
+void ChartSimulation::add(ChartRun::Event moment) {
     moment.move = told_.moments.size();
     moment.after = project(chart_, state_, inputs_, time_ms_);
     told_.moments.push_back(std::move(moment));
     teller_->catch_up();
 }
 
-ChartRun ChartSimulation::retold(Detail detail) const {
+ChartRun ChartSimulation::with_trace_rows(Detail detail) const {
     ChartRun run = told_;
     run.rows.clear();
-    return tell(std::move(run), detail);
+    return with_rows(std::move(run), detail);
 }
 
 std::vector<Id<Expr>> ChartSimulation::broken_by(const std::vector<std::int64_t>& inputs) const {
@@ -114,7 +114,7 @@ std::vector<Choice> ChartSimulation::choices() const {
     return list;
 }
 
-Patience ChartSimulation::patience() const {
+DelayBounds ChartSimulation::patience() const {
     std::int64_t unit = 0;
     for (const TimedElement& element : elements_) unit = std::gcd(std::gcd(unit, element.rise_ms), element.fall_ms);
     if (unit == 0) unit = 1000;
@@ -122,7 +122,7 @@ Patience ChartSimulation::patience() const {
     return {unit, !broken_, {}, end ? std::optional(std::max<std::int64_t>(*end / unit, 1)) : std::nullopt};
 }
 
-std::vector<std::string> ChartSimulation::broken_constraints() const {
+std::vector<std::string> ChartSimulation::violated_constraints() const {
     std::vector<std::string> broken;
     for (const Id<Expr> condition : broken_by(inputs_))
         broken.push_back(expr_text(chart_.exprs, condition, chart_spelling, [&](std::ostream& out, const Expr& leaf) {
@@ -142,7 +142,7 @@ ChartRun::Act ChartSimulation::act_of(bool reads) const {
 }
 
 /// Appends the evolutions of the cycle `made`, each with its situation, and the outputs written at its end.
-void ChartSimulation::tell_evolutions(const Cycle& made) {
+void ChartSimulation::add_evolution_rows(const Cycle& made) {
     for (std::size_t k = 0; k < made.fired.size(); ++k) {
         const bool first = !state_.started;
         ChartRun::Act act = act_of(!first);
@@ -154,14 +154,14 @@ void ChartSimulation::tell_evolutions(const Cycle& made) {
         if (!first) act.stable = evolution.stable;
         act.race = false;
         state_ = std::move(evolution.state);
-        ChartRun::Moment moment;
+        ChartRun::Event moment;
         moment.acts.push_back(std::move(act));
         add(std::move(moment));
     }
     ChartRun::Act write = act_of(true);
     write.writes = ChartRun::Act::Writes::Yes;
     state_ = made.state;
-    ChartRun::Moment moment;
+    ChartRun::Event moment;
     moment.acts.push_back(std::move(write));
     add(std::move(moment));
 }
@@ -170,7 +170,7 @@ std::string ChartSimulation::cycle() {
     const Cycle made = grafverif::cycle(chart_, state_, inputs_, mode_);
     std::string problem = problem_in(chart_, made);
     broken_ = !problem.empty();
-    if (!broken_) tell_evolutions(made);
+    if (!broken_) add_evolution_rows(made);
     return problem;
 }
 
@@ -233,7 +233,7 @@ std::string ChartSimulation::make(const Made& command) {
     std::string problem;
     std::visit(overloaded{
                    [&](const std::vector<Setting>& settings) {
-                       ChartRun::Moment moment{.kind = ChartRun::Kind::Environment};
+                       ChartRun::Event moment{.kind = ChartRun::Kind::Environment};
                        for (const Setting& setting : settings) {
                            const auto found = std::ranges::find(chart_.variables, setting.name, &Chart::Variable::name);
                            const auto index = static_cast<std::uint32_t>(found - chart_.variables.begin());
@@ -251,7 +251,7 @@ std::string ChartSimulation::make(const Made& command) {
                            problem = follow();
                        }
                    },
-                   [&](const Trial& trial) {
+                   [&](const WhatIfRun& trial) {
                        put(trial);
                        problem = follow();
                    },
@@ -276,9 +276,9 @@ std::string ChartSimulation::refusal(const Setting& setting) const {
         std::vector<std::string> inputs;
         for (const Chart::Variable& variable : chart_.variables)
             if (variable.kind == Chart::VariableKind::Input) inputs.push_back(variable.name);
-        return unknown_words("input", setting.name, inputs);
+        return unknown_reason_text("input", setting.name, inputs);
     }
-    return range_words(setting.name, found->type, setting.value);
+    return range_text(setting.name, found->type, setting.value);
 }
 
 std::string ChartSimulation::set(const std::vector<Setting>& settings) {
@@ -299,21 +299,21 @@ std::string ChartSimulation::act(std::string_view instance, std::string_view) {
 
 std::string ChartSimulation::force(std::string_view step, bool active) {
     std::string problem;
-    const std::optional<Trial> trial = trial_of(told_, step, active, problem);
+    const std::optional<WhatIfRun> trial = what_if_of(told_, step, active, problem);
     if (!trial) return problem;
-    const ByHand made = by_hand(chart_, state_.situation, {static_cast<std::uint32_t>(trial->step)}, active);
+    const ManualSituation made = by_hand(chart_, state_.situation, {static_cast<std::uint32_t>(trial->step)}, active);
     if (!made.refusal.empty()) return made.refusal;
     if (!with_situation(chart_, state_, made.situation, inputs_)) return "a time condition would have no value";
     return make(*trial);
 }
 
 /// Requires a step change that was not rejected.
-void ChartSimulation::put(const Trial& trial) {
-    ByHand made = by_hand(chart_, state_.situation, {static_cast<std::uint32_t>(trial.step)}, trial.active);
+void ChartSimulation::put(const WhatIfRun& trial) {
+    ManualSituation made = by_hand(chart_, state_.situation, {static_cast<std::uint32_t>(trial.step)}, trial.active);
     if (auto state = with_situation(chart_, state_, std::move(made.situation), inputs_)) state_ = std::move(*state);
     add({.kind = ChartRun::Kind::Environment, .internal = true});
-    const std::size_t row = tell_trial(told_, *teller_, trial);
-    trial_row_ = trial_row_.value_or(row);
+    const std::size_t row = report_what_if(told_, *teller_, trial);
+    what_if_row_ = what_if_row_.value_or(row);
 }
 
 bool ChartSimulation::back() {

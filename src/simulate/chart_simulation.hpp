@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "grafverif/ir/chart.hpp"
-#include "report/tell.hpp"
+#include "report/trace_rows.hpp"
 #include "run/interpreter.hpp"
 #include "simulate/settings.hpp"
-#include "simulate/trial.hpp"
+#include "simulate/what_if.hpp"
 
 namespace grafverif {
 
@@ -27,14 +27,14 @@ public:
     ChartSimulation& operator=(const ChartSimulation&) = delete;
 
     const ChartRun& told() const { return told_; }
-    ChartRun retold(Detail detail) const;
+    ChartRun with_trace_rows(Detail detail) const;
 
     /// The adjacent values of each input that violate no more constraints than the current values.
     std::vector<Choice> choices() const;
     std::size_t choice_count() const { return settings().size(); }
-    Patience patience() const;
+    DelayBounds patience() const;
     /// The constraints that the inputs currently violate; a simulation allows this.
-    std::vector<std::string> broken_constraints() const;
+    std::vector<std::string> violated_constraints() const;
 
     /// As in LoopSimulation. A command that returns an error may have changed inputs and let time pass.
     std::string settle();
@@ -46,27 +46,27 @@ public:
     std::string act(std::string_view instance, std::string_view location);
     std::string force(std::string_view step, bool active);
     /// The first row that is no longer part of a run of the chart.
-    std::optional<std::size_t> trial_row() const { return trial_row_; }
+    std::optional<std::size_t> what_if_row() const { return what_if_row_; }
     bool back();
     /// Number of commands that can be undone.
     std::size_t commands() const { return commands_.size(); }
 
 private:
-    using Made = std::variant<std::vector<Setting>, std::int64_t, Trial>;
+    using Made = std::variant<std::vector<Setting>, std::int64_t, WhatIfRun>;
 
     void power_on();
     std::vector<Setting> settings() const;
     std::vector<Id<Expr>> broken_by(const std::vector<std::int64_t>& inputs) const;
     std::string refusal(const Setting& setting) const;
     std::string make(const Made& command);
-    void put(const Trial& trial);
+    void put(const WhatIfRun& trial);
     std::string follow();
     std::string cycle();
-    void tell_evolutions(const Cycle& made);
+    void add_evolution_rows(const Cycle& made);
     void pass(std::int64_t milliseconds);
     std::optional<std::int64_t> next_end() const;
     ChartRun::Act act_of(bool reads) const;
-    void add(ChartRun::Moment moment);
+    void add(ChartRun::Event moment);
 
     const Chart& chart_;
     ExecutionMode mode_;
@@ -76,9 +76,9 @@ private:
     std::vector<std::int64_t> inputs_ = {};  ///< per variable
     std::int64_t time_ms_ = 0;
     ChartRun told_ = {};
-    std::optional<Teller> teller_;
+    std::optional<TraceRowBuilder> teller_;
     std::vector<Made> commands_ = {};
-    std::optional<std::size_t> trial_row_ = {};
+    std::optional<std::size_t> what_if_row_ = {};
     bool broken_ = false;
 };
 

@@ -61,10 +61,10 @@ std::string_view behind(std::string_view line, std::size_t count) {
     return line;
 }
 
-Command expectation(std::string_view text, std::optional<std::int64_t> patience_ms) {
-    auto read = claim_of(text);
+Command expectation(std::string_view text, std::optional<std::int64_t> response_timeout_ms) {
+    auto read = preservation_class_of(text);
     if (auto* const complaint = std::get_if<std::string>(&read)) return BadCommand{std::move(*complaint)};
-    return ExpectCommand{std::get<Claim>(std::move(read)), patience_ms};
+    return ExpectCommand{std::get<Expectation>(std::move(read)), response_timeout_ms};
 }
 
 Command expect_of(std::string_view line, const std::vector<std::string>& list) {
@@ -116,7 +116,7 @@ Command command_of(std::string_view line) {
         if (const auto choice = number_of(first); choice && *choice > 0)
             return ChooseCommand{static_cast<std::size_t>(*choice)};
     }
-    const std::string meant = nearest_of(first, command_words);
+    const std::string meant = nearest_of(first, command_text);
     return BadCommand{
         fmt::format("unknown command `{}`; {}", first,
                     meant.empty() ? "list the commands with `help`" : fmt::format("did you mean `{}`?", meant))};

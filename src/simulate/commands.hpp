@@ -8,8 +8,8 @@
 //   force STEP on        activate (`off`: deactivate) a step by hand; from then on not a run of the model
 //   3                    the third of the listed choices
 //   back, undo           undo the last command
-//   expect CLAIM         it holds now (simulate/claim.hpp);  `expect within 5s CLAIM`: it becomes true within this time
-//   wait until CLAIM     let time pass until it holds
+//   expect CLAIM         it holds now (simulate/expectation.hpp);  `expect within 5s CLAIM`: it becomes true within
+//   this time wait until CLAIM     let time pass until it holds
 //   show                 print all current values
 //   repeat 3 {           in a script: repeat the lines up to a line `}`
 //   save FILE            write the commands so far as a script
@@ -26,7 +26,7 @@
 #include <variant>
 #include <vector>
 
-#include "simulate/claim.hpp"
+#include "simulate/expectation.hpp"
 #include "simulate/settings.hpp"
 
 namespace grafverif {
@@ -55,10 +55,10 @@ struct ChooseCommand {
 struct BackCommand {
     bool operator==(const BackCommand&) const = default;
 };
-/// `patience_ms`: time limit; 0: now; empty: as long as spontaneous events occur.
+/// `response_timeout_ms`: time limit; 0: now; empty: as long as spontaneous events occur.
 struct ExpectCommand {
-    Claim claim = {};
-    std::optional<std::int64_t> patience_ms = 0;
+    Expectation claim = {};
+    std::optional<std::int64_t> response_timeout_ms = 0;
     bool operator==(const ExpectCommand&) const = default;
 };
 struct ShowCommand {
@@ -96,7 +96,7 @@ using Command =
                  ShowCommand, RepeatCommand, EndCommand, SaveCommand, QuitCommand, HelpCommand, NoCommand, BadCommand>;
 
 /// Words that begin a command.
-inline constexpr std::array<std::string_view, 12> command_words = {
+inline constexpr std::array<std::string_view, 12> command_text = {
     "back", "do", "expect", "force", "help", "quit", "repeat", "save", "show", "undo", "wait", "wait until"};
 
 Command command_of(std::string_view line);

@@ -42,7 +42,7 @@ Words in_claim(const ChartRun& run, const Words& before) {
 Words possible(const ChartRun& run, const Words& before) {
     if (before.empty()) {
         Words words;
-        for (const std::string_view each : command_words)
+        for (const std::string_view each : command_text)
             if (each.find(' ') == std::string_view::npos) words.emplace_back(each);
         append(words, inputs_of(run));
         return words;

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "report/report.hpp"
-#include "run/by_hand.hpp"
 #include "run/interpreter.hpp"
+#include "run/manual_situation.hpp"
 #include "run/network_walk.hpp"
 #include "run/replay.hpp"
 #include "run/scanner.hpp"
@@ -79,8 +79,8 @@ LoopSimulation::LoopSimulation(const Network& network, std::vector<const Chart*>
 void LoopSimulation::power_on() {
     state_ = initial_state(network_);
     run_ = {};
-    trials_ = {};
-    trial_row_ = {};
+    what_if_runs_ = {};
+    what_if_row_ = {};
     told_ = {};
     projection_.emplace(network_, state_, told_);
     teller_.emplace(told_, detail_);
@@ -98,7 +98,7 @@ std::vector<Choice> LoopSimulation::choices() const {
     std::vector<Choice> list;
     const std::vector<Fire> moves = fires();
     for (std::size_t k = 0; k < moves.size(); ++k)
-        list.push_back({choice_words(network_, state_, moves[k]), command_of(moves, k)});
+        list.push_back({choice_text(network_, state_, moves[k]), command_of(moves, k)});
     return list;
 }
 
@@ -114,7 +114,7 @@ std::string LoopSimulation::command_of(const std::vector<Fire>& moves, std::size
     return "do " + process.name + " " + network_.templates[process.automaton].locations[target(moves[choice])].name;
 }
 
-Patience LoopSimulation::patience() const {
+DelayBounds LoopSimulation::patience() const {
     const Leeway way = leeway(network_, state_);
     return {network_.time_unit_ms, way.may_pass, way.limit, way.change};
 }
@@ -126,7 +126,7 @@ std::string LoopSimulation::problem_of(const Step& step, const Move& move) const
     const Fire& fire = std::get<Fire>(move);
     const auto kind =
         step.result == Step::Result::OutOfRange ? ModelError::Kind::OutOfRange : ModelError::Kind::NoValue;
-    return breakdown_of(network_, {kind, step.variable, fire.process, fire.edge, {}}, Detail::Chart).message;
+    return error_trace_of(network_, {kind, step.variable, fire.process, fire.edge, {}}, Detail::Chart).message;
 }
 
 bool LoopSimulation::move(const Move& move, std::string& problem) {
@@ -146,7 +146,7 @@ bool LoopSimulation::move(const Move& move, std::string& problem) {
     teller_->catch_up();
     if (!network_.race.valid() || state_.variables[network_.race.index] == 0) return true;
     broken_ = true;
-    const std::optional<Clash> found = clash(told_, charts_);
+    const std::optional<ContradictoryActions> found = clash(told_, charts_);
     problem = race_text(found ? found->variable : "");
     return false;
 }
@@ -221,7 +221,7 @@ std::string LoopSimulation::waiting_for() const {
     std::vector<std::string> words;
     for (const Fire& fire : fires())
         if (std::ranges::find(hurried, fire.process) != hurried.end())
-            words.push_back(choice_words(network_, state_, fire));
+            words.push_back(choice_text(network_, state_, fire));
     if (words.empty()) return "timelock: time cannot pass, and no required move is possible";
     return "time cannot pass before one of these moves: " + listed(words);
 }
@@ -267,15 +267,15 @@ std::string LoopSimulation::set(const std::vector<Setting>& settings) {
         return (variable.role == Network::Role::Input || variable.role == Network::Role::Plant) && !variable.scratch;
     };
     const auto found = std::ranges::find_if(network_.variables, [&, wanted = name](const Network::Variable& variable) {
-        return settable(variable) && (variable.name == wanted || variable.told_name() == wanted);
+        return settable(variable) && (variable.name == wanted || variable.display_name() == wanted);
     });
     if (found == network_.variables.end()) {
         std::vector<std::string> known;
         for (const Network::Variable& variable : network_.variables)
-            if (settable(variable)) known.push_back(variable.told_name());
-        return unknown_words("input", name, known);
+            if (settable(variable)) known.push_back(variable.display_name());
+        return unknown_reason_text("input", name, known);
     }
-    if (std::string problem = range_words(name, found->type, value); !problem.empty()) return problem;
+    if (std::string problem = range_text(name, found->type, value); !problem.empty()) return problem;
     const auto index = static_cast<std::size_t>(found - network_.variables.begin());
     const std::string wish = !found->type.boolean ? std::to_string(value) : value != 0 ? "true" : "false";
     if (state_.variables[index] == value) return fmt::format("`{}` is {} already", name, wish);
@@ -295,10 +295,11 @@ std::string LoopSimulation::act(std::string_view instance, std::string_view loca
     }
     const auto named = std::ranges::find(told_.instances, instance, &ChartRun::Instance::name);
     const std::vector<std::string> known = instances_of(told_);
-    if (named == told_.instances.end() && detail_ == Detail::Chart) return unknown_words("instance", instance, known);
+    if (named == told_.instances.end() && detail_ == Detail::Chart)
+        return unknown_reason_text("instance", instance, known);
     if (named != told_.instances.end() && !location.empty() &&
         std::ranges::find(named->locations, location) == named->locations.end())
-        return unknown_words(fmt::format("location of `{}`", instance), location, named->locations);
+        return unknown_reason_text(fmt::format("location of `{}`", instance), location, named->locations);
     return fmt::format("`{}`{} is not possible now", instance,
                        location.empty() ? "" : fmt::format(" to `{}`", location));
 }
@@ -320,7 +321,7 @@ std::optional<std::string> LoopSimulation::location_of(std::string_view instance
         return automaton.locations[state_.locations[index]].name;
     }
     for (std::size_t k = moment + 1; k > 0; --k) {
-        const ChartRun::Moment& event = told_.moments[k - 1];
+        const ChartRun::Event& event = told_.moments[k - 1];
         if (event.location && event.instance.valid() && told_.instances[event.instance].name == instance)
             return told_.instances[event.instance].locations[*event.location];
     }
@@ -335,7 +336,7 @@ std::string LoopSimulation::behind_port(std::string_view name) const {
         for (const Id<Network::Parameter> id : automaton.parameters.ids()) {
             const auto* const bound = std::get_if<Id<Network::Variable>>(&process.arguments[id.index]);
             if (bound != nullptr && automaton.parameters[id].name == name.substr(dot + 1))
-                return network_.variables[*bound].told_name();
+                return network_.variables[*bound].display_name();
         }
     }
     return {};
@@ -344,18 +345,18 @@ std::string LoopSimulation::behind_port(std::string_view name) const {
 bool LoopSimulation::back() {
     if (commands_.empty()) return false;
     Run shorter = std::move(run_);
-    std::vector<Forced> trials = std::move(trials_);
+    std::vector<Forced> what_if_runs = std::move(what_if_runs_);
     shorter.moves.resize(commands_.back().moves);
-    trials.resize(commands_.back().trials);
+    what_if_runs.resize(commands_.back().what_if_runs);
     commands_.pop_back();
     power_on();
     broken_ = false;
     std::string ignored;
     auto command = commands_.begin();
-    auto forced = trials.begin();
+    auto forced = what_if_runs.begin();
     for (std::size_t i = 0; i <= shorter.moves.size(); ++i) {
         for (; command != commands_.end() && command->moves == i; ++command) teller_->flush();
-        for (; forced != trials.end() && forced->at == i; ++forced) put(forced->trial);
+        for (; forced != what_if_runs.end() && forced->at == i; ++forced) put(forced->trial);
         if (i < shorter.moves.size()) move(shorter.moves[i], ignored);
     }
     teller_->flush();
@@ -365,30 +366,30 @@ bool LoopSimulation::back() {
 std::string LoopSimulation::force(std::string_view step, bool active) {
     if (broken_) return "no further event is possible; undo the last command with `back`";
     std::string problem;
-    const std::optional<Trial> trial = trial_of(told_, step, active, problem);
+    const std::optional<WhatIfRun> trial = what_if_of(told_, step, active, problem);
     if (!trial) return problem;
     const Network::Controller& controller = network_.controllers[{trial->controller.index}];
     if (state_.locations[controller.process.index] != controller.waiting)
         return "a step cannot be forced during a PLC cycle; force it between two cycles";
-    if (ByHand made = forced(*trial); !made.refusal.empty()) return std::move(made.refusal);
+    if (ManualSituation made = forced(*trial); !made.refusal.empty()) return std::move(made.refusal);
     begin_command();
     put(*trial);
     return settle();
 }
 
-ByHand LoopSimulation::forced(const Trial& trial) const {
+ManualSituation LoopSimulation::forced(const WhatIfRun& trial) const {
     const std::uint32_t controller = trial.controller.index;
     return by_hand(*charts_[controller], situation_of(network_, state_, {controller}),
                    {static_cast<std::uint32_t>(trial.step)}, trial.active);
 }
 
 /// Requires a step change that was not rejected.
-void LoopSimulation::put(const Trial& trial) {
+void LoopSimulation::put(const WhatIfRun& trial) {
     put_situation(network_, state_, {trial.controller.index}, forced(trial).situation);
-    trials_.push_back({run_.moves.size(), trial});
+    what_if_runs_.push_back({run_.moves.size(), trial});
     projection_->append_by_hand(state_);
-    const std::size_t row = tell_trial(told_, *teller_, trial);
-    trial_row_ = trial_row_.value_or(row);
+    const std::size_t row = report_what_if(told_, *teller_, trial);
+    what_if_row_ = what_if_row_.value_or(row);
 }
 
 }  // namespace grafverif

@@ -22,11 +22,11 @@
 #include "grafverif/ir/chart.hpp"
 #include "grafverif/ir/network.hpp"
 #include "ir/network_run.hpp"
-#include "report/tell.hpp"
-#include "run/by_hand.hpp"
+#include "report/trace_rows.hpp"
+#include "run/manual_situation.hpp"
 #include "run/project.hpp"
 #include "simulate/settings.hpp"
-#include "simulate/trial.hpp"
+#include "simulate/what_if.hpp"
 
 namespace grafverif {
 
@@ -38,12 +38,12 @@ public:
     LoopSimulation& operator=(const LoopSimulation&) = delete;
 
     const ChartRun& told() const { return told_; }
-    ChartRun retold(Detail detail) const { return tell(project(network_, run_), detail); }
+    ChartRun with_trace_rows(Detail detail) const { return with_rows(project(network_, run_), detail); }
 
     /// Empty after a race.
     std::vector<Choice> choices() const;
     std::size_t choice_count() const { return fires().size(); }
-    Patience patience() const;
+    DelayBounds patience() const;
 
     /// Each of the following is one command: it makes its moves and executes the automatic ones. Returns an error
     /// message or an empty string. After an error, some moves may have been made.
@@ -60,7 +60,7 @@ public:
     /// Activates or deactivates a step by hand.
     std::string force(std::string_view step, bool active);
     /// The first row that is no longer part of a run of the network.
-    std::optional<std::size_t> trial_row() const { return trial_row_; }
+    std::optional<std::size_t> what_if_row() const { return what_if_row_; }
     /// Time until the next spontaneous or possible event; empty: unbounded.
     std::optional<std::int64_t> soonest_ms() const;
     /// Location of the instance after an event of the recorded run; empty: there is no such instance.
@@ -77,17 +77,17 @@ private:
     /// A forced step change before the move with this number.
     struct Forced {
         std::size_t at = 0;
-        Trial trial = {};
+        WhatIfRun trial = {};
     };
     /// State before a command.
     struct Mark {
-        std::size_t moves = 0, trials = 0;
+        std::size_t moves = 0, what_if_runs = 0;
     };
 
     void power_on();
-    void begin_command() { commands_.push_back({run_.moves.size(), trials_.size()}); }
-    void put(const Trial& trial);
-    ByHand forced(const Trial& trial) const;
+    void begin_command() { commands_.push_back({run_.moves.size(), what_if_runs_.size()}); }
+    void put(const WhatIfRun& trial);
+    ManualSituation forced(const WhatIfRun& trial) const;
     std::vector<Fire> fires() const;
     std::string choose(const Fire& fire);
     /// Executes one edge without automatic moves. False if it is disabled or causes a model error.
@@ -106,10 +106,10 @@ private:
     Run run_ = {};
     ChartRun told_ = {};
     std::optional<NetworkProjection> projection_;  ///< of the run, into `told_`
-    std::optional<Teller> teller_;
-    std::vector<Forced> trials_ = {};
+    std::optional<TraceRowBuilder> teller_;
+    std::vector<Forced> what_if_runs_ = {};
     std::vector<Mark> commands_ = {};
-    std::optional<std::size_t> trial_row_ = {};
+    std::optional<std::size_t> what_if_row_ = {};
     bool broken_ = false;
 };
 

@@ -23,7 +23,7 @@ bool contains(const ChartRun::State& state, Id<ChartRun::Step> step) {
 
 }  // namespace
 
-std::string Recording::obey(const Command& command, std::string_view line) {
+std::string Recording::execute(const Command& command, std::string_view line) {
     const ChartRun::State before = simulation_.told().moments.back().after;
     const std::size_t commands = simulation_.undoable();
     std::string text(trimmed(line));
@@ -31,7 +31,7 @@ std::string Recording::obey(const Command& command, std::string_view line) {
         const std::vector<Choice> choices = simulation_.choices();
         if (choice->number <= choices.size()) text = choices[choice->number - 1].command;  // a name is more informative
     }
-    std::string problem = simulation_.obey(command);
+    std::string problem = simulation_.execute(command);
     while (!lines_.empty() && lines_.back().commands > simulation_.undoable()) lines_.pop_back();
     const bool moved = simulation_.undoable() > commands;
     const bool is_met = std::holds_alternative<ExpectCommand>(command) && problem.empty();

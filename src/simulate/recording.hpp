@@ -16,7 +16,7 @@ public:
     explicit Recording(Simulation& simulation) : simulation_(simulation) {}
 
     /// Like Simulation::obey; `line`: the text of the command.
-    std::string obey(const Command& command, std::string_view line);
+    std::string execute(const Command& command, std::string_view line);
 
     /// The executed commands, without undone and rejected ones; each is followed by an `expect` of the steps, outputs
     /// and internal variables that it changed.

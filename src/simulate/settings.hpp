@@ -18,12 +18,12 @@ struct Setting {
 };
 
 /// Possible delays without a choice, in time units.
-struct Patience {
+struct DelayBounds {
     std::int64_t unit_ms = 1;
     bool may_pass = false;
     std::optional<std::int64_t> limit = {};   ///< until a choice is required; empty: unbounded
     std::optional<std::int64_t> change = {};  ///< until the next spontaneous or possible event; empty: never
-    bool operator==(const Patience&) const = default;
+    bool operator==(const DelayBounds&) const = default;
 };
 
 }  // namespace grafverif

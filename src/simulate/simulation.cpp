@@ -16,7 +16,7 @@ std::string Simulation::begin() {
 
 /// A command may consist of several moves: time passes stepwise until an expectation holds. A command without moves
 /// cannot be undone.
-std::string Simulation::obey(const Command& command) {
+std::string Simulation::execute(const Command& command) {
     unmet_ = false;
     if (std::holds_alternative<BackCommand>(command)) return undo();
     const std::size_t before = moves(), moments = told().moments.size(), examined = examined_;
@@ -61,7 +61,8 @@ std::string Simulation::made(const Command& command) {
         of_);
 }
 
-std::optional<std::string> Simulation::unmet_at(const Claim& claim, std::size_t moment, std::string& problem) const {
+std::optional<std::string> Simulation::unmet_at(const Expectation& claim, std::size_t moment,
+                                                std::string& problem) const {
     const auto location_of = [&](std::string_view instance) {
         const auto* const loop = std::get_if<LoopSimulation>(&of_);
         return loop == nullptr ? std::nullopt : loop->location_of(instance, moment);
@@ -71,7 +72,7 @@ std::optional<std::string> Simulation::unmet_at(const Claim& claim, std::size_t 
 
 /// An instant can contain several evolutions, so the situation after it hides a step that is left in the same instant.
 /// Only an expectation that becomes true counts: states ended by the last command were true before it.
-bool Simulation::met_in_passing(const Claim& claim) {
+bool Simulation::met_in_passing(const Expectation& claim) {
     const ChartRun& run = told();
     const std::int64_t now = run.moments.back().after.time_ms;
     std::vector<bool> examines(run.moments.size(), names_only_steps(claim, run));
@@ -95,8 +96,9 @@ bool Simulation::met_in_passing(const Claim& claim) {
 
 /// Time passes from one spontaneous event to the next, because no value changes between them.
 std::string Simulation::expect(const ExpectCommand& wish) {
-    Claim claim = wish.claim;
-    for (Claim::Part& part : claim.parts) {  // a port denotes its variable, unless the name is used otherwise
+    Expectation claim = wish.claim;
+    for (Expectation::Condition& part :
+         claim.parts) {  // a port denotes its variable, unless the name is used otherwise
         const auto* const loop = std::get_if<LoopSimulation>(&of_);
         const bool known =
             !signals_called(told(), part.name).empty() || location_called(told(), part.name).instance.valid();
@@ -108,19 +110,19 @@ std::string Simulation::expect(const ExpectCommand& wish) {
         std::string problem;
         const auto unmet = unmet_at(claim, told().moments.size() - 1, problem);
         if (!unmet) return problem;
-        if (unmet->empty() && wish.patience_ms != 0) examined_ = told().moments.size() - 1;
-        if (unmet->empty() || (wish.patience_ms != 0 && met_in_passing(claim))) return {};
+        if (unmet->empty() && wish.response_timeout_ms != 0) examined_ = told().moments.size() - 1;
+        if (unmet->empty() || (wish.response_timeout_ms != 0 && met_in_passing(claim))) return {};
         const auto failed = [&](std::string_view why) {
             unmet_ = true;
             return fmt::format("expected `{}`, but {}{}", wish.claim.text, *unmet, why);
         };
         const std::int64_t passed = told().moments.back().after.time_ms - begin;
-        if (wish.patience_ms && passed >= *wish.patience_ms)
+        if (wish.response_timeout_ms && passed >= *wish.response_timeout_ms)
             return failed(passed == 0 ? "" : fmt::format(" after {}", seconds_text(passed)));
         if (!patience().may_pass) return failed(", and time cannot pass before a choice");
         const auto soonest = std::visit([](const auto& of) { return of.soonest_ms(); }, of_);
-        if (!wish.patience_ms && !soonest) return failed(", and nothing changes as time passes");
-        const std::int64_t left = wish.patience_ms ? *wish.patience_ms - passed : *soonest;
+        if (!wish.response_timeout_ms && !soonest) return failed(", and nothing changes as time passes");
+        const std::int64_t left = wish.response_timeout_ms ? *wish.response_timeout_ms - passed : *soonest;
         problem = std::visit([&](auto& of) { return of.wait(std::min(left, soonest.value_or(left))); }, of_);
         if (!problem.empty()) return problem;
     }
@@ -137,8 +139,8 @@ const ChartRun& Simulation::told() const {
     return std::visit([](const auto& of) -> const ChartRun& { return of.told(); }, of_);
 }
 
-std::optional<std::size_t> Simulation::trial_row() const {
-    return std::visit([](const auto& of) { return of.trial_row(); }, of_);
+std::optional<std::size_t> Simulation::what_if_row() const {
+    return std::visit([](const auto& of) { return of.what_if_row(); }, of_);
 }
 
 std::vector<Choice> Simulation::choices() const {
@@ -149,22 +151,22 @@ std::size_t Simulation::choice_count() const {
     return std::visit([](const auto& of) { return of.choice_count(); }, of_);
 }
 
-Patience Simulation::patience() const {
+DelayBounds Simulation::patience() const {
     return std::visit([](const auto& of) { return of.patience(); }, of_);
 }
 
-std::vector<std::string> Simulation::broken_constraints() const {
+std::vector<std::string> Simulation::violated_constraints() const {
     const auto* const chart = std::get_if<ChartSimulation>(&of_);
-    return chart == nullptr ? std::vector<std::string>{} : chart->broken_constraints();
+    return chart == nullptr ? std::vector<std::string>{} : chart->violated_constraints();
 }
 
-ChartRun Simulation::retold(Detail detail) const {
-    return std::visit([&](const auto& of) { return of.retold(detail); }, of_);
+ChartRun Simulation::with_trace_rows(Detail detail) const {
+    return std::visit([&](const auto& of) { return of.with_trace_rows(detail); }, of_);
 }
 
 std::optional<Command> RandomWalk::draw(const Simulation& simulation) {
     const std::size_t choices = simulation.choice_count();
-    const Patience patience = simulation.patience();
+    const DelayBounds patience = simulation.patience();
     const std::uint64_t count = choices + (patience.may_pass ? 1 : 0);
     if (count == 0) return {};
     const std::uint64_t drawn = random_() % count;

@@ -29,7 +29,7 @@ public:
     /// Executes the automatic moves after power-on; returns an error message or an empty string.
     std::string begin();
     /// Executes a command; returns an error message or an empty string. Commands without moves do not fail.
-    std::string obey(const Command& command);
+    std::string execute(const Command& command);
     /// True if the last command was an `expect` or a `wait until` that was not fulfilled; its message then describes
     /// the actual state, and the simulation can continue.
     bool unmet() const { return unmet_; }
@@ -40,15 +40,15 @@ public:
     const ChartRun& told() const;
     /// The first row of the recorded run that is no longer part of a run of the model, because a step was forced by
     /// hand; empty if there is none.
-    std::optional<std::size_t> trial_row() const;
+    std::optional<std::size_t> what_if_row() const;
     std::vector<Choice> choices() const;
     std::size_t choice_count() const;
-    Patience patience() const;
+    DelayBounds patience() const;
     /// Constraints of the chart that the inputs currently violate; with a plant they are properties to prove.
-    std::vector<std::string> broken_constraints() const;
+    std::vector<std::string> violated_constraints() const;
 
     /// The complete run, recorded as one command, without boundaries between commands.
-    ChartRun retold(Detail detail) const;
+    ChartRun with_trace_rows(Detail detail) const;
 
 private:
     std::string made(const Command& command);
@@ -56,9 +56,9 @@ private:
     std::size_t moves() const;
     std::string choose(std::size_t number);
     std::string expect(const ExpectCommand& wish);
-    std::optional<std::string> unmet_at(const Claim& claim, std::size_t moment, std::string& problem) const;
+    std::optional<std::string> unmet_at(const Expectation& claim, std::size_t moment, std::string& problem) const;
     /// True if the expectation has become true in the current instant, after the event `examined_`.
-    bool met_in_passing(const Claim& claim);
+    bool met_in_passing(const Expectation& claim);
 
     std::variant<LoopSimulation, ChartSimulation> of_;
     struct Before {

@@ -7,8 +7,8 @@
 
 namespace grafverif {
 
-/// The first element of `list` whose `projection` equals `value`. Throws std::logic_error, an internal error, if there is
-/// none: an unchecked end() would be undefined behaviour.
+/// The first element of `list` whose `projection` equals `value`. Throws std::logic_error, an internal error, if there
+/// is none: an unchecked end() would be undefined behaviour.
 template <class List, class Value, class Projection>
 auto& element_of(List& list, const Value& value, Projection projection) {
     const auto found = std::ranges::find(list, value, projection);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Selects what happens if memory is refused. By default the allocation fails. Allocations that must not fail use the
-// memory that is kept back (app/system/guard): those of an error report, of destructors of nlohmann::json, and of the
-// constructors of Bison's parsers. The latter two are noexcept.
+// memory that is kept back (app/system/watchdog): those of an error report, of destructors of nlohmann::json, and of
+// the constructors of Bison's parsers. The latter two are noexcept.
 #pragma once
 
 #include <exception>

@@ -27,7 +27,7 @@ Diagnostic cannot_read(std::string_view path, std::string_view why) {
     return error("cannot-read", {}, fmt::format("cannot read `{}`: {}", path, why));
 }
 
-Diagnostic world_failed(std::string_view what) { return error("cannot-write", {}, std::string(what)); }
+Diagnostic io_error(std::string_view what) { return error("cannot-write", {}, std::string(what)); }
 
 Diagnostic cannot_listen(std::uint64_t port, std::string_view why) {
     const std::string where = port == 0 ? "on any port" : fmt::format("on port {}", port);
@@ -80,7 +80,7 @@ Diagnostic not_in_depfile(std::string_view name, std::string_view reader) {
                              reader, name));
 }
 
-Diagnostic cure_left_out(std::string_view cure) {
+Diagnostic ablation_active(std::string_view cure) {
     return warning("cure-left-out", {},
                    fmt::format("`{}` is removed from the model, so verdicts do not apply to the chart; omit "
                                "`--ablate` to check the chart",

@@ -15,15 +15,16 @@ namespace grafverif::messages {
 
 // -- the command line and files ------------------------------------------------------------------------------------
 Diagnostic cannot_read(std::string_view path, std::string_view why);
-Diagnostic world_failed(std::string_view what);
+Diagnostic io_error(std::string_view what);
 Diagnostic cannot_listen(std::uint64_t port, std::string_view why);
 Diagnostic output_is_input(std::string_view output, std::string_view input);
 Diagnostic output_twice(std::string_view one, std::string_view other);
 Diagnostic no_closed_loop();
-/// `cure_left_out`: the model checked differs from the file, because a correction of the method is disabled on purpose.
+/// `ablation_active`: the model checked differs from the file, because a correction of the method is disabled on
+/// purpose.
 Diagnostic missing_folder(std::string_view output, std::string_view folder);
 Diagnostic not_in_depfile(std::string_view name, std::string_view reader);
-Diagnostic cure_left_out(std::string_view cure);
+Diagnostic ablation_active(std::string_view cure);
 /// A requested external engine is not installed; `instead`: the options that select an embedded one.
 Diagnostic missing_program(std::string_view program, std::string_view instead);
 Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known);
@@ -186,7 +187,7 @@ Diagnostic chosen_kind(Span where, std::string_view variable, std::string_view k
 Diagnostic mixed_actions(Span where, std::string_view output, std::string_view stored);
 Diagnostic explicit_priority(Span where, std::string_view step, std::size_t branches);
 Diagnostic differs_from_sfc(Span where, std::string_view what);
-Diagnostic ours_already(Span where);
+Diagnostic already_internal(Span where);
 Diagnostic nothing_to_import(Span where, std::string_view what);
 Diagnostic program_is_no_chart(Span where, std::string_view name);
 // (src/support/messages_findings.cpp)

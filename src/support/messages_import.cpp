@@ -98,7 +98,7 @@ Diagnostic differs_from_sfc(Span where, std::string_view what) {
     return warning("differs-from-sfc", where, std::string(what));
 }
 
-Diagnostic ours_already(Span where) {
+Diagnostic already_internal(Span where) {
     return error("nothing-to-import", where,
                  "the file is in grafverif's own language and needs no import; pass it to any command directly");
 }

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""A page as a user meets it: Chromium without a window, driven through chromedriver by Selenium.
+"""Drives a page as a user does: Chromium without a window, driven through chromedriver by Selenium.
 
 A file of tests is a Python program that ends in `browser.main()`. Each test is a `browser.Case`: it opens pages, presses
-keys and reads what is there. In the end of each test the console must hold no error, and no request may have left the
-machine. Where there is no Chromium the program says so and ends with 77: the test is skipped.
+keys and reads the page. At the end of each test the console must contain no error, and no request may have left the
+machine. Without Chromium the program prints a message and ends with 77: the test is skipped.
 """
 import base64
 import contextlib

@@ -27,7 +27,7 @@ class Drawing(browser.Case):
                 self.assertEqual(self.page.script(MISFITS), [], f"{chart} in {font}")
                 self.assertEqual(self.page.script(browser.SVG_FAULTS), [], f"{chart} in {font}")
 
-    def test_a_style_of_the_page_wins_over_the_colours(self):
+    def test_a_style_of_the_page_overrides_the_colours(self):
         browser.run("draw", browser.SOURCE / "samples/blinker/blinker.grafcet", "-o", self.work / "blinker.svg")
         self.page.open(self.work / "blinker.svg")
         colour = self.page.script("""

@@ -12,7 +12,7 @@ class Harness(browser.Case):
         self.page.open(page)
         self.assertIn("shouted", self.page.errors()[0])
 
-    def test_a_request_that_leaves_the_machine_is_seen_and_reaches_nobody(self):
+    def test_a_request_that_leaves_the_machine_is_seen_and_reaches_no_server(self):
         page = self.work / "page.html"
         page.write_text("<!doctype html><title>t</title><img src='http://example.org/pixel.png' alt=''>")
         self.page.open(page)

@@ -244,7 +244,7 @@ class Report(browser.Case):
         self.assertIn("t0 is enabled; on the inputs as they are its condition is true", self.answer("t0"))
         at("#p/2")
         self.assertIn("the next evolution clears it", self.answer("t0"))
-        at("#p/4")  # A is read anew, and false then
+        at("#p/4")  # A is read again, and is false then
         self.assertIn("t1 is enabled; on the inputs last read its condition is true", self.answer("t1"))
 
     def test_a_claim_about_settled_states_is_decided_by_none_that_is_left_at_once(self):
@@ -285,7 +285,7 @@ class Report(browser.Case):
         self.assertEqual(self.page.text(".why .answer"), "must never be true: false since power-on")
         self.assertEqual(self.page.script("return window.page.player.claim.querySelectorAll('.term.false').length"), 0)
 
-    def test_a_row_is_not_told_before_it_is_over(self):
+    def test_a_row_is_not_announced_before_it_has_ended(self):
         at = self.report_of(SETTLED)
         at("#p/0+1")
         self.assertEqual(self.page.text(".caption"), "0 s: a cycle begins.")
@@ -369,7 +369,7 @@ class Report(browser.Case):
         self.assertGreater(len(edges), 5)
         self.assertEqual(len(set(edges)), 1, edges)
 
-    def test_every_moment_tells_since_when_the_terms_of_a_claim_are_as_they_are(self):
+    def test_every_event_shows_since_when_the_terms_of_a_property_have_their_values(self):
         for name in ("P15", "P16"):
             self.at(f"#{name}/0")
             if self.page.script("return page.player.claims === null"):

@@ -185,7 +185,7 @@ class Serve(unittest.TestCase):
                 link.close()
         browser.eventually(lambda: self.server.process.poll() is None and self.status()[0] == 200)
 
-    def test_two_pages_are_told_of_a_save_at_once_and_one_that_goes_away_harms_nobody(self):
+    def test_two_pages_receive_a_save_at_once_and_one_that_disconnects_does_not_affect_the_other(self):
         done = self.state(lambda state: state["models"] and state["models"][0]["state"] == "done")
         path = f"/state?after={done['version']}"
         gone = socket.create_connection(("127.0.0.1", self.server.port))
@@ -228,7 +228,7 @@ class Serve(unittest.TestCase):
 
     @unittest.skipIf(b"__ubsan_" in pathlib.Path(browser.PROGRAM).read_bytes(),
                      "the sanitizer needs a file of its own to look at an object")
-    def test_it_does_not_spin_where_no_more_connections_can_be_opened(self):
+    def test_it_does_not_spin_if_no_more_connections_can_be_opened(self):
         limit = lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (24, 24))
         server = browser.Server(self.file, preexec_fn=limit)
         self.addCleanup(server.stop)
@@ -290,7 +290,7 @@ class Serve(unittest.TestCase):
             self.assertEqual(self.server.process.wait(10), 0)
             waiting.result(timeout=10)
 
-    def test_a_port_in_use_is_said(self):
+    def test_a_port_in_use_is_reported(self):
         done = subprocess.run([browser.PROGRAM, "serve", str(self.file), "--port", str(self.server.port)], capture_output=True, text=True, timeout=30)
         self.assertEqual(done.returncode, 2)
         self.assertEqual(done.stderr, f"error: cannot listen on port {self.server.port}: another program uses this port; select another port with `--port` [cannot-listen]\n")

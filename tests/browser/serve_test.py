@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The page of `serve`, used as a person uses it."""
+"""Uses the page of `serve` as a user does."""
 import re
 import shutil
 import time
@@ -64,7 +64,7 @@ class Serve(browser.Case):
         self.page.script("scrollTo(0, 0)")
         self.page.screenshot("serve-oven")
 
-    def test_the_whole_report_is_one_click_away(self):
+    def test_the_complete_report_is_one_click_away(self):
         self.serve(LAMP)
         link = browser.eventually(lambda: self.page.all(".model a"), 30, "the link")[0]
         self.page.open(link.get_attribute("href"))
@@ -101,7 +101,7 @@ class Serve(browser.Case):
         self.assertTrue(old())
         self.allowed_errors = ("ERR_CONNECTION", "Failed to load resource")
 
-    def test_nothing_is_well_while_a_part_is_refused_or_not_decided(self):
+    def test_no_success_is_shown_while_a_part_is_rejected_or_unknown(self):
         refused = ("grafcet bad { input A, B; initial step 0; step 1; transition on: 0 -> 1 when rise(rise(A) && B); transition off: 1 -> 0 when !A; }\n"
                    "closed_loop yard { controller bad with stability_search; environment A1 = free(OUT = A); environment B1 = free(OUT = B); }\n")
         self.serve(LAMP + refused)
@@ -151,7 +151,7 @@ class Serve(browser.Case):
         self.page.press(browser.Keys.ARROW_DOWN)
         self.assertEqual(self.page.script("return page.simulator.cursor"), 1)
 
-    def test_a_step_is_forced_for_trial_and_nobody_takes_it_for_a_run_of_the_model(self):
+    def test_a_step_forced_for_trial_is_not_shown_as_a_run_of_the_model(self):
         self.serve(LAMP)
         self.page.find("#simulation .force summary").click()
         choose = lambda step: self.page.script("const s = page.simulator.step; s.value = arguments[0]; s.dispatchEvent(new Event('change'))", step)
@@ -206,7 +206,7 @@ class Serve(browser.Case):
         self.file.write_text(LAMP.replace("LAMP", "BULB"))
         self.wait_for_row("BULB")
 
-    def test_moves_that_a_passing_save_does_not_allow_can_be_made_again(self):
+    def test_moves_that_a_passing_save_does_not_allow_can_be_replayed(self):
         self.serve(LAMP)
         self.press("ON is false")
         self.press("ON is true")
@@ -262,7 +262,7 @@ class Serve(browser.Case):
                      return step.top < view.top || step.bottom > view.bottom"""
         self.assertFalse(self.page.script(outside))
 
-    def test_unexpected_verdicts_come_first_and_warnings_are_no_errors(self):
+    def test_unexpected_verdicts_come_first_and_warnings_do_not_count_as_errors(self):
         self.serve("grafcet lamp { input ON; output LAMP; initial step 0; step 1 { LAMP; } step 7;\n"
                    "transition on: 0 -> 1 when ON; transition off: 1 -> 0 when !ON; }\n"
                    "closed_loop l { controller lamp with stability_search; environment A = push_button(OUT = ON);\n"
@@ -286,7 +286,7 @@ class Serve(browser.Case):
         self.assertTrue(shown("sensors"))
         self.assertFalse(shown("inputs") & shown("sensors"))
 
-    def test_a_server_that_has_ended_is_said(self):
+    def test_a_server_that_has_ended_is_reported(self):
         server = self.serve(LAMP)
         server.stop()
         self.page.wait_for_text("#status", "does not respond")

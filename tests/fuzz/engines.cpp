@@ -5,7 +5,7 @@
 #include "emit/nusmv/nusmv.hpp"
 #include "fuzz/common.hpp"
 #include "fuzz/targets.hpp"
-#include "report/tell.hpp"
+#include "report/trace_rows.hpp"
 #include "run/project.hpp"
 #include "run/replay.hpp"
 #include "support/read_loop.hpp"
@@ -33,7 +33,7 @@ std::string nusmv_complaint(std::string_view bytes) {
         if (run.states.empty() || (run.loop && *run.loop >= run.states.size()))
             return "a run of no states, or that loops to none";
         ChartRun projected = project(system, run);
-        if (!disagreement(projected, loop.charts())) tell(std::move(projected));
+        if (!disagreement(projected, loop.charts())) with_rows(std::move(projected));
     }
     return {};
 }
@@ -42,9 +42,9 @@ std::string verifyta_complaint(std::string_view bytes) {
     ProgramResult said;
     said.out = bytes.substr(0, bytes.find('\0'));
     said.err = bytes.substr(said.out.size());
-    const ExternalAnswer answer = read_verifyta(said);
+    const ExternalResult answer = read_verifyta(said);
     const bool known = answer.outcome != Outcome::Unknown;
-    if (known != (answer.obstacle == Obstacle::None) || known != answer.reason.empty())
+    if (known != (answer.obstacle == UnknownReason::None) || known != answer.reason.empty())
         return "a verdict with a reason, or none without: " + answer.reason;
     const bool yes = said.out.find("Formula is satisfied.") != std::string::npos,
                no = said.out.find("Formula is NOT satisfied.") != std::string::npos;

@@ -2,7 +2,7 @@
 // Fuzz targets: all readers of foreign bytes, and every command on generated charts. A target is a function of bytes,
 // so that libFuzzer can drive it (`./dev fuzz`) and a test can replay the findings with any compiler (corpus_test).
 //
-// Readers get the bytes unchanged. The target `verbs` uses them as choices: of a well-formed chart or loop, of a
+// Readers get the bytes unchanged. The target `commands` uses them as choices: of a well-formed chart or loop, of a
 // command and of its options. So a changed byte changes the meaning of the input and not its spelling.
 #pragma once
 
@@ -31,6 +31,6 @@ std::string plc_complaint(std::string_view bytes);
 std::string simulate_complaint(std::string_view bytes);
 std::string nusmv_complaint(std::string_view bytes);
 std::string verifyta_complaint(std::string_view bytes);
-std::string verbs_complaint(std::string_view bytes);
+std::string commands_complaint(std::string_view bytes);
 
 }  // namespace grafverif::fuzz

@@ -20,7 +20,7 @@ namespace grafverif::fuzz {
 namespace {
 
 /// The error in the diagnostics of a text that was accepted or rejected.
-std::string answer_complaint(bool read, const Diagnostics& diagnostics, const Sources& sources) {
+std::string result_complaint_of(bool read, const Diagnostics& diagnostics, const Sources& sources) {
     if (read == diagnostics.has_errors())
         return read ? "it is read, with errors" : "it cannot be read, without an error";
     if (diagnostics.all().size() > Diagnostics::limit * 4) return "there is no end of warnings";
@@ -43,7 +43,7 @@ TextRead read(Id<Source> file, Sources& sources, bool lossy) {
     context.load = [](const std::string&, std::string& why) { return why = "there are no files here", std::nullopt; };
     context.lossy = lossy;
     TextRead reading{read_text(file, sources, context, diagnostics), {}, {}};
-    reading.complaint = answer_complaint(reading.model.has_value(), diagnostics, sources);
+    reading.complaint = result_complaint_of(reading.model.has_value(), diagnostics, sources);
     reading.said = shown(diagnostics, sources);
     if (reading.complaint.empty() && reading.model)
         for (const std::string& broken : verify(*reading.model))
@@ -116,16 +116,16 @@ std::string program_complaint(std::string_view bytes) {
     Diagnostics diagnostics;
     const std::size_t end = std::min(bytes.find("\n---\n"), bytes.size());  // the properties follow
     auto text = read_program(sources.add({"fuzzed.st", std::string(bytes.substr(0, end))}), sources, diagnostics);
-    std::string complaint = answer_complaint(text.has_value(), diagnostics, sources);
+    std::string complaint = result_complaint_of(text.has_value(), diagnostics, sources);
     if (!complaint.empty() || !text) return complaint;
     const auto scan = scan_of(text->program(), diagnostics);
-    complaint = answer_complaint(scan.has_value(), diagnostics, sources);
+    complaint = result_complaint_of(scan.has_value(), diagnostics, sources);
     if (!complaint.empty() || !scan) return complaint;
     for (const std::string& broken : verify(scan->equations)) complaint += "not well formed: " + broken + '\n';
     const Id<Source> properties =
         sources.add({"fuzzed.yaml", std::string(bytes.substr(std::min(end + 5, bytes.size())))});
     const bool read = read_properties(properties, sources, *text, diagnostics).has_value();
-    return complaint + answer_complaint(read, diagnostics, sources);
+    return complaint + result_complaint_of(read, diagnostics, sources);
 }
 
 std::string structured_text_complaint(std::string_view bytes) {
@@ -140,7 +140,7 @@ std::string structured_text_complaint(std::string_view bytes) {
             const bool read = part == 0   ? st::parse_units(whole, file, sources, diagnostics)
                               : part == 1 ? st::parse_statements(whole, file, sources, diagnostics).has_value()
                                           : st::parse_expression(whole, file, sources, diagnostics).has_value();
-            if (std::string complaint = answer_complaint(read, diagnostics, sources); !complaint.empty())
+            if (std::string complaint = result_complaint_of(read, diagnostics, sources); !complaint.empty())
                 return complaint;
         }
     }

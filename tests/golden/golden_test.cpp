@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/job.hpp"
+#include "app/command_context.hpp"
 #include "support/print_model.hpp"
 #include "support/print_network.hpp"
 #include "syntax/print/equations.hpp"
@@ -47,7 +47,7 @@ TEST_P(Golden, EveryStageIsAsReviewed) {
     const std::string sample = GetParam();
     const std::string stem = fs::path(sample).filename().string();
     const fs::path folder = root / "tests/golden" / stem;
-    Job job;
+    CommandContext job;
     const auto model = read_model((root / "samples" / (sample + ".grafcet")).string(), job);
     ASSERT_TRUE(model);
     const auto chart = chosen_chart(*model, job);

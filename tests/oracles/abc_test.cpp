@@ -9,9 +9,9 @@
 #include "app/engines.hpp"
 #include "app/system/process.hpp"
 #include "check/pdr/check.hpp"
-#include "support/law_size.hpp"
 #include "support/random_system.hpp"
 #include "support/read_loop.hpp"
+#include "support/test_size.hpp"
 #include "support/untimed_loop.hpp"
 
 namespace grafverif {
@@ -49,7 +49,7 @@ void expect_agreement(const TransitionSystem& system, Agreement& agreement) {
 TEST(Abc, AgreesWithThePdrEngineOnRandomSystems) {
     if (!app::find_program("berkeley-abc")) GTEST_SKIP() << "berkeley-abc is not installed";
     Agreement agreement;
-    for (int seed = 1; seed <= law_size(6); ++seed) {
+    for (int seed = 1; seed <= test_size(6); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         TransitionSystem system = random_system(random);

@@ -18,11 +18,11 @@
 #include "run/project.hpp"
 #include "run/replay.hpp"
 #include "support/explicit_search.hpp"
-#include "support/law_size.hpp"
 #include "support/nusmv_specs.hpp"
 #include "support/random_loop.hpp"
 #include "support/random_system.hpp"
 #include "support/read_loop.hpp"
+#include "support/test_size.hpp"
 #include "support/untimed_loop.hpp"
 
 namespace grafverif {
@@ -32,12 +32,12 @@ namespace {
 constexpr std::chrono::seconds patience(2);
 
 /// The results of NuSMV, with the model and its output for failure messages.
-struct Asked {
+struct Requested {
     NusmvResult result = {};
     std::string conversation = {};
 };
 
-Asked asked_nusmv(const TransitionSystem& system, const std::string& program) {
+Requested asked_nusmv(const TransitionSystem& system, const std::string& program) {
     const app::TemporaryFolder folder;
     const std::string model = (folder.path() / "model.smv").string(), commands = (folder.path() / "commands").string();
     const SystemSpelling spelling = nusmv::spelling(system);
@@ -94,7 +94,7 @@ void expect_agreement(const TransitionSystem& system, const std::string& program
 /// Random systems with additional properties, until `expect` fails fatally.
 template <class Expect>
 void for_random_systems(const Expect& expect) {
-    for (int seed = 1; seed <= law_size(40); ++seed) {
+    for (int seed = 1; seed <= test_size(40); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         TransitionSystem system = random_system(random);
@@ -123,7 +123,7 @@ TEST(NusmvEngine, CounterexamplesReplayOnTheRules) {
     const auto program = app::find_program("NuSMV");
     if (!program) GTEST_SKIP() << "NuSMV is not on the PATH";
     std::size_t replayed = 0;
-    for (int seed = 1; seed <= law_size(4); ++seed) {
+    for (int seed = 1; seed <= test_size(4); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         const Model model = random_loop(random);
@@ -218,7 +218,7 @@ TEST(NusmvAsAUserRunsIt, AgreesWithTheSymbolicEngineOnRandomSystemsAndLoops) {
     Agreement agreement;
     ASSERT_NO_FATAL_FAILURE(for_random_systems(
         [&](const TransitionSystem& system) { expect_same_as_a_user_sees(system, program->string(), agreement); }));
-    for (int seed = 1; seed <= law_size(3); ++seed) {
+    for (int seed = 1; seed <= test_size(3); ++seed) {
         SCOPED_TRACE("loop of seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         for (TransitionSystem& system : untimed_models(random_loop(random), chance(random, 50))) {
@@ -316,7 +316,8 @@ TEST(NusmvEngine, AgreesWithTheTimedEngineOnSentencesInDiscreteTime) {
         ASSERT_TRUE(system);
         const auto [theirs, conversation] = asked_nusmv(*system, program->string());
         if (conversation.empty()) continue;  // takes minutes
-        const auto here = std::ranges::find(ours->answers, "S", [](const Answer& one) { return one.verdict.property; });
+        const auto here =
+            std::ranges::find(ours->answers, "S", [](const PropertyResult& one) { return one.verdict.property; });
         const auto there = std::ranges::find(theirs.verdicts, "S", &Verdict::property);
         ASSERT_NE(here, ours->answers.end());
         ASSERT_NE(there, theirs.verdicts.end());
@@ -338,7 +339,7 @@ TEST(NusmvEngine, ProgramWithoutOutputGivesNoVerdict) {
         system, spelling, {0, 1}, {ProgramResult::End::Exited, 1, "", "file model.smv: line 3: syntax error\n"});
     ASSERT_EQ(result.verdicts.size(), 2u);
     EXPECT_EQ(result.verdicts[0].outcome, Outcome::Unknown);
-    EXPECT_EQ(result.verdicts[0].obstacle, Obstacle::Failed);
+    EXPECT_EQ(result.verdicts[0].obstacle, UnknownReason::Failed);
     EXPECT_NE(result.verdicts[0].reason.find("syntax error"), std::string::npos) << result.verdicts[0].reason;
 }
 
@@ -352,7 +353,7 @@ TEST(NusmvEngine, AModelThatGetsStuckGivesNoVerdict) {
     const NusmvResult result =
         read_nusmv(system, nusmv::spelling(system), {0}, {ProgramResult::End::Exited, 0, out, ""});
     EXPECT_EQ(result.verdicts[0].outcome, Outcome::Unknown);
-    EXPECT_EQ(result.verdicts[0].obstacle, Obstacle::Faulty);
+    EXPECT_EQ(result.verdicts[0].obstacle, UnknownReason::Faulty);
 }
 
 }  // namespace

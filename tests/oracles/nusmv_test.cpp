@@ -16,9 +16,9 @@
 #include <sstream>
 
 #include "support/explicit_search.hpp"
-#include "support/law_size.hpp"
 #include "support/random_loop.hpp"
 #include "support/random_system.hpp"
+#include "support/test_size.hpp"
 #include "support/untimed_loop.hpp"
 
 namespace grafverif {
@@ -101,7 +101,7 @@ void compare(const System& system, Compared& compared) {
 
 TEST(NusmvOracle, AgreesWithAnExplicitSearchOnRandomLoopsInEveryApproachAndSchedule) {
     if (!nusmv_is_installed()) GTEST_SKIP() << "NuSMV is not on the PATH";
-    const int cases = law_size(4);
+    const int cases = test_size(4);
     Compared compared;
     for (int seed = 1; seed <= cases; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "emit/uppaal/uppaal.hpp"
-#include "support/law_size.hpp"
 #include "support/random_network.hpp"
+#include "support/test_size.hpp"
 
 namespace grafverif {
 namespace {
@@ -38,7 +38,7 @@ std::string complaints(const std::string& xml) {
 TEST(Utap, AcceptsEveryProject) {
     if (std::system("command -v syntaxcheck > /dev/null 2>&1") != 0)
         GTEST_SKIP() << "syntaxcheck of utap is not on the PATH";
-    for (int seed = 0; seed < law_size(50); ++seed) {
+    for (int seed = 0; seed < test_size(50); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         std::ostringstream xml;
         uppaal::emit(uppaal::lower(random_network(random)), xml);

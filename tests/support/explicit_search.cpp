@@ -83,7 +83,7 @@ std::vector<std::size_t> SystemGraph::distances() const {
     return result;
 }
 
-std::optional<SystemGraph> explored(const System& system, std::size_t limit, std::size_t most_ways) {
+std::optional<SystemGraph> explored(const System& system, std::size_t limit, std::size_t most_paths) {
     SystemGraph graph;
     std::map<SystemState, std::size_t> known;
     const auto number = [&](const SystemState& state) {
@@ -91,13 +91,13 @@ std::optional<SystemGraph> explored(const System& system, std::size_t limit, std
         if (added) graph.states.push_back(state);
         return at->second;
     };
-    const auto first = first_states(system, most_ways);
+    const auto first = first_states(system, most_paths);
     if (!first) return {};
     for (const SystemState& state : *first) number(state);
     graph.initial = graph.states.size();
     for (std::size_t at = 0; at < graph.states.size(); ++at) {
         if (graph.states.size() > limit) return {};
-        const auto next = successors(system, SystemState(graph.states[at]), most_ways);
+        const auto next = successors(system, SystemState(graph.states[at]), most_paths);
         if (!next) return {};
         std::set<std::size_t> numbers;
         for (const SystemState& state : *next) numbers.insert(number(state));

@@ -21,8 +21,8 @@ struct SystemGraph {
     std::vector<std::size_t> distances() const;  ///< per state, in steps from the initial ones
 };
 
-/// Every reachable state; empty optional: more than `limit` states, or more than `most_ways` steps from one state.
-std::optional<SystemGraph> explored(const TransitionSystem& system, std::size_t limit, std::size_t most_ways = 64);
+/// Every reachable state; empty optional: more than `limit` states, or more than `most_paths` steps from one state.
+std::optional<SystemGraph> explored(const TransitionSystem& system, std::size_t limit, std::size_t most_paths = 64);
 
 /// One entry per state of a graph.
 using StateSet = std::vector<bool>;

@@ -82,7 +82,7 @@ struct Generator {
     ClosedLoop loop = {};
     std::map<std::string, Id<ClosedLoop::Shared>> shared = {};
     std::vector<Id<ClosedLoop::Shared>> orders = {};  ///< bool outputs
-    bool asked = false;                               ///< terms read internals and observers too
+    bool requested = false;                           ///< terms read internals and observers too
 
     std::int64_t number(std::int64_t low, std::int64_t high) { return random_number(random, low, high); }
     template <class T>
@@ -162,10 +162,10 @@ struct Generator {
             symbol = ClosedLoop::LocationSymbol{instance,
                                                 any(model.components[loop.instances[instance].component].locations)};
         }
-        if (asked && !loop.observers.empty() && chance(random, 10)) {
+        if (requested && !loop.observers.empty() && chance(random, 10)) {
             const auto observer = any(loop.observers);
             symbol = ClosedLoop::ObserverSymbol{observer, any(loop.observers[observer].locations)};
-        } else if (asked && chance(random, 20)) {
+        } else if (requested && chance(random, 20)) {
             const Chart& chart = model.charts[loop.controllers[controller].chart];
             const auto variable = any(chart.variables);
             const Chart::Variable& internal = chart.variables[variable];
@@ -176,7 +176,7 @@ struct Generator {
                 return loop.exprs.apply(Op::Equal, read, some);
             }
         }
-        if (asked && chance(random, 15))
+        if (requested && chance(random, 15))
             if (const auto time = time_condition(controller)) return *time;
         return leaf(symbol);
     }
@@ -250,7 +250,7 @@ struct Generator {
         loop.observers.add(std::move(observer));
     }
 
-    void add_questions(int count) {
+    void add_queries(int count) {
         const std::vector<Pattern> patterns{Pattern::Always,        Pattern::Never,   Pattern::Reachable,
                                             Pattern::Inevitable,    Pattern::LeadsTo, Pattern::ExactlyOneOf,
                                             Pattern::AlwaysPossible};
@@ -288,8 +288,8 @@ Model random_loop_asked(Random& random, int questions) {
     Generator generator = generated_loop(random);
     if (chance(random, 40)) generator.add_constraint();
     if (chance(random, 40)) generator.add_observer();
-    generator.asked = true;
-    generator.add_questions(questions);
+    generator.requested = true;
+    generator.add_queries(questions);
     generator.model.loops.add(std::move(generator.loop));
     return std::move(generator.model);
 }

@@ -89,7 +89,7 @@ struct Runner {
             if (equations.variables[id].role == Equations::Role::Input ||
                 equations.variables[id].role == Equations::Role::TimerEnd)
                 after[id.index] = old[id.index];
-        for (const Equations::Watch& watched : equations.watches)
+        for (const Equations::ObservedTerm& watched : equations.watches)
             result.state.values[watched.variable.index] = value(watched.value, after);
         for (std::size_t k = 0; k < equations.timers.size(); ++k) {
             const std::uint32_t watched = equations.timers[k].watched.index;

@@ -142,12 +142,12 @@ SystemState first_state(const System& system, const Choose& choose) {
 }
 
 SystemState next_state(const System& system, const SystemState& state, const Choose& choose) {
-    const auto next = taken_step(system, state, choose);
+    const auto next = step_taken(system, state, choose);
     EXPECT_TRUE(next.has_value()) << "the step is not on offer";
     return next.value_or(state);
 }
 
-std::optional<SystemState> taken_step(const System& system, const SystemState& state, const Choose& choose) {
+std::optional<SystemState> step_taken(const System& system, const SystemState& state, const Choose& choose) {
     SystemState before = state;  // with the choices, in the slots of their symbols
     each_module(system, [&](std::optional<std::size_t> instance, const System::Module& module) {
         for (const Id<System::Symbol> id : module.symbols.ids())

@@ -26,7 +26,7 @@ using Choose = std::function<std::int64_t(std::string_view path, Type type)>;
 SystemState first_state(const TransitionSystem& system, const Choose& choose);
 /// The state after a step with the choices of `choose`, or nothing: they are not permitted, or an invariant forbids the
 /// state. Requests every choice and every free variable, in a fixed order.
-std::optional<SystemState> taken_step(const TransitionSystem& system, const SystemState& state, const Choose& choose);
+std::optional<SystemState> step_taken(const TransitionSystem& system, const SystemState& state, const Choose& choose);
 /// Every successor state, each once. Combines only permitted choices of each instance, so that automata without a move
 /// cost nothing; nothing if free variables and choices have more than `limit` combinations.
 std::optional<std::vector<SystemState>> successors(const TransitionSystem& system, const SystemState& state,

@@ -63,7 +63,7 @@ class Simulate(unittest.TestCase):
         terminal.type("quit\r")
         self.assertEqual(terminal.end(), (0, True))
 
-    def test_ctrl_c_gives_a_line_up_and_nothing_else(self):
+    def test_ctrl_c_discards_only_the_line(self):
         terminal = self.begin()
         terminal.type("wait 99999h" + CTRL_C)
         terminal.await_text("^C")

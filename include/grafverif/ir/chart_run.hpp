@@ -3,7 +3,7 @@
 // cleared by its evolutions, the outputs written, and the moves of the plant. It contains no elements of the model in
 // which it was found: no location of the PLC, no flag, no variable of the translation.
 // `project` (run/project.hpp) creates it from a run of a Network or of a TransitionSystem. The replay (run/replay.hpp)
-// checks it on IEC 60848, and `tell` (report/tell.hpp) adds the rows to be printed. All displays use only it.
+// checks it on IEC 60848, and `tell` (report/trace_rows.hpp) adds the rows to be printed. All displays use only it.
 //
 // The first event is power-on; each further entry is one event with the state after it. A row summarizes the events
 // since the previous row. A search for stability, from the sampling of the inputs to the writing of the outputs, is one
@@ -106,7 +106,7 @@ struct ChartRun {
         std::vector<std::int64_t> values = {};  ///< per signal
         bool operator==(const State&) const = default;
     };
-    struct Moment {
+    struct Event {
         Kind kind = Kind::Controller;
         bool internal = false;  ///< internal to the model
         std::size_t move = 0;   ///< index in the original run
@@ -117,7 +117,7 @@ struct ChartRun {
         Id<Timer> timer = {};                      ///< the timer whose delay has elapsed
         bool timer_holds = false;                  ///< new value of `t1/v/t2`
         State after = {};
-        bool operator==(const Moment&) const = default;
+        bool operator==(const Event&) const = default;
     };
     struct Row {
         Kind kind = Kind::Plant;
@@ -143,11 +143,11 @@ struct ChartRun {
     };
 
     /// An avoidable change: of a signal at an event, or the expiry of a timer; one of the two ids is valid.
-    struct LeftOut {
+    struct Counterfactual {
         std::size_t moment = 0;
         Id<Signal> signal = {};
         Id<Timer> timer = {};
-        bool operator==(const LeftOut&) const = default;
+        bool operator==(const Counterfactual&) const = default;
     };
 
     std::string name = {};  ///< name of the loop
@@ -159,17 +159,17 @@ struct ChartRun {
     Table<Timer> timers = {};
     Table<Signal> signals = {};
     Table<Instance> instances = {};
-    std::vector<Moment> moments = {};
+    std::vector<Event> moments = {};
     std::optional<std::size_t> loop = {};       ///< the events from here on repeat forever; empty: no further event
     std::optional<std::size_t> broken_at = {};  ///< the first move of the run that failed; the rest is missing
     std::vector<Row> rows = {};
     std::optional<std::size_t> loop_from = {};  ///< the same loop, in rows
     std::vector<Cause> causes = {};             ///< ordered by their first event
     bool causes_exact = true;                   ///< false: causes may be missing or wrong
-    /// A smallest set of avoidable free moves (explain/change.hpp), as events; empty: none searched, or found.
+    /// A smallest set of avoidable free moves (explain/counterfactual.hpp), as events; empty: none searched, or found.
     std::vector<std::size_t> left_out = {};
     /// The same for single values, if inputs and times are free (explain/inputs.hpp); ordered by event.
-    std::vector<LeftOut> left_out_values = {};
+    std::vector<Counterfactual> counterfactual_values = {};
 
     const State& after(const Row& row) const { return moments[row.moment].after; }
 
@@ -195,7 +195,7 @@ std::string_view word(ChartRun::Role role);
 void shorten_names(Table<ChartRun::Step>& steps);
 
 /// Time of a state: `12 s`, or the number of steps, `3`.
-std::string moment_text(const ChartRun& run, const ChartRun::State& state);
+std::string event_text(const ChartRun& run, const ChartRun::State& state);
 
 /// `0 s`, `12 s`, `0.25 s`.
 std::string seconds_text(std::int64_t milliseconds);

@@ -41,15 +41,15 @@ struct Comparison {
         bool operator==(const Scan&) const = default;
     };
     /// Response of a chart to a scan.
-    struct Answer {
+    struct ScanOutputs {
         std::vector<std::int64_t> outputs = {};  ///< in the order of Comparison::outputs
         std::string situation = {};              ///< after it: `{2, 5}`
         std::string stop = {};                   ///< reason why there are no outputs; empty if there are
         /// True if the responses are equal at the outputs.
-        bool same(const Answer& other) const {
+        bool same(const ScanOutputs& other) const {
             return stop.empty() == other.stop.empty() && (!stop.empty() || outputs == other.outputs);
         }
-        bool operator==(const Answer&) const = default;
+        bool operator==(const ScanOutputs&) const = default;
     };
 
     std::array<std::string, 2> charts = {};
@@ -59,10 +59,10 @@ struct Comparison {
     bool constrained = false;              ///< the constraints of both are assumed
     std::vector<Variable> inputs = {}, outputs = {};
     Outcome outcome = Outcome::Unknown;
-    std::string reason = {};                          ///< if the outcome is unknown
-    std::vector<Scan> scans = {};                     ///< if different: the last scan distinguishes the charts
-    std::array<std::vector<Answer>, 2> answers = {};  ///< per scan
-    bool shortest = false;                            ///< no shorter sequence exists
+    std::string reason = {};                               ///< if the outcome is unknown
+    std::vector<Scan> scans = {};                          ///< if different: the last scan distinguishes the charts
+    std::array<std::vector<ScanOutputs>, 2> answers = {};  ///< per scan
+    bool shortest = false;                                 ///< no shorter sequence exists
     std::vector<ChartChange> changes = {};
     std::vector<std::string> failures = {};  ///< internal errors: a sequence that fails the replay
     double seconds = 0;

@@ -109,11 +109,11 @@ struct Equations {
     };
 
     /// The level of a term that a timer observes.
-    struct Watch {
+    struct ObservedTerm {
         Id<Variable> variable = {};  ///< V_e
         Id<Expr> value = {};         ///< e, over values after the cycle
         Span origin = {};
-        bool operator==(const Watch&) const = default;
+        bool operator==(const ObservedTerm&) const = default;
     };
 
     /// One per distinct time condition `t1/v/t2` (IEC 60848; CEP13 Fig. 33b). If v is true from r to f, for at least
@@ -143,7 +143,7 @@ struct Equations {
     std::vector<Stored> stored = {};
     std::vector<Conflict> conflicts = {};
     std::vector<Previous> previous = {};
-    std::vector<Watch> watches = {};
+    std::vector<ObservedTerm> watches = {};
     std::vector<Timer> timers = {};
     std::vector<Id<Timer>> conditions = {};  ///< per time condition of the chart: its timer; invalid if it is not read
     std::vector<Output> outputs = {};

@@ -41,14 +41,14 @@ struct MealyMachine {
         std::string detail = {};     ///< stored values and running timers: `LOCK=1, T_X2_3s 1s`; or empty
         bool operator==(const State&) const = default;
     };
-    struct Answer {
+    struct OutputWord {
         std::vector<std::int64_t> values = {};  ///< per output
-        bool operator==(const Answer&) const = default;
+        bool operator==(const OutputWord&) const = default;
     };
     struct Transition {
         Id<State> from = {}, to = {};
         Id<Expr> condition = {};  ///< on the inputs
-        Id<Answer> answer = {};
+        Id<OutputWord> answer = {};
         std::int64_t wait_ms = 0;  ///< 0: the inputs are applied; otherwise they are kept for this time
         bool operator==(const Transition&) const = default;
     };
@@ -61,7 +61,7 @@ struct MealyMachine {
     /// Outputs of the cycle that activates the initial steps, depending on its inputs.
     struct Activation {
         Id<Expr> condition = {};
-        Id<Answer> answer = {};
+        Id<OutputWord> answer = {};
         bool operator==(const Activation&) const = default;
     };
 
@@ -70,7 +70,7 @@ struct MealyMachine {
     Exprs exprs = {};
     std::vector<Variable> inputs = {}, outputs = {};
     Table<State> states = {};
-    Table<Answer> answers = {};
+    Table<OutputWord> answers = {};
     Id<State> initial = {};
     std::vector<Transition> transitions = {};
     std::vector<Unstable> unstable = {};

@@ -59,7 +59,7 @@ struct Network {
         Span origin = {};
         std::string told = {};  ///< name in properties and traces, `Gate.X`; empty: `name`
 
-        const std::string& told_name() const { return told.empty() ? name : told; }
+        const std::string& display_name() const { return told.empty() ? name : told; }
         bool operator==(const Variable&) const = default;
     };
 

@@ -15,7 +15,7 @@
 namespace grafverif {
 
 /// Settings and assumptions of all verdicts of a report.
-struct Basis {
+struct CheckSettings {
     std::string engine = {};  ///< `timed`
     std::string mode = {};    ///< `stability-search`, `every-cycle`; both if controllers differ
     std::string grain = {};   ///< `phased`, `atomic`
@@ -24,33 +24,33 @@ struct Basis {
     std::string untimed = {};
     std::vector<NamedConstant> constants = {};  ///< of the loop, with their current values
 
-    bool operator==(const Basis&) const = default;
+    bool operator==(const CheckSettings&) const = default;
 };
 
-struct Answer {
+struct PropertyResult {
     Verdict verdict = {};
     std::string text = {};               ///< text of the property in the model
     std::optional<ChartRun> trace = {};  ///< run of the verdict
-    std::string carries = {};            ///< for an untimed verdict: its consequence for the timed loop
+    std::string preservation = {};       ///< for an untimed verdict: its consequence for the timed loop
     std::string place = {};              ///< `file:line` of the property, if the sources are available
 
-    bool operator==(const Answer&) const = default;
+    bool operator==(const PropertyResult&) const = default;
 };
 
 /// A model error.
-struct Breakdown {
+struct ModelErrorTrace {
     std::string code = {};  ///< `out-of-range`, `action-race`, `no-value`
     std::string message = {};
     ChartRun trace = {};
 
-    bool operator==(const Breakdown&) const = default;
+    bool operator==(const ModelErrorTrace&) const = default;
 };
 
 struct Report {
     std::string model = {};  ///< the closed loop
-    Basis basis = {};
-    std::vector<Answer> answers = {};
-    std::vector<Breakdown> breakdowns = {};
+    CheckSettings settings = {};
+    std::vector<PropertyResult> answers = {};
+    std::vector<ModelErrorTrace> error_traces = {};
     std::vector<std::string> failures = {};    ///< internal errors: runs that fail the replay, which are not reported
     std::optional<StateProfile> profile = {};  ///< for a long search, or on request
 

@@ -23,14 +23,14 @@ struct StateProfile {
     };
     enum class Kind { Instance, Controller, Environment };
     /// An instance, or a controller with its timers, and the variables that only it writes.
-    struct Part {
+    struct Component {
         std::string name = {};
         Kind kind = Kind::Instance;
         std::uint64_t combinations = 0;  ///< distinct values in the sample; `most_combinations`: or more
         Factor factor = {};
         Span origin = {};
         std::string place = {};  ///< `file:line`, if the sources are available
-        bool operator==(const Part&) const = default;
+        bool operator==(const Component&) const = default;
     };
     struct Clock {
         std::string process = {};
@@ -57,9 +57,9 @@ struct StateProfile {
     std::uint64_t states = 0;   ///< total number found
     std::uint64_t sampled = 0;  ///< the first of them
     std::uint64_t most_combinations = 0;
-    std::uint64_t inside_cycles = 0;  ///< among those sampled: some controller is within a cycle
-    std::vector<Part> parts = {};     ///< largest factor first
-    std::vector<Clock> clocks = {};   ///< largest factor first
+    std::uint64_t inside_cycles = 0;    ///< among those sampled: some controller is within a cycle
+    std::vector<Component> parts = {};  ///< largest factor first
+    std::vector<Clock> clocks = {};     ///< largest factor first
     std::optional<Finest> finest = {};
     bool operator==(const StateProfile&) const = default;
 };

@@ -123,21 +123,21 @@ struct TransitionSystem {
     };
 
     /// Some instances of an interleaved system: they share with the others only the choice of the moving one, and time.
-    struct Part {
+    struct Subsystem {
         std::string name = {};  ///< displayed name
         std::vector<Id<Instance>> instances = {};
         /// Symbols of main that belong to this part, and the constants that replace them if it is omitted.
         std::vector<std::pair<Id<Symbol>, Id<Expr>>> without = {};
         Id<Expr> moves = {};    ///< in a step: one of its instances moves
         Id<Expr> settled = {};  ///< its part of `settled`; invalid if that cannot be decomposed
-        bool operator==(const Part&) const = default;
+        bool operator==(const Subsystem&) const = default;
     };
     /// Parts, of which at most one moves in a step. All terms over main.
-    struct Parts {
-        std::vector<Part> each = {};            ///< empty: the system cannot be decomposed
+    struct Subsystems {
+        std::vector<Subsystem> each = {};       ///< empty: the system cannot be decomposed
         Id<Expr> waits = {};                    ///< in a step: none moves; if clocks count, time passes
         Id<Expr> can_move = {}, can_wait = {};  ///< if clocks count: some instance can move; time can pass
-        bool operator==(const Parts&) const = default;
+        bool operator==(const Subsystems&) const = default;
     };
 
     std::string name = {};
@@ -155,7 +155,7 @@ struct TransitionSystem {
     std::vector<Omitted> omitted = {};
     std::vector<Controller> controllers = {};
     std::vector<Component> components = {};
-    Parts parts = {};
+    Subsystems parts = {};
     Id<Expr> ticks = {};  ///< over symbols of main: time passes by `tick_ms`; invalid if the system is untimed
     std::int64_t tick_ms = 0;
 

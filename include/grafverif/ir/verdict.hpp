@@ -41,7 +41,7 @@ struct Run {
 enum class Outcome { Holds, Violated, Unknown };
 
 /// Reason for an unknown verdict.
-enum class Obstacle {
+enum class UnknownReason {
     None,
     Bound,        ///< the limit of states is reached
     Memory,       ///< the memory limit is reached
@@ -55,15 +55,16 @@ enum class Obstacle {
 };
 
 /// The part of the network in which a verdict was found, if not all of it.
-struct Scope {
+struct SearchScope {
     std::vector<std::string> searched = {};  ///< parts by name; empty: the complete network
     std::vector<std::string> left_out = {};  ///< the others; empty: all parts were explored, each separately
     std::string because = {};                ///< reason why these cannot affect the verdict
     bool cells = false;                      ///< parts are fragments, not independent subsystems
-    bool operator==(const Scope&) const = default;
+    bool operator==(const SearchScope&) const = default;
 };
 
-/// Names of instances reduced by the input abstraction of a verdict (docs/explanation/decomposition.md, "Input abstraction").
+/// Names of instances reduced by the input abstraction of a verdict (docs/explanation/decomposition.md, "Input
+/// abstraction").
 struct InputsAbstracted {
     std::vector<std::string> chosen = {}, untimed = {}, paced = {};
     bool operator==(const InputsAbstracted&) const = default;
@@ -74,7 +75,7 @@ struct Verdict {
     std::string property = {};  ///< its name; for one that expands: `S.X7`
     Pattern pattern = Pattern::Always;
     Outcome outcome = Outcome::Unknown;
-    Obstacle obstacle = Obstacle::None;
+    UnknownReason obstacle = UnknownReason::None;
     std::string reason = {};  ///< text, for an unknown verdict
     bool vacuous = false;     ///< holds vacuously; a note states why
     std::vector<std::string> notes = {};
@@ -83,7 +84,7 @@ struct Verdict {
     std::string states = {};  ///< number of explored states, in decimal, of any size; empty: unknown
     std::optional<std::uint64_t> transitions = {};
     double seconds = 0;
-    Scope scope = {};
+    SearchScope scope = {};
     std::optional<InputsAbstracted> abstraction = {};  ///< with a run: it may not be a shortest one
     std::optional<Run> run = {};                       ///< counterexample; for a `reachable` that holds: witness
     Span origin = {};                                  ///< of the property
@@ -109,8 +110,9 @@ struct ModelError {
 
 /// `holds`, `violated`, `unknown`.
 std::string_view word(Outcome outcome);
-/// `bound`, `memory`, `stopped`, `inexact`, `unsupported`, `faulty`, `failed`, `unchecked`, `engine-disagrees`; empty for None.
-std::string_view word(Obstacle obstacle);
+/// `bound`, `memory`, `stopped`, `inexact`, `unsupported`, `faulty`, `failed`, `unchecked`, `engine-disagrees`; empty
+/// for None.
+std::string_view word(UnknownReason obstacle);
 /// The code of a model error: `out-of-range`, `action-race`, `no-value`.
 std::string_view word(ModelError::Kind kind);
 /// Describes a model error: `` `N` would leave its range 0..3, in an evolution of `press` ``.

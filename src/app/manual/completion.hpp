@@ -9,8 +9,8 @@
 
 namespace grafverif::app {
 
-std::string bash_completion(std::span<const Verb> verbs);
-std::string zsh_completion(std::span<const Verb> verbs);
-std::string fish_completion(std::span<const Verb> verbs);
+std::string bash_completion(std::span<const CliCommand> verbs);
+std::string zsh_completion(std::span<const CliCommand> verbs);
+std::string fish_completion(std::span<const CliCommand> verbs);
 
 }  // namespace grafverif::app

@@ -58,7 +58,7 @@ constexpr std::string_view exit_status =
 
 }  // namespace
 
-std::string man_page(std::span<const Verb> verbs, std::string_view version) {
+std::string man_page(std::span<const CliCommand> verbs, std::string_view version) {
     std::string page = title("grafverif", version);
     page +=
         ".SH NAME\n"
@@ -74,7 +74,7 @@ std::string man_page(std::span<const Verb> verbs, std::string_view version) {
         ".PP\n"
         "\\fIFILE\\fR may be \\fB\\-\\fR, standard input. Outputs are written whole or not at all.\n"
         ".SH COMMANDS\n";
-    for (const Verb& verb : verbs)
+    for (const CliCommand& verb : verbs)
         page += fmt::format(".TP\n\\fBgrafverif\\-{}\\fR(1)\n{}\n", troff(verb.name), troff(verb.summary));
     page += exit_status;
     return page +
@@ -82,7 +82,7 @@ std::string man_page(std::span<const Verb> verbs, std::string_view version) {
            "The manual pages of the commands; the documentation in /usr/share/doc/grafverif, if installed.\n";
 }
 
-std::string man_page(const Verb& verb, std::string_view version) {
+std::string man_page(const CliCommand& verb, std::string_view version) {
     std::string page = title("grafverif-" + verb.name, version);
     page += fmt::format(".SH NAME\ngrafverif\\-{} \\- {}\n.SH SYNOPSIS\n.B grafverif {}\n", troff(verb.name),
                         troff(verb.summary), troff(verb.name));

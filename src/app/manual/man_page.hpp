@@ -11,9 +11,9 @@
 namespace grafverif::app {
 
 /// grafverif(1): the program, its commands, its exit codes.
-std::string man_page(std::span<const Verb> verbs, std::string_view version);
+std::string man_page(std::span<const CliCommand> verbs, std::string_view version);
 
 /// grafverif-COMMAND(1).
-std::string man_page(const Verb& verb, std::string_view version);
+std::string man_page(const CliCommand& verb, std::string_view version);
 
 }  // namespace grafverif::app

@@ -5,39 +5,39 @@
 #include <algorithm>
 #include <ostream>
 
+#include "app/commands.hpp"
 #include "app/manual/completion.hpp"
 #include "app/manual/man_page.hpp"
-#include "app/verbs.hpp"
 #include "support/printable.hpp"
 
 namespace grafverif::app {
 
-ExitCode manual(Job& job, const Streams& streams) {
-    const std::vector<Verb> verbs = all_verbs();
+ExitCode manual(CommandContext& job, const Streams& streams) {
+    const std::vector<CliCommand> verbs = all_commands();
     if (job.options.operands.empty()) {
         deliver(man_page(verbs, GRAFVERIF_VERSION), job, streams);
         return ExitCode::Done;
     }
     const std::string& name = job.options.operands[0];
-    const auto found = std::ranges::find(verbs, name, &Verb::name);
+    const auto found = std::ranges::find(verbs, name, &CliCommand::name);
     if (found == verbs.end()) {
-        streams.err << fmt::format("grafverif: error: {}; see `grafverif --help`\n", printable(no_such_verb(name)));
+        streams.err << fmt::format("grafverif: error: {}; see `grafverif --help`\n", printable(unknown_command(name)));
         return ExitCode::Input;
     }
     deliver(man_page(*found, GRAFVERIF_VERSION), job, streams);
     return ExitCode::Done;
 }
 
-ExitCode completion(Job& job, const Streams& streams) {
+ExitCode completion(CommandContext& job, const Streams& streams) {
     const std::string& shell = job.options.operands[0];
-    const std::vector<Verb> verbs = all_verbs();
+    const std::vector<CliCommand> verbs = all_commands();
     if (shell == "bash") deliver(bash_completion(verbs), job, streams);
     else if (shell == "zsh") deliver(zsh_completion(verbs), job, streams);
     else deliver(fish_completion(verbs), job, streams);
     return ExitCode::Done;
 }
 
-Verb manual_usage() {
+CliCommand manual_usage() {
     return {"manual",
             "[COMMAND]",
             0,
@@ -46,10 +46,10 @@ Verb manual_usage() {
             "Writes the manual page of COMMAND, or of the program, in the format of `man`. Installed packages contain "
             "all pages.",
             {"grafverif manual check | man -l -"},
-            {Accepts::Output}};
+            {OptionGroup::Output}};
 }
 
-Verb completion_usage() {
+CliCommand completion_usage() {
     return {"completion",
             "bash|zsh|fish",
             1,
@@ -59,7 +59,7 @@ Verb completion_usage() {
             {"grafverif completion bash >~/.local/share/bash-completion/completions/grafverif",
              "grafverif completion zsh >~/.zfunc/_grafverif",
              "grafverif completion fish >~/.config/fish/completions/grafverif.fish"},
-            {Accepts::Output}};
+            {OptionGroup::Output}};
 }
 
 }  // namespace grafverif::app

@@ -202,7 +202,8 @@ private:
             if (error == http::error::body_limit) return refuse(413, "the request is too large");
             if (error == http::error::header_limit) return refuse(431, "the header of the request is too large");
             if (error) return refuse(400, "malformed request");
-            if (auto [status, why] = server_.objection(parser_.get()); status != 0) return refuse(status, why);
+            if (auto [status, why] = server_.preservation_obstacle(parser_.get()); status != 0)
+                return refuse(status, why);
             if (server_.has_token(parser_.get())) identify();
             http::async_read(stream_, buffer_, parser_,
                              [self = shared_from_this()](beast::error_code failure, std::size_t) {
@@ -346,7 +347,7 @@ private:
     }
 
     /// Only the address of this server is accepted as Host.
-    bool is_ours(std::string_view host) const {
+    bool is_internal_error(std::string_view host) const {
         const std::string end = ":" + std::to_string(port());
         return host == "127.0.0.1" + end || host == "[::1]" + end || host == "localhost" + end ||
                (port() == 80 && (host == "127.0.0.1" || host == "[::1]" || host == "localhost"));
@@ -354,12 +355,12 @@ private:
 
     /// The reason to reject `request` before its body is read; status 0: accepted.
     template <class Request>
-    std::pair<unsigned, std::string> objection(const Request& request) const {
-        if (!is_ours(text_of(request[http::field::host])) || request.count(http::field::host) != 1)
+    std::pair<unsigned, std::string> preservation_obstacle(const Request& request) const {
+        if (!is_internal_error(text_of(request[http::field::host])) || request.count(http::field::host) != 1)
             return {421, "unknown host name"};
         const std::string_view origin = text_of(request[http::field::origin]);
         if (request.count(http::field::origin) > 1 ||
-            (!origin.empty() && !(origin.starts_with("http://") && is_ours(origin.substr(7)))))
+            (!origin.empty() && !(origin.starts_with("http://") && is_internal_error(origin.substr(7)))))
             return {403, "cross-origin request refused"};
         if (request.method() != http::verb::get && request.method() != http::verb::post)
             return {405, "only GET and POST are supported"};

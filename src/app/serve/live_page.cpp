@@ -13,11 +13,11 @@
 #include <sstream>
 #include <utility>
 
-#include "app/serve/bench.hpp"
+#include "app/commands.hpp"
+#include "app/serve/file_checker.hpp"
 #include "app/serve/http.hpp"
 #include "app/serve/live_files.hpp"
 #include "app/serve/play.hpp"
-#include "app/verbs.hpp"
 
 namespace grafverif::app {
 
@@ -55,12 +55,12 @@ std::uint64_t known_version(const HttpRequest& request) {
 }  // namespace
 
 /// Dispatches requests to their handlers.
-class Desk {
+class RequestDispatcher {
 public:
     /// `room` is called when a simulation ends, so that delayed requests are tried again.
-    Desk(const Options& options, std::function<void()> room) : options_(options), room_(std::move(room)) {}
+    RequestDispatcher(const Options& options, std::function<void()> room) : options_(options), room_(std::move(room)) {}
 
-    void begin(Bench& bench) { bench_ = &bench; }
+    void begin(FileChecker& bench) { bench_ = &bench; }
 
     std::optional<HttpAnswer> answer(const HttpRequest& request, bool at_once) const {
         if (request.path == "/simulate")
@@ -86,10 +86,11 @@ private:
             if (at_once) return HttpAnswer{503, "text/plain", "too many simulations are running; try again later\n"};
             return {};
         }
-        const std::unique_ptr<const Desk, void (*)(const Desk*)> place(this, [](const Desk* desk) {
-            desk->simulating_.release();
-            desk->room_();
-        });
+        const std::unique_ptr<const RequestDispatcher, void (*)(const RequestDispatcher*)> place(
+            this, [](const RequestDispatcher* desk) {
+                desk->simulating_.release();
+                desk->room_();
+            });
         return HttpAnswer{.body = play(*bench_->workpiece(), options_, request.body)};
     }
 
@@ -97,11 +98,12 @@ private:
     HttpAnswer report_page(const HttpRequest& request) const {
         const std::unique_lock hold(reporting_, std::try_to_lock);
         if (!hold) return {503, "text/plain", "another report is being generated; try again later\n"};
-        Job job{.options = options_};
+        CommandContext job{.options = options_};
         if (const auto loop = request.query.find("loop"); loop != request.query.end()) job.options.loop = loop->second;
         if (const auto chart = request.query.find("chart"); chart != request.query.end())
             job.options.chart = chart->second;
-        const std::uint64_t time = std::min(longest_report_ms, options_.patience_ms.value_or(longest_report_ms));
+        const std::uint64_t time =
+            std::min(longest_report_ms, options_.response_timeout_ms.value_or(longest_report_ms));
         job.options.timeout_ms = time;
         job.options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(time);
         std::istringstream nothing;
@@ -114,7 +116,7 @@ private:
 
     const Options& options_;
     std::function<void()> room_;
-    Bench* bench_ = nullptr;
+    FileChecker* bench_ = nullptr;
     mutable std::counting_semaphore<2> simulating_{2};
     mutable std::mutex reporting_ = {};
 };
@@ -136,10 +138,10 @@ public:
 
 private:
     Options options_;
-    Desk desk_;
+    RequestDispatcher desk_;
     std::string token_;
     HttpServer server_;
-    Bench bench_;
+    FileChecker bench_;
 };
 
 LivePage::LivePage(const Options& options)

@@ -24,7 +24,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// A request of a page.
-struct Wish {
+struct PlayRequest {
     std::string loop = {}, chart = {};  ///< exactly one is set
     std::vector<std::string> moves = {};
     std::uint64_t seed = 0, random = 0;  ///< random moves after the given ones
@@ -33,12 +33,12 @@ struct Wish {
 
 Json complaint(const std::string& words) { return {{"complaint", printable(words)}}; }
 
-std::optional<Wish> wish_of(const std::string& request) {
+std::optional<PlayRequest> wish_of(const std::string& request) {
     // No exceptions and no deep nesting: invalid input is treated as no request.
     const Json::parser_callback_t shallow = [](int depth, Json::parse_event_t, Json&) { return depth < 4; };
     const Json json = Json::parse(request, shallow, false);
     if (!json.is_object()) return {};
-    Wish wish;
+    PlayRequest wish;
     const auto text = [&](const char* key, std::string& into) {
         if (json.contains(key) && json[key].is_string()) into = json[key].get<std::string>();
     };
@@ -67,13 +67,13 @@ std::string line_of(const Command& command, const Simulation& simulation) {
 }
 
 /// Executes the moves sequentially and records the state after each.
-class Player {
+class MovePlayer {
 public:
     /// `writers`: of a loop, per shared variable `environment` or `plant`.
-    Player(Simulation& simulation, std::vector<ElementIds> ids, std::map<std::string, std::string> writers)
+    MovePlayer(Simulation& simulation, std::vector<ElementIds> ids, std::map<std::string, std::string> writers)
         : simulation_(simulation), ids_(std::move(ids)), writers_(std::move(writers)) {}
 
-    Json play(const Wish& wish) {
+    Json play(const PlayRequest& wish) {
         problem_ = simulation_.begin();
         ends_.push_back(rows());
         for (const std::string& move : wish.moves)
@@ -96,7 +96,7 @@ private:
                            std::holds_alternative<WaitCommand>(command) || std::holds_alternative<DoCommand>(command) ||
                            std::holds_alternative<ChooseCommand>(command) ||
                            std::holds_alternative<ForceCommand>(command);
-        problem_ = moves || std::holds_alternative<BadCommand>(command) ? simulation_.obey(command)
+        problem_ = moves || std::holds_alternative<BadCommand>(command) ? simulation_.execute(command)
                                                                         : "`" + move + "` is not a valid move";
         made_.push_back(move);
         ends_.push_back(rows());
@@ -137,9 +137,9 @@ private:
             const ChartRun::State& after = run.after(run.rows[k]);
             const Cells words = cells(run, k, true);
             list.push_back({{"move", std::ranges::upper_bound(ends_, k) - ends_.begin()},
-                            {"time", moment_text(run, after)},
+                            {"time", event_text(run, after)},
                             {"kind", word(run.rows[k].kind)},
-                            {"trial", simulation_.trial_row().value_or(k + 1) <= k},
+                            {"trial", simulation_.what_if_row().value_or(k + 1) <= k},
                             {"what", words[1]},
                             {"inputs", words[2]},
                             {"cleared", words[3]},
@@ -179,7 +179,7 @@ private:
     }
 
     Json answer() const {
-        const Patience patience = simulation_.patience();
+        const DelayBounds patience = simulation_.patience();
         const auto milliseconds = [&](const std::optional<std::int64_t>& units) {
             return units ? Json(*units * patience.unit_ms) : Json(nullptr);
         };
@@ -190,7 +190,7 @@ private:
                 {"problem", printable(problem_)},
                 {"time", simulation_.told().moments.back().after.time_ms},
                 {"rows", rows_json()},
-                {"trial", simulation_.trial_row().has_value()},
+                {"trial", simulation_.what_if_row().has_value()},
                 {"signals", signals_json()},
                 {"steps", steps_json()},
                 {"choices", std::move(choices)},
@@ -199,7 +199,7 @@ private:
                   {"unit", patience.unit_ms},
                   {"limit", milliseconds(patience.limit)},
                   {"change", milliseconds(patience.change)}}},
-                {"broken_constraints", simulation_.broken_constraints()}};
+                {"broken_constraints", simulation_.violated_constraints()}};
     }
 
     Simulation& simulation_;
@@ -241,7 +241,7 @@ Json marks_of(const Chart& chart, const ElementIds& ids) {
     return {{"transitions", std::move(transitions)}, {"actions", std::move(actions)}};
 }
 
-Json played(const Workpiece& piece, const Options& options, const Wish& wish) {
+Json played(const CheckedFile& piece, const Options& options, const PlayRequest& wish) {
     if (!piece.reading.model) return complaint("the file has errors and cannot be simulated; correct them");
     const Model& model = *piece.reading.model;
     if (!wish.loop.empty()) {
@@ -253,21 +253,21 @@ Json played(const Workpiece& piece, const Options& options, const Wish& wish) {
             ids.push_back(element_ids(model.charts[controller.chart], drawing_prefix(controller.chart)));
         Simulation simulation(*piece.networks[loop->index], charts_of(model, model.loops[*loop]),
                               wish.everything ? Detail::Everything : Detail::Chart);
-        return Player(simulation, std::move(ids), writers_of(model, model.loops[*loop])).play(wish);
+        return MovePlayer(simulation, std::move(ids), writers_of(model, model.loops[*loop])).play(wish);
     }
     const auto chart = find_chart(model, wish.chart);
     if (!chart || !piece.runs[chart->index])
         return complaint("there is no chart `" + wish.chart + "` that can be simulated");
     Simulation simulation(model.charts[*chart], execution_mode(model, *chart, options.mode),
                           wish.everything ? Detail::Everything : Detail::Chart);
-    return Player(simulation, {element_ids(model.charts[*chart], drawing_prefix(*chart))}, {}).play(wish);
+    return MovePlayer(simulation, {element_ids(model.charts[*chart], drawing_prefix(*chart))}, {}).play(wish);
 }
 
 }  // namespace
 
 std::string drawing_prefix(Id<Chart> chart) { return "c" + std::to_string(chart.index) + "-"; }
 
-std::string drawings(const Workpiece& piece) {
+std::string drawings(const CheckedFile& piece) {
     constexpr std::size_t most_steps = 5'000;  // more are of no use to a user
     Json list = Json::array(), marks = Json::array();
     if (piece.reading.model)
@@ -282,8 +282,8 @@ std::string drawings(const Workpiece& piece) {
     return json_text({{"reading", piece.number}, {"drawings", std::move(list)}, {"marks", std::move(marks)}}, -1);
 }
 
-std::string play(const Workpiece& piece, const Options& options, const std::string& request) {
-    const std::optional<Wish> wish = wish_of(request);
+std::string play(const CheckedFile& piece, const Options& options, const std::string& request) {
+    const std::optional<PlayRequest> wish = wish_of(request);
     Json answer;
     if (!wish)
         answer = complaint("malformed request; send an object with `loop` or `chart`, and `moves`, a list of strings");

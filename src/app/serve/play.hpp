@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-#include "app/serve/bench.hpp"
+#include "app/serve/file_checker.hpp"
 
 namespace grafverif::app {
 
@@ -16,9 +16,9 @@ inline constexpr std::size_t most_moves = 10'000, most_random_moves = 1'000, mos
 std::string drawing_prefix(Id<Chart> chart);
 
 /// The drawings of the charts, as JSON.
-std::string drawings(const Workpiece& piece);
+std::string drawings(const CheckedFile& piece);
 
 /// `request` and the response are JSON (docs/how-to/serve.md).
-std::string play(const Workpiece& piece, const Options& options, const std::string& request);
+std::string play(const CheckedFile& piece, const Options& options, const std::string& request);
 
 }  // namespace grafverif::app

@@ -80,14 +80,14 @@ void reap(pid_t pid) {
 }
 
 /// State shared by all running children: this process as their subreaper.
-class Family {
+class ChildRegistry {
 public:
     void begin() {
         const std::lock_guard hold(mutex_);
         if (members_++ != 0) return;
         ::prctl(PR_GET_CHILD_SUBREAPER, &adopted_before_);
         ::prctl(PR_SET_CHILD_SUBREAPER, 1);
-        strangers_ = our_children();
+        new_states_ = our_children();
     }
 
     void end() {
@@ -105,11 +105,11 @@ private:
         for (int round = 0; round < most_rounds; ++round) {
             bool found = false;
             for (const pid_t pid : our_children()) {
-                if (strangers_.contains(pid)) continue;
+                if (new_states_.contains(pid)) continue;
                 found = true;
                 if (::getpgid(pid) == pid) ::kill(-pid, SIGKILL);
                 if (::kill(pid, SIGKILL) == 0) reap(pid);
-                else strangers_.insert(pid);
+                else new_states_.insert(pid);
             }
             if (!found) return;
         }
@@ -118,11 +118,11 @@ private:
     std::mutex mutex_ = {};
     std::size_t members_ = 0;
     int adopted_before_ = 0;
-    std::set<pid_t> strangers_ = {};
+    std::set<pid_t> new_states_ = {};
 };
 
-Family& family() {
-    static Family ours;
+ChildRegistry& family() {
+    static ChildRegistry ours;
     return ours;
 }
 
@@ -183,7 +183,7 @@ void Child::send(int signal) const {
 /// The id is not reused before the child is reaped; afterwards no signal is sent to it.
 void Child::end() {
     if (over_) return;
-    const Uninterrupted whole;  // an interruption here would leave processes running
+    const SignalBlocker whole;  // an interruption here would leave processes running
     ::kill(-pid_, SIGKILL);
     strike_out(pid_);
     reap(pid_);

@@ -30,7 +30,7 @@ std::mutex& door() {
 }
 
 /// Raises the signal with its original disposition.
-void obey(int signal) {
+void execute(int signal) {
     kill_children_at_once();
     for (std::size_t k = 0; k < signals.size(); ++k)
         if (signals[k] == signal) ::sigaction(signal, &before[k], nullptr);
@@ -41,7 +41,7 @@ extern "C" void note_signal(int signal) {
     const int error = errno;
     if (listeners == 0 || interrupted.exchange(true)) {
         if (guards != 0) put_off = signal;
-        else obey(signal);
+        else execute(signal);
     }
     errno = error;
 }
@@ -78,27 +78,27 @@ Interrupt::~Interrupt() {
     unwatch();
 }
 
-const std::atomic<bool>& Interrupt::asked() const { return interrupted; }
+const std::atomic<bool>& Interrupt::requested() const { return interrupted; }
 
-Uninterrupted::Uninterrupted() {
+SignalBlocker::SignalBlocker() {
     const std::lock_guard hold(door());
     watch();
     ++guards;
 }
 
-bool Uninterrupted::none_from_now_on() {
+bool SignalBlocker::none_from_now_on() {
     if (!door().try_lock()) return false;
     if (guards == 0) return true;  // the lock is kept: no guard can be created any more
     door().unlock();
     return false;
 }
 
-Uninterrupted::~Uninterrupted() {
+SignalBlocker::~SignalBlocker() {
     const std::lock_guard hold(door());
     --guards;
     unwatch();
     if (guards == 0)
-        if (const int signal = put_off.exchange(0); signal != 0) obey(signal);
+        if (const int signal = put_off.exchange(0); signal != 0) execute(signal);
 }
 
 }  // namespace grafverif::app

@@ -14,17 +14,17 @@ public:
     Interrupt(const Interrupt&) = delete;
     Interrupt& operator=(const Interrupt&) = delete;
 
-    const std::atomic<bool>& asked() const;
+    const std::atomic<bool>& requested() const;
 };
 
 /// While one exists, none of these signals ends the program; a pending one does so afterwards. For short sections that
 /// must not be left half done.
-class Uninterrupted {
+class SignalBlocker {
 public:
-    Uninterrupted();
-    ~Uninterrupted();
-    Uninterrupted(const Uninterrupted&) = delete;
-    Uninterrupted& operator=(const Uninterrupted&) = delete;
+    SignalBlocker();
+    ~SignalBlocker();
+    SignalBlocker(const SignalBlocker&) = delete;
+    SignalBlocker& operator=(const SignalBlocker&) = delete;
 
     /// For code that ends the process other than by a signal: true if none exists, and then no new one can be created.
     /// Does not wait.

@@ -34,11 +34,11 @@ struct LineEditor::Parts {
 
     /// The next character; 0: end of input. Also detects a signal while no character is available.
     static int character(EditLine* editor, wchar_t* read) {
-        constexpr int look_every_ms = 50;
+        constexpr int poll_interval_ms = 50;
         std::mbstate_t state = {};
         while (!*of(editor).stop) {
             pollfd input{STDIN_FILENO, POLLIN, 0};
-            if (::poll(&input, 1, look_every_ms) <= 0) continue;
+            if (::poll(&input, 1, poll_interval_ms) <= 0) continue;
             char byte = 0;
             const ssize_t count = ::read(STDIN_FILENO, &byte, 1);
             if (count < 0 && errno == EINTR) continue;

@@ -19,8 +19,8 @@
 #include <utility>
 
 #include "app/system/child.hpp"
-#include "app/system/guard.hpp"
 #include "app/system/interrupt.hpp"
+#include "app/system/watchdog.hpp"
 
 namespace grafverif::app {
 
@@ -115,7 +115,7 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const std::
         break;
     }
     {
-        const Uninterrupted whole;
+        const SignalBlocker whole;
         child.end();
         if (result.end == ProgramResult::End::Stopped) work_is_done();  // from here on the results are reported
     }

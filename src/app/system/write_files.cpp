@@ -298,7 +298,7 @@ void write_files(const std::vector<OutputFile>& files) {
     }
     set.wait_for_turn();
     {
-        const Uninterrupted whole;
+        const SignalBlocker whole;
         set.write();
     }
     for (const OutputFile* file : streams) write_through(*file);

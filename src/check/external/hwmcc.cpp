@@ -49,7 +49,7 @@ Circuit with_numbers(Circuit circuit) {
     return circuit;
 }
 
-std::optional<bool> claim_of(std::string_view text) {
+std::optional<bool> preservation_class_of(std::string_view text) {
     while (!text.empty()) {
         const std::string_view line = next_line(text);
         if (line == "1" || line == "sat") return true;

@@ -32,7 +32,7 @@ std::optional<std::vector<std::vector<bool>>> read_witness(const Circuit& circui
 /// if it ends differently.
 std::string witness_of_abc(std::string_view text);
 /// The result in the first line of a witness: `1`, the state is reachable, `0`, it is not. Nothing: neither.
-std::optional<bool> claim_of(std::string_view text);
+std::optional<bool> preservation_class_of(std::string_view text);
 
 /// Reads ABC's invariant (`pdr -d -I FILE`): the states that it excludes, one per row. Nothing if it is invalid.
 std::optional<std::vector<pdr::Cube>> read_invariant(const Circuit& circuit, std::string_view text);

@@ -63,7 +63,7 @@ public:
     }
 
     /// Empty if there is none, or if it has an invalid value. `repeats`: the loop is needed.
-    std::optional<ToldRun> read(std::string_view section, bool repeats) {
+    std::optional<ExternalTrace> read(std::string_view section, bool repeats) {
         bool in_trace = false;
         while (!section.empty()) {
             const std::string_view line = trimmed_line(section);
@@ -116,9 +116,9 @@ private:
         return number;
     }
 
-    std::optional<ToldRun> run(bool repeats) {
+    std::optional<ExternalTrace> run(bool repeats) {
         if (states_.empty()) return {};
-        ToldRun run{std::move(states_), {}};
+        ExternalTrace run{std::move(states_), {}};
         if (repeats && loop_ && *loop_ + 1 < run.states.size()) {
             run.loop = loop_;
             run.states.pop_back();  // repeats the state where the loop began
@@ -156,21 +156,21 @@ std::string failure_of(const ProgramResult& said) {
     return last.empty() ? "the program gave no verdict" : "the program gave no verdict; end of its output: " + last;
 }
 
-Obstacle obstacle_of(const ProgramResult& said) {
+UnknownReason obstacle_of(const ProgramResult& said) {
     const bool stopped = said.end == ProgramResult::End::TimedOut || said.end == ProgramResult::End::Stopped;
-    return stopped ? Obstacle::Stopped : Obstacle::Failed;
+    return stopped ? UnknownReason::Stopped : UnknownReason::Failed;
 }
 
-void undecided(Verdict& verdict, Obstacle obstacle, std::string reason) {
+void undecided(Verdict& verdict, UnknownReason obstacle, std::string reason) {
     verdict.outcome = Outcome::Unknown;
     verdict.obstacle = obstacle;
     verdict.reason = std::move(reason);
 }
 
 /// The output of the program by marker. Output of a program that a signal has ended is ignored.
-class Answers {
+class NusmvOutput {
 public:
-    explicit Answers(const ProgramResult& said) {
+    explicit NusmvOutput(const ProgramResult& said) {
         if (said.end != ProgramResult::End::Signalled) sections_ = sections(said.out);
     }
 
@@ -191,7 +191,7 @@ private:
     std::unordered_map<std::string, std::vector<std::string_view>> sections_ = {};
 };
 
-struct Question {
+struct NusmvQuery {
     const TransitionSystem& system;
     FlatSystem& flat;
     const SystemSpelling& spelling;
@@ -199,8 +199,8 @@ struct Question {
 };
 
 /// Fills in the program's result, after validation, and returns the run that shows it.
-std::optional<SystemRun> judged(Verdict& verdict, const Answers& answers, const std::string& name,
-                                const Question& question, const ProgramResult& said) {
+std::optional<SystemRun> judged(Verdict& verdict, const NusmvOutput& answers, const std::string& name,
+                                const NusmvQuery& question, const ProgramResult& said) {
     const std::vector<bool> truths = answers.truths_of(name);
     if (truths.size() != 1) {
         if (truths.empty()) undecided(verdict, obstacle_of(said), failure_of(said));
@@ -242,7 +242,7 @@ std::string nusmv_commands(const std::string& model, const SystemSpelling& spell
 NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spelling,
                        const std::vector<std::size_t>& properties, const ProgramResult& said) {
     FlatSystem flat = flattened(system);
-    const Answers answers(said);
+    const NusmvOutput answers(said);
     NusmvResult result;
     const std::string_view totality = answers.section("fsm");
     for (const std::string_view words : {"The transition relation is total", "the machine is deadlock-free"})
@@ -254,7 +254,7 @@ NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spe
         verdict.states = result.states;
         std::optional<SystemRun> run;
         if (!totality.empty() && !result.total)
-            undecided(verdict, Obstacle::Faulty, "some reachable state has no successor");
+            undecided(verdict, UnknownReason::Faulty, "some reachable state has no successor");
         else if (totality.empty()) undecided(verdict, obstacle_of(said), failure_of(said));
         else run = judged(verdict, answers, std::to_string(index), {system, flat, spelling, property}, said);
         result.verdicts.push_back(std::move(verdict));

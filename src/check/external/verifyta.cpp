@@ -48,31 +48,33 @@ std::string first_line(std::string text) {
     return text.substr(begin, std::min(text.find_first_of("\r\n", begin) - begin, longest));
 }
 
-ExternalAnswer undecided(Obstacle obstacle, std::string reason) {
+ExternalResult undecided(UnknownReason obstacle, std::string reason) {
     return {Outcome::Unknown, obstacle, std::move(reason)};
 }
 
 /// The result for a program that did not run to its end.
-std::optional<ExternalAnswer> ended_early(const ProgramResult& result) {
+std::optional<ExternalResult> ended_early(const ProgramResult& result) {
     switch (result.end) {
     case ProgramResult::End::Exited: return {};
     case ProgramResult::End::Signalled:
-        return undecided(Obstacle::Failed, "verifyta was terminated by signal " + std::to_string(result.status));
-    case ProgramResult::End::TimedOut: return undecided(Obstacle::Stopped, "verifyta was stopped at the time limit");
-    case ProgramResult::End::Stopped: return undecided(Obstacle::Stopped, "verifyta was stopped");
-    case ProgramResult::End::TooMuchOutput: return undecided(Obstacle::Failed, "the output of verifyta is too large");
+        return undecided(UnknownReason::Failed, "verifyta was terminated by signal " + std::to_string(result.status));
+    case ProgramResult::End::TimedOut:
+        return undecided(UnknownReason::Stopped, "verifyta was stopped at the time limit");
+    case ProgramResult::End::Stopped: return undecided(UnknownReason::Stopped, "verifyta was stopped");
+    case ProgramResult::End::TooMuchOutput:
+        return undecided(UnknownReason::Failed, "the output of verifyta is too large");
     }
     unreachable();
 }
 
-Verdict verdict_on(const Network& network, const ExternalQuestion& question) {
+Verdict verdict_on(const Network& network, const ExternalQuery& question) {
     Verdict verdict = grafverif::verdict_on(question.property, network.properties[question.property]);
     verdict.property = question.name;
     return verdict;
 }
 
 /// True for the query about races: that the flag is never set.
-bool asks_for_race(const Network& network, const ExternalQuestion& question) {
+bool queries_race(const Network& network, const ExternalQuery& question) {
     const Property& property = network.properties[question.property];
     if (!network.race.valid() || property.pattern != Pattern::Never || property.at_stable) return false;
     const Expr& operand = network.exprs[property.operands[0]];
@@ -80,14 +82,14 @@ bool asks_for_race(const Network& network, const ExternalQuestion& question) {
 }
 
 Verdict unasked(Verdict verdict) {
-    verdict.obstacle = Obstacle::Stopped;
+    verdict.obstacle = UnknownReason::Stopped;
     verdict.reason = "stopped before it was checked";
     return verdict;
 }
 
-Verdict ask(Verdict verdict, const ExternalQuestion& question, const ExternalOptions& options) {
+Verdict ask(Verdict verdict, const ExternalQuery& question, const ExternalOptions& options) {
     const auto start = std::chrono::steady_clock::now();
-    ExternalAnswer answer = question.formula.empty() ? undecided(Obstacle::Unsupported, question.reason)
+    ExternalResult answer = question.formula.empty() ? undecided(UnknownReason::Unsupported, question.reason)
                                                      : read_verifyta(options.run(question.formula));
     verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     verdict.outcome = answer.outcome;
@@ -100,13 +102,13 @@ Verdict ask(Verdict verdict, const ExternalQuestion& question, const ExternalOpt
 void take_back(Verdict& verdict) {
     if (verdict.outcome == Outcome::Unknown) return;
     verdict.outcome = Outcome::Unknown;
-    verdict.obstacle = Obstacle::Faulty;
+    verdict.obstacle = UnknownReason::Faulty;
     verdict.reason = "stored actions can race; see `no_race`";
 }
 
 }  // namespace
 
-ExternalAnswer read_verifyta(const ProgramResult& result) {
+ExternalResult read_verifyta(const ProgramResult& result) {
     if (auto answer = ended_early(result)) return *answer;
     const std::string text = marked(result.out);
     const std::size_t satisfied = lines(text, "-- Formula is satisfied."),
@@ -114,17 +116,19 @@ ExternalAnswer read_verifyta(const ProgramResult& result) {
     const std::size_t open =
         lines(text, "-- Formula MAY be satisfied.") + lines(text, "-- Formula MAY NOT be satisfied.");
     if (satisfied + refuted + open > 1)
-        return undecided(Obstacle::Disagrees, "engine-disagrees: verifyta gave more than one verdict on one formula");
-    if (open == 1) return undecided(Obstacle::Inexact, "verifyta reports that the formula may or may not be satisfied");
-    if (satisfied + refuted == 1) return {satisfied == 1 ? Outcome::Holds : Outcome::Violated, Obstacle::None, {}};
+        return undecided(UnknownReason::Disagrees,
+                         "engine-disagrees: verifyta gave more than one verdict on one formula");
+    if (open == 1)
+        return undecided(UnknownReason::Inexact, "verifyta reports that the formula may or may not be satisfied");
+    if (satisfied + refuted == 1) return {satisfied == 1 ? Outcome::Holds : Outcome::Violated, UnknownReason::None, {}};
     std::string said = first_line(marked(result.err));
     if (said.empty()) said = "exit code " + std::to_string(result.status);
-    return undecided(Obstacle::Failed, "verifyta gave no verdict: " + said);
+    return undecided(UnknownReason::Failed, "verifyta gave no verdict: " + said);
 }
 
-std::vector<Verdict> check_verifyta(const Network& network, std::span<const ExternalQuestion> questions,
+std::vector<Verdict> check_verifyta(const Network& network, std::span<const ExternalQuery> questions,
                                     const ExternalOptions& options) {
-    const auto asked = [&](const Property& property) {
+    const auto requested = [&](const Property& property) {
         return options.properties.empty() ||
                std::ranges::find(options.properties, property.name) != options.properties.end();
     };
@@ -135,13 +139,13 @@ std::vector<Verdict> check_verifyta(const Network& network, std::span<const Exte
     };
     std::optional<std::size_t> race;  // the verdict on races
     bool stopped = false;
-    for (const ExternalQuestion& question : questions) {
+    for (const ExternalQuery& question : questions) {
         const Property& property = network.properties[question.property];
-        if (asks_for_race(network, question)) race = verdicts.size();
-        else if (is_probe(property) ? !holds(probed_by(property)) : !asked(property)) continue;
+        if (queries_race(network, question)) race = verdicts.size();
+        else if (is_probe(property) ? !holds(probed_by(property)) : !requested(property)) continue;
         verdicts.push_back(stopped ? unasked(verdict_on(network, question))
                                    : ask(verdict_on(network, question), question, options));
-        stopped = stopped || verdicts.back().obstacle == Obstacle::Stopped;
+        stopped = stopped || verdicts.back().obstacle == UnknownReason::Stopped;
     }
     if (network.race.valid() && (!race || verdicts[*race].outcome != Outcome::Holds))
         for (std::size_t i = 0; i < verdicts.size(); ++i)
@@ -152,7 +156,7 @@ std::vector<Verdict> check_verifyta(const Network& network, std::span<const Exte
     if (std::ranges::none_of(network.properties, about_time))
         verdicts.push_back({.property = "no_timelock",
                             .pattern = Pattern::NoTimelock,
-                            .obstacle = Obstacle::Unsupported,
+                            .obstacle = UnknownReason::Unsupported,
                             .reason = "UPPAAL has no query for `no timelock`; use `--engine timed`",
                             .declared = false});
     return verdicts;

@@ -21,7 +21,7 @@
 namespace grafverif {
 
 /// A formula for the program, and its property.
-struct ExternalQuestion {
+struct ExternalQuery {
     Id<Property> property = {};
     std::string name = {};     ///< of the verdict: the property's, or `S.X7` of an expanded one
     std::string formula = {};  ///< empty: the program's language cannot express it
@@ -35,18 +35,18 @@ struct ExternalOptions {
 };
 
 /// The result that verifyta printed about one formula.
-struct ExternalAnswer {
+struct ExternalResult {
     Outcome outcome = Outcome::Unknown;  ///< Holds: satisfied
-    Obstacle obstacle = Obstacle::None;
+    UnknownReason obstacle = UnknownReason::None;
     std::string reason = {};
-    bool operator==(const ExternalAnswer&) const = default;
+    bool operator==(const ExternalResult&) const = default;
 };
-ExternalAnswer read_verifyta(const ProgramResult& result);
+ExternalResult read_verifyta(const ProgramResult& result);
 
 /// One verdict per query, in order, without runs. `no timelock`, which no UPPAAL formula expresses, is added as unknown
 /// if the model does not declare it. If stored actions may race, proofs of verifyta are accepted only if it also proves
 /// `no_race`.
-std::vector<Verdict> check_verifyta(const Network& network, std::span<const ExternalQuestion> questions,
+std::vector<Verdict> check_verifyta(const Network& network, std::span<const ExternalQuery> questions,
                                     const ExternalOptions& options);
 
 }  // namespace grafverif

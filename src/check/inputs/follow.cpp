@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "check/timed/machine.hpp"
-#include "check/timed/questions.hpp"
+#include "check/timed/property_queries.hpp"
 #include "ir/junction.hpp"
 #include "ir/slots.hpp"
 
@@ -112,11 +112,11 @@ std::vector<Stage> stages_of(const AbstractRun& run, const std::vector<Id<Networ
 }
 
 /// A single process of the network with given values of other variables: the set of its possible states.
-class Alone {
+class SingleProcess {
 public:
     /// `known`: the variables of other processes whose values are given.
-    Alone(const Network& complete, const AbstractableProcess& process, InputLevel level, std::int64_t unit,
-          const std::set<Id<Network::Variable>>& known)
+    SingleProcess(const Network& complete, const AbstractableProcess& process, InputLevel level, std::int64_t unit,
+                  const std::set<Id<Network::Variable>>& known)
         : process_(process), network_(only(complete, process, level, unit, known)), machine_(network_) {
         for (const Id<Network::Variable> variable : Slots(network_, process.process).read())
             if (known.contains(variable)) given_.push_back(variable);
@@ -271,7 +271,7 @@ public:
         for (std::size_t i = 0; i < run.instances.size(); ++i) instance_of_[run.instances[i].process.index] = i;
     }
 
-    Followed search() {
+    ConcreteRun search() {
         if (!layout_.fits()) return {};
         add(timed::packed_initial(network_, layout_).data(), 0, 0, Delay{0});
         for (std::size_t polls = 0; !shown_ && !open_.empty() && seen_.size() < limits_.states; ++polls) {
@@ -280,7 +280,7 @@ public:
             open_.pop();
             expand(node);
         }
-        Followed result;
+        ConcreteRun result;
         if (shown_) result.run = run_to(*shown_);
         else result.blamed = blamed();
         return result;
@@ -396,8 +396,8 @@ private:
     const timed::Layout& layout_;
     const AbstractRun& run_;
     const FollowLimits& limits_;
-    timed::Watch watch_ = {};
-    timed::Questions questions_;
+    timed::PropertyMonitor watch_ = {};
+    timed::PropertyQueries questions_;
     std::vector<Id<Network::Variable>> signature_;
     std::vector<Stage> stages_;
     std::vector<std::size_t> instance_of_;  // per process, or none
@@ -408,7 +408,7 @@ private:
     std::size_t last_stage_ = 0;
     std::optional<std::size_t> shown_ = {};
     timed::Moves moves_ = {};
-    timed::Watch::Registers registers_ = {};
+    timed::PropertyMonitor::Registers registers_ = {};
 };
 
 }  // namespace
@@ -437,14 +437,14 @@ bool is_stable(const AbstractRun& run, const NetworkState& state) {
 
 }  // namespace
 
-std::optional<Impossible> impossible(const Network& complete, const AbstractRun& abstract, std::size_t instance,
-                                     bool waits) {
+std::optional<SpuriousMove> impossible(const Network& complete, const AbstractRun& abstract, std::size_t instance,
+                                       bool waits) {
     const InputLevel now = abstract.levels[instance];
     const std::int64_t units = std::max<std::int64_t>(abstract.network.time_unit_ms / complete.time_unit_ms, 1);
     const std::vector<Sampling> all = samplings(abstract);
     const std::set<Id<Network::Variable>> known = known_variables(abstract);
-    const auto first = [&](InputLevel level) -> std::optional<Impossible> {
-        Alone alone(complete, abstract.instances[instance], level, units, known);
+    const auto first = [&](InputLevel level) -> std::optional<SpuriousMove> {
+        SingleProcess alone(complete, abstract.instances[instance], level, units, known);
         if (waits) alone.wait();
         auto next = all.begin();
         for (std::size_t at = 0; at < abstract.path.size(); ++at) {
@@ -454,7 +454,7 @@ std::optional<Impossible> impossible(const Network& complete, const AbstractRun&
             if (now != InputLevel::Chosen) alone.match(abstract.path[at].state);
             else if (sampled) alone.show(next->possible[instance]);
             if (sampled) ++next;
-            if (alone.is_nowhere()) return Impossible{at, level};
+            if (alone.is_nowhere()) return SpuriousMove{at, level};
             alone.give(abstract.path[at].state.variables);
             if (waits && is_stable(abstract, abstract.path[at].state)) alone.wait();
         }
@@ -462,13 +462,13 @@ std::optional<Impossible> impossible(const Network& complete, const AbstractRun&
     };
     for (InputLevel level = now; level != InputLevel::Complete;) {
         level = next_level(abstract.instances[instance], level);
-        if (const std::optional<Impossible> found = first(level)) return found;
+        if (const std::optional<SpuriousMove> found = first(level)) return found;
     }
     return {};
 }
 
-Followed follow(const Network& network, const Property& property, const AbstractRun& abstract,
-                const FollowLimits& limits) {
+ConcreteRun follow(const Network& network, const Property& property, const AbstractRun& abstract,
+                   const FollowLimits& limits) {
     return Follower(network, property, abstract, limits).search();
 }
 

@@ -34,26 +34,26 @@ struct FollowLimits {
     const std::atomic<bool>* stop = nullptr;
 };
 
-struct Followed {
+struct ConcreteRun {
     std::optional<Run> run = {};           ///< of the complete network, to a state that decides the property
     std::vector<std::size_t> blamed = {};  ///< without a run: the instances that the last stage waits for
 };
 
 /// A place in a run where a single process, given the values of the others, cannot do what the run requires of it.
-struct Impossible {
+struct SpuriousMove {
     std::size_t at = 0;     ///< in the path
     InputLevel level = {};  ///< an abstraction with this level excludes this run
 };
 
-/// The first such place, if there is one. `waits`: initially, and whenever all PLCs are stable, any time may pass before
-/// the run continues. Values that the run does not have (Chosen instances, flags) are any that the process needs.
-/// `complete`: the expanded network, whose time unit divides that of the abstract run.
-std::optional<Impossible> impossible(const Network& complete, const AbstractRun& abstract, std::size_t instance,
-                                     bool waits);
+/// The first such place, if there is one. `waits`: initially, and whenever all PLCs are stable, any time may pass
+/// before the run continues. Values that the run does not have (Chosen instances, flags) are any that the process
+/// needs. `complete`: the expanded network, whose time unit divides that of the abstract run.
+std::optional<SpuriousMove> impossible(const Network& complete, const AbstractRun& abstract, std::size_t instance,
+                                       bool waits);
 
 /// `network`: complete, expanded, with the same observer; `property`: one of its properties about single states, or one
 /// step of `reachable all steps`.
-Followed follow(const Network& network, const Property& property, const AbstractRun& abstract,
-                const FollowLimits& limits);
+ConcreteRun follow(const Network& network, const Property& property, const AbstractRun& abstract,
+                   const FollowLimits& limits);
 
 }  // namespace grafverif

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "check/inputs/follow.hpp"
-#include "check/timed/questions.hpp"
+#include "check/timed/property_queries.hpp"
 #include "ir/patterns.hpp"
 #include "ir/slots.hpp"
 
@@ -22,10 +22,10 @@ using Levels = std::vector<InputLevel>;
 
 }  // namespace
 
-class ByInputs {
+class InputAbstractionCheck {
 public:
-    ByInputs(const Network& loop, const Observe& observe, const TimedOptions& options, TimedResult& result,
-             const InputLimits& limits, const InputAblations& ablations)
+    InputAbstractionCheck(const Network& loop, const Observe& observe, const TimedOptions& options, TimedResult& result,
+                          const InputLimits& limits, const InputAblations& ablations)
         : loop_(loop),
           observe_(observe),
           options_(options),
@@ -105,7 +105,7 @@ private:
     Deadline deadline_ = {};
 };
 
-void ByInputs::collect() {
+void InputAbstractionCheck::collect() {
     for (const Id<Network::Process> id : observed_.processes.ids())
         for (const Id<Network::Variable> variable : Slots(observed_, id).written())
             writers_[variable.index].insert(id.index);
@@ -113,7 +113,7 @@ void ByInputs::collect() {
     Task passing{levels_of_resting(), {}, 0, false, true};
     for (std::size_t k = 0; k < result_.verdicts.size(); ++k) {
         const Verdict& verdict = result_.verdicts[k];
-        if (verdict.obstacle != Obstacle::Bound && verdict.obstacle != Obstacle::Stopped) continue;
+        if (verdict.obstacle != UnknownReason::Bound && verdict.obstacle != UnknownReason::Stopped) continue;
         if (is_about_passing(verdict)) passing.verdicts.push_back(k);
         if (!verdict.about.valid()) continue;
         const Property& property = observed_.properties[verdict.about];
@@ -133,7 +133,7 @@ void ByInputs::collect() {
 }
 
 /// `property` is one of observe(loop): it also reads the variables and processes that its observer reads.
-Levels ByInputs::first_levels(const Property& property, bool coarse) const {
+Levels InputAbstractionCheck::first_levels(const Property& property, bool coarse) const {
     std::set<std::uint32_t> variables, processes;
     const auto read = [&](Id<Expr> term) {
         for (const Id<Expr> leaf : leaves(observed_.exprs, term)) {
@@ -180,9 +180,10 @@ Levels ByInputs::first_levels(const Property& property, bool coarse) const {
     return levels;
 }
 
-/// Adds the verdict to the task of its next search: with `levels` if they are other than those of `task`, otherwise with
-/// all processes complete that read the loop. Properties that look for a state have one next search.
-void ByInputs::refine(std::size_t verdict, const Task& task, const Levels& levels, std::vector<Task>& tasks) const {
+/// Adds the verdict to the task of its next search: with `levels` if they are other than those of `task`, otherwise
+/// with all processes complete that read the loop. Properties that look for a state have one next search.
+void InputAbstractionCheck::refine(std::size_t verdict, const Task& task, const Levels& levels,
+                                   std::vector<Task>& tasks) const {
     const Property& property = observed_.properties[result_.verdicts[verdict].about];
     Task next{levels, {verdict}, task.rounds + 1, task.coarse};
     const bool ends = levels == task.levels || next.rounds == (task.coarse ? limits_.coarse_rounds : limits_.rounds);
@@ -203,14 +204,14 @@ void ByInputs::refine(std::size_t verdict, const Task& task, const Levels& level
 }
 
 /// `no timelock`, declared or not, and `no deadlock`.
-bool ByInputs::is_about_passing(const Verdict& verdict) const {
+bool InputAbstractionCheck::is_about_passing(const Verdict& verdict) const {
     if (!verdict.about.valid()) return true;
     const Property& property = observed_.properties[verdict.about];
     return property.pattern == Pattern::NoDeadlock || timed::about_time(property);
 }
 
 /// As coarse as the premises of ir/network_inputs.hpp allow.
-Levels ByInputs::levels_of_resting() const {
+Levels InputAbstractionCheck::levels_of_resting() const {
     Levels levels;
     for (const AbstractableProcess& process : instances_) {
         const bool abstracted = process.autonomous && process.can_rest;
@@ -221,8 +222,8 @@ Levels ByInputs::levels_of_resting() const {
     return levels;
 }
 
-TimedResult ByInputs::searched(const Network& network, const InputAbstraction& abstraction, TimedOptions options,
-                               const Task& task) {
+TimedResult InputAbstractionCheck::searched(const Network& network, const InputAbstraction& abstraction,
+                                            TimedOptions options, const Task& task) {
     options.profile = false;
     options.many = {};
     options.choices = abstraction.choices;
@@ -236,7 +237,7 @@ TimedResult ByInputs::searched(const Network& network, const InputAbstraction& a
     return found;
 }
 
-void ByInputs::search_passing(const Task& task) {
+void InputAbstractionCheck::search_passing(const Task& task) {
     const InputAbstraction abstraction =
         abstract_inputs(loop_, instances_, task.levels, ablations_, ChoiceLifetime::Instant);
     TimedOptions options = options_;
@@ -257,7 +258,7 @@ void ByInputs::search_passing(const Task& task) {
     }
 }
 
-void ByInputs::search(const Task& task) {
+void InputAbstractionCheck::search(const Task& task) {
     const InputAbstraction abstraction = abstract_inputs(loop_, instances_, task.levels, ablations_);
     const Network network = in_longest_unit(expand(observe_(abstraction.network)), abstraction.paced);
     TimedOptions options = options_;
@@ -306,10 +307,10 @@ void ByInputs::search(const Task& task) {
     std::ranges::move(next, std::back_inserter(tasks_));
 }
 
-void ByInputs::conclude(std::size_t k, const Verdict& found, const Task& task) {
+void InputAbstractionCheck::conclude(std::size_t k, const Verdict& found, const Task& task) {
     Verdict& verdict = result_.verdicts[k];
     verdict.outcome = found.outcome;
-    verdict.obstacle = Obstacle::None;
+    verdict.obstacle = UnknownReason::None;
     verdict.reason.clear();
     verdict.vacuous = found.vacuous;
     verdict.notes.insert(verdict.notes.end(), found.notes.begin(), found.notes.end());
@@ -320,7 +321,7 @@ void ByInputs::conclude(std::size_t k, const Verdict& found, const Task& task) {
 }
 
 /// The property of one verdict; for `reachable all steps` the step.
-Property ByInputs::single(std::size_t k) const {
+Property InputAbstractionCheck::single(std::size_t k) const {
     Property property = complete_.properties[result_.verdicts[k].about];
     if (property.pattern != Pattern::ReachableAllSteps) return property;
     std::size_t first = k;
@@ -330,13 +331,14 @@ Property ByInputs::single(std::size_t k) const {
 }
 
 /// If there is no real run, `raised` are the levels to try next.
-std::optional<Run> ByInputs::real_run(std::size_t k, const AbstractRun& abstract, const Task& task, Levels& raised) {
+std::optional<Run> InputAbstractionCheck::real_run(std::size_t k, const AbstractRun& abstract, const Task& task,
+                                                   Levels& raised) {
     // A guided search costs more than a coarse abstraction.
     if (task.coarse && first_impossible(abstract, true, raised)) return {};
     FollowLimits limits{.states = task.coarse ? limits_.followed_coarse : limits_.followed,
                         .deadline = deadline_,
                         .stop = options_.stop};
-    Followed followed = follow(complete_, single(k), abstract, limits);
+    ConcreteRun followed = follow(complete_, single(k), abstract, limits);
     if (followed.run) {
         for (Move& move : followed.run->moves)
             if (Delay* const delay = std::get_if<Delay>(&move))
@@ -351,17 +353,17 @@ std::optional<Run> ByInputs::real_run(std::size_t k, const AbstractRun& abstract
     return {};
 }
 
-/// Raises the level of one process that cannot do what the run requires of it, since few are usually needed: one that the
-/// property reads, or the first in the run. False if there is none.
-bool ByInputs::first_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const {
-    std::optional<Impossible> best;
+/// Raises the level of one process that cannot do what the run requires of it, since few are usually needed: one that
+/// the property reads, or the first in the run. False if there is none.
+bool InputAbstractionCheck::first_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const {
+    std::optional<SpuriousMove> best;
     std::size_t process = 0;
-    const auto rank = [&](std::size_t i, const Impossible& found) {
+    const auto rank = [&](std::size_t i, const SpuriousMove& found) {
         return std::pair(abstract.levels[i] == InputLevel::Chosen, found.at);
     };
     for (std::size_t i = 0; i < instances_.size() && !stopped(); ++i) {
         if (abstract.levels[i] == InputLevel::Complete) continue;
-        const std::optional<Impossible> found = impossible(complete_, abstract, i, waits);
+        const std::optional<SpuriousMove> found = impossible(complete_, abstract, i, waits);
         if (!found || (best && rank(i, *found) >= rank(process, *best))) continue;
         best = found;
         process = i;
@@ -372,7 +374,7 @@ bool ByInputs::first_impossible(const AbstractRun& abstract, bool waits, Levels&
     return true;
 }
 
-InputsAbstracted ByInputs::abstracted(const Levels& levels) const {
+InputsAbstracted InputAbstractionCheck::abstracted(const Levels& levels) const {
     InputsAbstracted made;
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const std::string& name = loop_.processes[instances_[i].process].name;
@@ -385,7 +387,7 @@ InputsAbstracted ByInputs::abstracted(const Levels& levels) const {
 
 InputSearch::InputSearch(const Network& loop, const Observe& observe, const TimedOptions& options, TimedResult& result,
                          const InputLimits& limits, const InputAblations& ablations)
-    : search_(std::make_unique<ByInputs>(loop, observe, options, result, limits, ablations)) {}
+    : search_(std::make_unique<InputAbstractionCheck>(loop, observe, options, result, limits, ablations)) {}
 
 InputSearch::~InputSearch() = default;
 

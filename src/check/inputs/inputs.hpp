@@ -3,13 +3,13 @@
 //
 // Each property begins with the coarsest levels: `Untimed` for the processes that it reads and for timers, `Chosen` for
 // the others. Properties with equal levels share a search, whose time unit is the greatest common divisor of the
-// durations in the abstraction. A verdict that the abstraction preserves is a verdict of the complete loop. A run that it
-// does not preserve is followed in the complete loop (follow.hpp); if that succeeds, it is a real run. Otherwise the
+// durations in the abstraction. A verdict that the abstraction preserves is a verdict of the complete loop. A run that
+// it does not preserve is followed in the complete loop (follow.hpp); if that succeeds, it is a real run. Otherwise the
 // level of a process that cannot do what the run requires of it is raised, and the search is repeated. A property that
 // remains open begins again with autonomous instances abstracted only.
 //
-// The searches run in rounds with growing bounds on states. A search that ends at the bound of a round is repeated in the
-// next round. So a property that a small search decides does not wait for one that needs a large search.
+// The searches run in rounds with growing bounds on states. A search that ends at the bound of a round is repeated in
+// the next round. So a property that a small search decides does not wait for one that needs a large search.
 //
 // An abstraction with a model error gives no verdict, since the states after the error are not explored.
 #pragma once
@@ -37,7 +37,7 @@ struct InputLimits {
 /// Bounds of the rounds.
 inline constexpr std::uint64_t input_rounds[] = {1U << 14U, 1U << 17U, 1U << 20U, 1U << 24U};
 
-class ByInputs;
+class InputAbstractionCheck;
 
 /// Decides the properties that `result` leaves open because of its bound on states.
 class InputSearch {
@@ -53,7 +53,7 @@ public:
     bool run(std::uint64_t states, const Deadline& deadline);
 
 private:
-    std::unique_ptr<ByInputs> search_;
+    std::unique_ptr<InputAbstractionCheck> search_;
 };
 
 }  // namespace grafverif

@@ -9,9 +9,9 @@ namespace grafverif::pdr {
 namespace {
 
 /// The complete circuit as clauses, gate by gate; variable n + 1 is node n.
-class WholeCircuit {
+class CircuitClauses {
 public:
-    WholeCircuit(const Circuit& circuit, Watch& watch) : solver_(watch) {
+    CircuitClauses(const Circuit& circuit, LimitMonitor& watch) : solver_(watch) {
         clause({-1});
         for (std::uint32_t node = 1; node < circuit.gates.size(); ++node) {
             if (!circuit.gates.is_gate(node)) continue;
@@ -35,23 +35,23 @@ private:
 
 }  // namespace
 
-std::string flaw(const Circuit& circuit, Literal bad, const std::vector<Cube>& cubes, Watch& watch) {
+std::string flaw(const Circuit& circuit, Literal bad, const std::vector<Cube>& cubes, LimitMonitor& watch) {
     std::unordered_map<std::uint32_t, Literal> next;
     for (const Circuit::Latch& latch : circuit.latches) next[latch.node] = latch.next;
-    WholeCircuit solver(circuit, watch);
+    CircuitClauses solver(circuit, watch);
     for (const Cube& cube : cubes) {
         std::vector<int> outside;
         for (const Literal literal : cube) {
             if (!next.contains(node_of(literal))) return "it contains a literal that is not a latch";
-            outside.push_back(-WholeCircuit::of(literal));
+            outside.push_back(-CircuitClauses::of(literal));
         }
         if (std::ranges::all_of(cube, is_inverted)) return "it excludes an initial state";
         solver.clause(outside);
     }
-    if (solver.possible({WholeCircuit::of(bad)})) return "it does not exclude the bad states";
+    if (solver.possible({CircuitClauses::of(bad)})) return "it does not exclude the bad states";
     for (const Cube& cube : cubes) {
         std::vector<int> after;
-        for (const Literal literal : cube) after.push_back(WholeCircuit::of(next[node_of(literal)] ^ (literal & 1U)));
+        for (const Literal literal : cube) after.push_back(CircuitClauses::of(next[node_of(literal)] ^ (literal & 1U)));
         if (solver.possible(after)) return "it is not inductive";
     }
     return {};

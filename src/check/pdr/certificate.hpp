@@ -16,6 +16,6 @@ using Cube = std::vector<Literal>;
 /// The reason why the complement of the cubes is not an inductive invariant that excludes `bad`; empty if it is one.
 /// Then no state with `bad` is reachable: the first state is in none of the cubes, no step leads from outside all cubes
 /// into one, and outside all cubes `bad` is false. Throws Exhausted.
-std::string flaw(const Circuit& circuit, Literal bad, const std::vector<Cube>& cubes, Watch& watch);
+std::string flaw(const Circuit& circuit, Literal bad, const std::vector<Cube>& cubes, LimitMonitor& watch);
 
 }  // namespace grafverif::pdr

@@ -10,7 +10,7 @@
 #include "check/pdr/equal_latches.hpp"
 #include "check/pdr/pdr.hpp"
 #include "check/pdr/unrolling.hpp"
-#include "check/refusal.hpp"
+#include "check/unsupported.hpp"
 #include "ir/probes.hpp"
 #include "support/element_of.hpp"
 
@@ -25,7 +25,7 @@ std::string refusal(Pattern pattern) {
     const bool about_runs =
         pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo || pattern == Pattern::AlwaysPossible;
     return about_runs ? "a property of runs, but this engine decides only properties of states"
-                      : untimed_refusal(pattern);
+                      : unsupported_reason(pattern);
 }
 
 class Check {
@@ -38,16 +38,16 @@ public:
           watch_({options.max_memory, options.deadline, options.stop}) {}
 
     PdrResult result() {
-        const std::unordered_set<std::string_view> asked(options_.properties.begin(), options_.properties.end());
-        look_for_faults();
+        const std::unordered_set<std::string_view> requested(options_.properties.begin(), options_.properties.end());
+        find_faults();
         for (const Id<Property> id : system_.properties.ids())
-            if (asked.empty() || asked.contains(system_.properties[id].name)) ask(id);
+            if (requested.empty() || requested.contains(system_.properties[id].name)) ask(id);
         switch (options_.method) {
         case PdrOptions::Method::Pdr: by_pdr({}); break;
         case PdrOptions::Method::Bmc: by_bmc({}); break;
-        case PdrOptions::Method::InTurns: in_turns(); break;
+        case PdrOptions::Method::InTurns: interleaved_steps(); break;
         }
-        for (Question& question : questions_) {
+        for (PropertyQuery& question : questions_) {
             result_.verdicts.push_back(std::move(question.verdict));
             result_.runs.push_back(std::move(question.run));
         }
@@ -59,7 +59,7 @@ private:
 
     static constexpr auto none = static_cast<std::size_t>(-1);
 
-    struct Question {
+    struct PropertyQuery {
         const Property& property;
         Verdict verdict = {};
         std::optional<SystemRun> run = {};
@@ -67,7 +67,7 @@ private:
         std::size_t cleared = 0;                  ///< number of initial states of every run in which `bad` is false
         bool open = true, has_value = false;      ///< has_value: proved for every reachable state
         const std::atomic<bool>* moot = nullptr;  ///< another engine has decided it
-        std::function<Answer()> search = {};      ///< an interrupted PDR search
+        std::function<PdrAnswer()> search = {};   ///< an interrupted PDR search
 
         bool is_open() const { return open && (moot == nullptr || !moot->load()); }
         bool wants() const { return property.pattern == Pattern::Reachable; }
@@ -76,17 +76,17 @@ private:
     /// Adds a query; queries that need no search are decided here.
     void ask(Id<Property> id) {
         const Property& property = system_.properties[id];
-        Question& question = questions_.emplace_back(Question{property, verdict_on(id, property)});
+        PropertyQuery& question = questions_.emplace_back(PropertyQuery{property, verdict_on(id, property)});
         if (const std::string why = refusal(property.pattern); !why.empty())
-            return give_up(question, Obstacle::Unsupported, why);
+            return give_up(question, UnknownReason::Unsupported, why);
         if (is_probe(property) && options_.method == PdrOptions::Method::Bmc)  // it never proves that a property holds
-            return give_up(question, Obstacle::Unsupported, "its property is not proved");
-        if (fault_obstacle_ != Obstacle::None) return give_up(question, fault_obstacle_, fault_reason_);
+            return give_up(question, UnknownReason::Unsupported, "its property is not proved");
+        if (fault_obstacle_ != UnknownReason::None) return give_up(question, fault_obstacle_, fault_reason_);
         question.target = &element_of(circuit_.targets, id, &Circuit::Target::about);
         if (options_.moot != nullptr) question.moot = &(*options_.moot)[id.index];
     }
 
-    void give_up(Question& question, Obstacle obstacle, std::string reason) {
+    void give_up(PropertyQuery& question, UnknownReason obstacle, std::string reason) {
         question.open = false;
         question.search = nullptr;
         question.run.reset();
@@ -99,30 +99,30 @@ private:
         if (cause == Exhausted::Cause::Stopped) return "stopped";
         return "memory limit of " + std::to_string(options_.max_memory >> 20U) + " MiB reached";
     }
-    static Obstacle obstacle(Exhausted::Cause cause) {
-        return cause == Exhausted::Cause::Stopped ? Obstacle::Stopped : Obstacle::Memory;
+    static UnknownReason obstacle(Exhausted::Cause cause) {
+        return cause == Exhausted::Cause::Stopped ? UnknownReason::Stopped : UnknownReason::Memory;
     }
 
     /// Searches for a state with `bad`. Both possible results are validated for every query, since other verdicts
     /// depend on faults and quiescence. `going_on`: an interrupted search, or empty; stores the search if it is
     /// interrupted again.
-    Answer searched(Literal bad, const std::string& name, std::function<Answer()>* going_on = nullptr) {
+    PdrAnswer searched(Literal bad, const std::string& name, std::function<PdrAnswer()>* going_on = nullptr) {
         const auto told = [this, &name](std::size_t frames) {
             if (options_.progress) options_.progress({name, frames, watch_.bytes(), seconds()});
         };
-        std::function<Answer()> search = going_on != nullptr ? *going_on : nullptr;
+        std::function<PdrAnswer()> search = going_on != nullptr ? *going_on : nullptr;
         if (options_.reach) search = [&] { return options_.reach(circuit_, bad, watch_); };
         else if (!search) search = search_for(circuit_, bad, watch_, told);
         if (going_on != nullptr) *going_on = search;
-        Answer answer = search();
+        PdrAnswer answer = search();
         if (going_on != nullptr) *going_on = nullptr;
         if (answer.reached) {
             if (!gets_to(bad, answer.inputs))
-                throw Unsound{"the trace for `" + name + "` is invalid: it does not reach the state"};
+                throw UnsoundResult{"the trace for `" + name + "` is invalid: it does not reach the state"};
             return answer;
         }
         if (const std::string why = flaw(circuit_, bad, answer.invariant, watch_); !why.empty())
-            throw Unsound{"the invariant for `" + name + "` is invalid: " + why};
+            throw UnsoundResult{"the invariant for `" + name + "` is invalid: " + why};
         return answer;
     }
 
@@ -138,7 +138,7 @@ private:
     }
 
     /// An unsound result of an internal engine.
-    struct Unsound {
+    struct UnsoundResult {
         std::string what = {};
     };
 
@@ -147,20 +147,20 @@ private:
         return std::chrono::duration<double>(Clock::now() - start).count();
     }
 
-    SystemRun run_of(const Answer& answer) const {
+    SystemRun run_of(const PdrAnswer& answer) const {
         SystemRun run;
-        for (const std::vector<std::int64_t>& state : told_run(answer).states)
+        for (const std::vector<std::int64_t>& state : external_trace(answer).states)
             run.states.push_back(symbol_values(flat_, state));
         return run;
     }
-    ToldRun told_run(const Answer& answer) const { return {states_of(circuit_, answer.inputs), {}}; }
+    ExternalTrace external_trace(const PdrAnswer& answer) const { return {states_of(circuit_, answer.inputs), {}}; }
 
     // -- validity of the system ------------------------------------------------------------------------------------
 
     /// Calls `work` and handles exhausted limits and invalid results: open queries then stay undecided.
     template <class Work>
     void guarded(const Work& work) {
-        obstacle_ = Obstacle::None;
+        obstacle_ = UnknownReason::None;
         try {
             work();
         } catch (const Exhausted& end) {
@@ -169,30 +169,30 @@ private:
         } catch (const std::bad_alloc&) {
             unrolling_.reset();  // an exception may have left these incomplete
             equal_latches_.reset();
-            obstacle_ = Obstacle::Memory;
+            obstacle_ = UnknownReason::Memory;
             reason_ = words(Exhausted::Cause::Memory);
         } catch (const Undecided& undecided) {
             obstacle_ = undecided.obstacle;
             reason_ = undecided.reason;
-        } catch (const Unsound& unsound) {
+        } catch (const UnsoundResult& unsound) {
             disbelieve(unsound.what);
         }
-        if (obstacle_ == Obstacle::Stopped && !watch_.over()) reason_ = "its share of the time limit is used up";
+        if (obstacle_ == UnknownReason::Stopped && !watch_.over()) reason_ = "its share of the time limit is used up";
     }
 
     /// For an internal engine a failure; the result of an external program is only rejected.
     void disbelieve(const std::string& what) {
         if (!options_.reach) result_.failures.push_back(what);
-        obstacle_ = options_.reach ? Obstacle::Disagrees : Obstacle::Failed;
-        reason_ = options_.reach ? std::string(word(Obstacle::Disagrees)) + ": " + what : "this engine failed";
+        obstacle_ = options_.reach ? UnknownReason::Disagrees : UnknownReason::Failed;
+        reason_ = options_.reach ? std::string(word(UnknownReason::Disagrees)) + ": " + what : "this engine failed";
     }
 
-    void look_for_faults() {
+    void find_faults() {
         guarded([this] {
             if (!starts()) result_.fault = SystemFault{SystemFault::Kind::NoInitialState, {}, {}};
-            else look_for_leaks();
+            else find_leaks();
         });
-        fault_obstacle_ = result_.fault ? Obstacle::Faulty : obstacle_;
+        fault_obstacle_ = result_.fault ? UnknownReason::Faulty : obstacle_;
         fault_reason_ = result_.fault ? "model error; see above" : reason_;
     }
 
@@ -206,14 +206,14 @@ private:
 
     /// If all values are initially in range, and no step leaves the range, they stay in range. For a step that may
     /// leave it, a search determines whether it is reachable.
-    void look_for_leaks() {
+    void find_leaks() {
         Solver solver(circuit_, watch_);
         const int in_range = circuit_.leaks.empty() ? 0 : solver.of(circuit_.in_range);
         for (const Circuit::Leak& leak : circuit_.leaks) {
             const int bad = solver.of(leak.bad);
             if (!solver.solve(std::vector{in_range, bad})) continue;
             const std::string& name = flat_.variables[leak.variable].name;
-            if (const Answer answer = searched(leak.bad, name); answer.reached) {
+            if (const PdrAnswer answer = searched(leak.bad, name); answer.reached) {
                 result_.fault = SystemFault{SystemFault::Kind::OutOfRange, name, run_of(answer)};
                 return;
             }
@@ -222,22 +222,22 @@ private:
 
     // -- properties --------------------------------------------------------------------------------------------------
 
-    bool any_open() const { return std::ranges::any_of(questions_, &Question::is_open); }
+    bool any_open() const { return std::ranges::any_of(questions_, &PropertyQuery::is_open); }
 
     /// False for a probe of a property that does not hold.
-    bool matters(const Question& question) const {
+    bool matters(const PropertyQuery& question) const {
         if (!is_probe(question.property)) return true;
         const auto of = std::ranges::find(questions_, probed_by(question.property),
-                                          [](const Question& each) { return each.property.name; });
+                                          [](const PropertyQuery& each) { return each.property.name; });
         return of == questions_.end() || of->open || of->verdict.outcome == Outcome::Holds;
     }
 
     /// Decides the queries sequentially, each with its share of the time, or for at most `time`; undecided ones stay
     /// open.
     void by_pdr(std::optional<Clock::duration> time) {
-        auto left = static_cast<std::size_t>(std::ranges::count_if(questions_, &Question::is_open));
-        for (Question& question : questions_) {
-            if (!matters(question)) give_up(question, Obstacle::Stopped, "its property is violated");
+        auto left = static_cast<std::size_t>(std::ranges::count_if(questions_, &PropertyQuery::is_open));
+        for (PropertyQuery& question : questions_) {
+            if (!matters(question)) give_up(question, UnknownReason::Stopped, "its property is violated");
             if (!question.is_open()) question.search = nullptr;
             if (!question.is_open()) continue;
             const auto start = Clock::now();
@@ -254,21 +254,21 @@ private:
     }
 
     /// Evaluates the work on a query. `later`: it may continue if only its share of the time is used up.
-    void conclude(Question& question, const char* by, bool later) {
-        if (obstacle_ == Obstacle::None) {
+    void conclude(PropertyQuery& question, const char* by, bool later) {
+        if (obstacle_ == UnknownReason::None) {
             if (options_.method != PdrOptions::Method::InTurns || question.verdict.outcome == Outcome::Unknown) return;
             question.verdict.notes.push_back(std::string("decided by ") + by);
             if (options_.answered) options_.answered(question.verdict, question.run);
-        } else if (!later || obstacle_ != Obstacle::Stopped || watch_.over()) {
+        } else if (!later || obstacle_ != UnknownReason::Stopped || watch_.over()) {
             give_up(question, obstacle_, what_is_cleared(question));
         }
     }
 
     /// An interrupted PDR search loses its current obligation: with few queries, each gets a longer first round.
-    void in_turns() {
+    void interleaved_steps() {
         constexpr std::ptrdiff_t few = 8;
-        const auto open = std::max<std::ptrdiff_t>(1, std::ranges::count_if(questions_, &Question::is_open));
-        for (Clock::duration time = options_.first_turn * std::max<std::ptrdiff_t>(1, few / open); any_open();
+        const auto open = std::max<std::ptrdiff_t>(1, std::ranges::count_if(questions_, &PropertyQuery::is_open));
+        for (Clock::duration time = options_.first_step_of * std::max<std::ptrdiff_t>(1, few / open); any_open();
              time *= 4) {
             const auto start = Clock::now();
             by_pdr(time);
@@ -276,14 +276,15 @@ private:
         }
     }
 
-    void decide(Question& question) {
+    void decide(PropertyQuery& question) {
         const Property& property = question.property;
         if (has_no_value(question)) return;
         const auto start = Clock::now();
-        const bool in_turns = options_.method == PdrOptions::Method::InTurns;
-        std::optional<Answer> known = proved_by_equal_latches(question.target->bad);
-        Answer answer = known ? std::move(*known)
-                              : searched(question.target->bad, property.name, in_turns ? &question.search : nullptr);
+        const bool interleaved_steps = options_.method == PdrOptions::Method::InTurns;
+        std::optional<PdrAnswer> known = proved_by_equal_latches(question.target->bad);
+        PdrAnswer answer =
+            known ? std::move(*known)
+                  : searched(question.target->bad, property.name, interleaved_steps ? &question.search : nullptr);
         if (answer.reached) {
             if (!options_.reach && !is_probe(property)) shorten(question, answer, Clock::now() - start);
             return reached(question, answer);
@@ -297,32 +298,32 @@ private:
         if (!question.wants() && property.at_stable) mark_vacuous(question.verdict);
     }
 
-    std::optional<Answer> proved_by_equal_latches(Literal bad) {
+    std::optional<PdrAnswer> proved_by_equal_latches(Literal bad) {
         if (!options_.equal_latches) return {};
         if (!equal_latches_) equal_latches_.emplace(circuit_, watch_);
         const std::vector<Cube>& cubes = equal_latches_->cubes();
         if (!flaw(circuit_, bad, cubes, watch_).empty()) return {};
-        return Answer{.invariant = cubes};
+        return PdrAnswer{.invariant = cubes};
     }
 
-    bool has_no_value(Question& question) {
+    bool has_no_value(PropertyQuery& question) {
         const Literal undefined = question.target->undefined;
         question.has_value =
             question.has_value || undefined == Gates::no || !searched(undefined, question.property.name).reached;
         if (question.has_value) return false;
-        give_up(question, Obstacle::Faulty, "its condition divides by zero in some reachable state");
+        give_up(question, UnknownReason::Faulty, "its condition divides by zero in some reachable state");
         return true;
     }
 
-    void close(Question& question, Outcome outcome) {
+    void close(PropertyQuery& question, Outcome outcome) {
         question.open = false;
         question.verdict.outcome = outcome;
     }
 
     /// Validates the run in `answer` by the terms of the system.
-    void reached(Question& question, const Answer& answer) {
-        if (const std::string why = doubt(system_, flat_, question.property, told_run(answer)); !why.empty())
-            throw Unsound{"the trace for `" + question.property.name + "` is invalid: " + why};
+    void reached(PropertyQuery& question, const PdrAnswer& answer) {
+        if (const std::string why = doubt(system_, flat_, question.property, external_trace(answer)); !why.empty())
+            throw UnsoundResult{"the trace for `" + question.property.name + "` is invalid: " + why};
         question.run = run_of(answer);
         close(question, question.wants() ? Outcome::Holds : Outcome::Violated);
         if (options_.reach) return;
@@ -333,7 +334,7 @@ private:
     // -- bounded model checking --------------------------------------------------------------------------------------
 
     /// Searches for a shorter run, for about as long as it took to find this one.
-    void shorten(Question& question, Answer& answer, Clock::duration took) {
+    void shorten(PropertyQuery& question, PdrAnswer& answer, Clock::duration took) {
         watch_.limit(took + std::chrono::seconds(2));
         try {
             while (question.cleared + 1 < answer.inputs.size())
@@ -346,11 +347,12 @@ private:
     }
 
     /// A run to the first state that has not been searched yet; nothing if there is none.
-    std::optional<RunInputs> next_step(Question& question) {
+    std::optional<RunInputs> next_step(PropertyQuery& question) {
         if (!unrolling_) unrolling_.emplace(circuit_, watch_);
         std::optional<RunInputs> found = unrolling_->run_to(question.target->bad, question.cleared);
         if (found && !gets_to(question.target->bad, *found))
-            throw Unsound{"the trace for `" + question.property.name + "` is invalid: it does not reach the state"};
+            throw UnsoundResult{"the trace for `" + question.property.name +
+                                "` is invalid: it does not reach the state"};
         if (!found) ++question.cleared;
         return found;
     }
@@ -361,19 +363,19 @@ private:
         if (!time) refuse_what_has_no_value();
         const auto end = Clock::now() + time.value_or(Clock::duration::zero());
         std::size_t told = none;
-        while (Question* question = least_looked_at()) {
+        while (PropertyQuery* question = least_looked_at()) {
             if (options_.progress && told != question->cleared)
                 options_.progress({{}, told = question->cleared, watch_.bytes(), seconds()});
             if (time) watch_.limit(end - Clock::now());
             watch_.end_with(question->moot);
-            obstacle_ = Obstacle::Bound;
+            obstacle_ = UnknownReason::Bound;
             if (question->cleared <= options_.max_steps.value_or(none))
                 guarded([&] {
                     if (auto inputs = next_step(*question))
                         reached(*question, {.reached = true, .inputs = std::move(*inputs)});
                 });
             question->verdict.seconds = seconds();
-            if (time && obstacle_ == Obstacle::Memory) {  // PDR may need less
+            if (time && obstacle_ == UnknownReason::Memory) {  // PDR may need less
                 unrolling_.reset();
                 without_bmc_ = true;
                 return;
@@ -384,25 +386,25 @@ private:
     }
 
     void refuse_what_has_no_value() {
-        for (Question& question : questions_) {
+        for (PropertyQuery& question : questions_) {
             if (!question.is_open()) continue;
             guarded([&] { has_no_value(question); });
-            if (obstacle_ != Obstacle::None) give_up(question, obstacle_, reason_);
+            if (obstacle_ != UnknownReason::None) give_up(question, obstacle_, reason_);
         }
     }
 
     /// The open query with a value that has been searched least; null if there is none.
-    Question* least_looked_at() {
-        Question* least = nullptr;
-        for (Question& question : questions_)
+    PropertyQuery* least_looked_at() {
+        PropertyQuery* least = nullptr;
+        for (PropertyQuery& question : questions_)
             if (question.is_open() && question.has_value && (least == nullptr || question.cleared < least->cleared))
                 least = &question;
         return least;
     }
 
     /// The reason why BMC ends without a run, and the length of the searched runs.
-    std::string what_is_cleared(const Question& question) const {
-        std::string words = obstacle_ == Obstacle::Bound ? "" : reason_;
+    std::string what_is_cleared(const PropertyQuery& question) const {
+        std::string words = obstacle_ == UnknownReason::Bound ? "" : reason_;
         if (question.cleared == 0) return words;
         const std::size_t steps = question.cleared - 1;
         return words + (words.empty() ? "" : "; ") + "no run of up to " + std::to_string(steps) +
@@ -426,15 +428,15 @@ private:
     Clock::time_point start_ = Clock::now();
     FlatSystem flat_;
     Circuit circuit_;
-    Watch watch_;
+    LimitMonitor watch_;
     PdrResult result_ = {};
-    std::vector<Question> questions_ = {};
+    std::vector<PropertyQuery> questions_ = {};
     std::optional<Unrolling> unrolling_ = {};
     std::optional<EqualLatches> equal_latches_ = {};
-    bool without_bmc_ = false;            ///< there is not enough memory for it
-    Obstacle obstacle_ = Obstacle::None;  ///< of the current work
+    bool without_bmc_ = false;                      ///< there is not enough memory for it
+    UnknownReason obstacle_ = UnknownReason::None;  ///< of the current work
     std::string reason_ = {};
-    Obstacle fault_obstacle_ = Obstacle::None;  ///< of the search for faults
+    UnknownReason fault_obstacle_ = UnknownReason::None;  ///< of the search for faults
     std::string fault_reason_ = {};
     std::optional<bool> settled_ = {};  ///< true if some state is quiescent
 };

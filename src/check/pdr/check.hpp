@@ -32,7 +32,7 @@ struct PdrProgress {
 
 /// Thrown by an engine in place of PDR without a result, or with an invalid one.
 struct Undecided {
-    Obstacle obstacle = Obstacle::Failed;
+    UnknownReason obstacle = UnknownReason::Failed;
     std::string reason = {};
 };
 
@@ -41,11 +41,11 @@ struct PdrOptions {
     /// time. A note names the engine that found the verdict.
     enum class Method { Pdr, Bmc, InTurns };
     Method method = Method::Pdr;
-    std::chrono::steady_clock::duration first_turn = std::chrono::milliseconds(250);
+    std::chrono::steady_clock::duration first_step_of = std::chrono::milliseconds(250);
     std::optional<std::size_t> max_steps =
         {};  ///< for BMC: length of the searched runs; empty: limited by time and memory only
     /// Searches in place of PDR, as pdr::reach does; its results are validated.
-    std::function<pdr::Answer(const Circuit& circuit, pdr::Literal bad, pdr::Watch& watch)> reach = {};
+    std::function<pdr::PdrAnswer(const Circuit& circuit, pdr::Literal bad, pdr::LimitMonitor& watch)> reach = {};
     bool equal_latches =
         false;  ///< first try the invariant that latches are equal: for the product of two similar systems
     std::vector<std::string> properties = {};            ///< names; empty: all

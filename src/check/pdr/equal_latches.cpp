@@ -15,7 +15,7 @@ constexpr std::size_t runs = 8, states_of_a_run = 64;
 
 }  // namespace
 
-EqualLatches::EqualLatches(const Circuit& circuit, Watch& watch)
+EqualLatches::EqualLatches(const Circuit& circuit, LimitMonitor& watch)
     : circuit_(circuit), watch_(watch), class_of_(circuit.latches.size()) {}
 
 /// Splits each class by value; class 0 keeps the latches whose value is false.

@@ -18,7 +18,7 @@ namespace grafverif::pdr {
 class EqualLatches {
 public:
     /// Both arguments must outlive the object.
-    EqualLatches(const Circuit& circuit, Watch& watch);
+    EqualLatches(const Circuit& circuit, LimitMonitor& watch);
 
     /// Unreachable states, in which two latches would differ: the cubes of an inductive invariant, see flaw. Throws
     /// Exhausted; another call continues.
@@ -31,7 +31,7 @@ private:
     void split(const Value& value);
 
     const Circuit& circuit_;
-    Watch& watch_;
+    LimitMonitor& watch_;
     std::vector<std::size_t> class_of_;  ///< per latch; 0: equal to the constant false
     std::optional<Solver> solver_ = {};
     bool split_by_runs_ = false;

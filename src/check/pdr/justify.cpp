@@ -32,8 +32,8 @@ void Justifier::collect(const std::vector<Gates::Literal>& targets) {
     std::ranges::sort(cone_);
 }
 
-Justifier::Part Justifier::part(const std::vector<Gates::Literal>& targets,
-                                const std::function<bool(Gates::Literal)>& value) {
+Justifier::Justification Justifier::part(const std::vector<Gates::Literal>& targets,
+                                         const std::function<bool(Gates::Literal)>& value) {
     ++round_;
     collect(targets);
     const auto holds = [this](Gates::Literal literal) {
@@ -53,7 +53,7 @@ Justifier::Part Justifier::part(const std::vector<Gates::Literal>& targets,
         cost_[node] = left == right ? (left ? std::min(many, left_cost + right_cost) : std::min(left_cost, right_cost))
                                     : (left ? right_cost : left_cost);
     }
-    Part part;
+    Justification part;
     for (const Gates::Literal target : targets) needed_[node_of(target)] = round_;
     for (std::size_t i = cone_.size(); i-- > 0;) {
         const std::uint32_t node = cone_[i];

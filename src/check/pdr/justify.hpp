@@ -18,12 +18,12 @@ class Justifier {
 public:
     explicit Justifier(const Circuit& circuit);
 
-    struct Part {
+    struct Justification {
         Sources latches = {}, inputs = {};  ///< literals that are true; increasing
     };
     /// `value`: of every literal in the cone of `targets`, all of which are true. Minimizes the number of latches by a
     /// greedy pass over the gates.
-    Part part(const std::vector<Gates::Literal>& targets, const std::function<bool(Gates::Literal)>& value);
+    Justification part(const std::vector<Gates::Literal>& targets, const std::function<bool(Gates::Literal)>& value);
 
 private:
     void collect(const std::vector<Gates::Literal>& targets);

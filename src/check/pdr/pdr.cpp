@@ -29,15 +29,15 @@ struct Obligation {
     std::size_t frame = 0, depth = 0;
 };
 
-class Search {
+class PdrSearch {
 public:
-    Search(const Circuit& circuit, Literal bad, Watch& watch, std::function<void(std::size_t)> progress)
+    PdrSearch(const Circuit& circuit, Literal bad, LimitMonitor& watch, std::function<void(std::size_t)> progress)
         : circuit_(circuit), bad_(bad), watch_(watch), progress_(std::move(progress)), justifier_(circuit) {
         for (const Circuit::Latch& latch : circuit.latches) next_[latch.node] = latch.next;
     }
 
     /// After Exhausted, another call continues.
-    Answer result() {
+    PdrAnswer result() {
         obligations_.clear();
         if (frames_.empty()) add_frame();  // frame 0: the first state
         if (!solver_) renew();
@@ -127,7 +127,8 @@ private:
 
     /// From the solver's model: the part of it that makes `targets` true.
     Obligation found_for(const std::vector<Literal>& targets) {
-        Justifier::Part part = justifier_.part(targets, [this](Literal literal) { return solver_->value(literal); });
+        Justifier::Justification part =
+            justifier_.part(targets, [this](Literal literal) { return solver_->value(literal); });
         Obligation found;
         found.state = std::move(part.latches);
         found.inputs = std::move(part.inputs);
@@ -196,8 +197,8 @@ private:
     }
 
     /// Excludes a generalization of the cube from the frame and from later frames that contain it.
-    void learn(Cube cube, std::size_t frame, bool in_the_way = false) {
-        generalise(cube, frame - 1, in_the_way);
+    void learn(Cube cube, std::size_t frame, bool obstacles = false) {
+        generalise(cube, frame - 1, obstacles);
         Cube core;
         while (frame < top() && !steps_into(cube, frame, true, core)) {
             cube = core;
@@ -211,7 +212,7 @@ private:
     }
 
     /// Removes literals that the cube does not need, beginning with those that were least useful so far.
-    void generalise(Cube& cube, std::size_t before, bool in_the_way) {
+    void generalise(Cube& cube, std::size_t before, bool obstacles) {
         Cube order = cube;
         std::ranges::stable_sort(order, {}, [this](Literal literal) {
             const auto found = uses_.find(literal);
@@ -221,18 +222,18 @@ private:
             if (cube.size() == 1 || !std::ranges::binary_search(cube, literal)) continue;
             Cube fewer = cube;
             std::erase(fewer, literal);
-            if (excludes(fewer, before, in_the_way)) cube = std::move(fewer);
+            if (excludes(fewer, before, obstacles)) cube = std::move(fewer);
         }
     }
 
     /// True if the step relation excludes the cube; reduces it to the part needed for that. A state that prevents this
     /// is excluded itself if it has no predecessors; the number of these attempts is limited (Hassan, Bradley and
     /// Somenzi 2013: "Better generalization in IC3").
-    bool excludes(Cube& cube, std::size_t before, bool in_the_way) {
+    bool excludes(Cube& cube, std::size_t before, bool obstacles) {
         if (holds_first_state(cube)) return false;
         Cube core;
         for (unsigned left = 3; steps_into(cube, before, true, core); --left) {
-            if (in_the_way || left == 0 || before == 0) return false;
+            if (obstacles || left == 0 || before == 0) return false;
             const Cube state = found_for(nexts_of(cube)).state;
             if (holds_first_state(state) || steps_into(state, before - 1, true, core)) return false;
             learn(std::move(core), before, true);
@@ -261,8 +262,8 @@ private:
 
     // -- results ---------------------------------------------------------------------------------------------------
 
-    Answer reached(std::size_t at) const {
-        Answer answer{.reached = true, .frames = top()};
+    PdrAnswer reached(std::size_t at) const {
+        PdrAnswer answer{.reached = true, .frames = top()};
         std::unordered_map<std::uint32_t, std::size_t> place;
         for (std::size_t i = 0; i < circuit_.inputs.size(); ++i) place[circuit_.inputs[i].node] = i;
         for (;;) {
@@ -274,8 +275,8 @@ private:
         }
     }
 
-    Answer unreached(std::size_t frame) const {
-        Answer answer{.frames = top()};
+    PdrAnswer unreached(std::size_t frame) const {
+        PdrAnswer answer{.frames = top()};
         for (std::size_t i = frame + 1; i < frames_.size(); ++i)
             answer.invariant.insert(answer.invariant.end(), frames_[i].begin(), frames_[i].end());
         return answer;
@@ -283,7 +284,7 @@ private:
 
     const Circuit& circuit_;
     Literal bad_;
-    Watch& watch_;
+    LimitMonitor& watch_;
     std::function<void(std::size_t)> progress_;
     Justifier justifier_;
     std::unordered_map<std::uint32_t, Literal> next_ = {};  ///< per node of a latch
@@ -297,13 +298,15 @@ private:
 
 }  // namespace
 
-Answer reach(const Circuit& circuit, Literal bad, Watch& watch, const std::function<void(std::size_t)>& progress) {
-    return Search(circuit, bad, watch, progress).result();
+PdrAnswer reach(const Circuit& circuit, Literal bad, LimitMonitor& watch,
+                const std::function<void(std::size_t)>& progress) {
+    return PdrSearch(circuit, bad, watch, progress).result();
 }
 
-std::function<Answer()> search_for(const Circuit& circuit, Literal bad, Watch& watch,
-                                   std::function<void(std::size_t)> progress) {
-    return [search = std::make_shared<Search>(circuit, bad, watch, std::move(progress))] { return search->result(); };
+std::function<PdrAnswer()> search_for(const Circuit& circuit, Literal bad, LimitMonitor& watch,
+                                      std::function<void(std::size_t)> progress) {
+    return
+        [search = std::make_shared<PdrSearch>(circuit, bad, watch, std::move(progress))] { return search->result(); };
 }
 
 }  // namespace grafverif::pdr

@@ -17,7 +17,7 @@
 
 namespace grafverif::pdr {
 
-struct Answer {
+struct PdrAnswer {
     bool reached = false;
     /// If reachable: the inputs of each state of a run to it; `bad` is true in the last.
     std::vector<std::vector<bool>> inputs = {};
@@ -27,9 +27,10 @@ struct Answer {
 };
 
 /// Throws Exhausted. `progress` is called with the number of frames.
-Answer reach(const Circuit& circuit, Literal bad, Watch& watch, const std::function<void(std::size_t)>& progress = {});
+PdrAnswer reach(const Circuit& circuit, Literal bad, LimitMonitor& watch,
+                const std::function<void(std::size_t)>& progress = {});
 /// A resumable search: after Exhausted, another call continues. Circuit and watch must outlive it.
-std::function<Answer()> search_for(const Circuit& circuit, Literal bad, Watch& watch,
-                                   std::function<void(std::size_t)> progress);
+std::function<PdrAnswer()> search_for(const Circuit& circuit, Literal bad, LimitMonitor& watch,
+                                      std::function<void(std::size_t)> progress);
 
 }  // namespace grafverif::pdr

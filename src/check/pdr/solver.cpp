@@ -27,9 +27,10 @@ std::uint64_t allocated() {
 
 }  // namespace
 
-Watch::Watch(const Bounds& bounds) : bounds_(bounds), share_(bounds.deadline), before_(allocated()) {}
+LimitMonitor::LimitMonitor(const SolverLimits& bounds)
+    : bounds_(bounds), share_(bounds.deadline), before_(allocated()) {}
 
-void Watch::share(std::size_t parts) {
+void LimitMonitor::share(std::size_t parts) {
     met_.reset();
     calls_ = 0;
     share_ = bounds_.deadline;  // a limit of earlier work no longer applies
@@ -38,24 +39,24 @@ void Watch::share(std::size_t parts) {
     if (now < *bounds_.deadline) share_ = now + (*bounds_.deadline - now) / static_cast<std::int64_t>(parts);
 }
 
-void Watch::limit(std::chrono::steady_clock::duration time) {
+void LimitMonitor::limit(std::chrono::steady_clock::duration time) {
     met_.reset();
     calls_ = 0;
     share_ = std::chrono::steady_clock::now() + time;
     if (bounds_.deadline) share_ = std::min(*share_, *bounds_.deadline);
 }
 
-bool Watch::over() const {
+bool LimitMonitor::over() const {
     return (bounds_.stop != nullptr && bounds_.stop->load()) ||
            (bounds_.deadline && std::chrono::steady_clock::now() >= *bounds_.deadline);
 }
 
-std::uint64_t Watch::bytes() const {
+std::uint64_t LimitMonitor::bytes() const {
     const std::uint64_t now = allocated();
     return now > before_ ? now - before_ : 0;
 }
 
-bool Watch::terminate() {
+bool LimitMonitor::terminate() {
     if (met_) return true;
     for (const std::atomic<bool>* each : {bounds_.stop, moot_})
         if (each != nullptr && each->load(std::memory_order_relaxed)) met_ = Exhausted::Cause::Stopped;
@@ -69,11 +70,11 @@ bool Watch::terminate() {
     return met_.has_value();
 }
 
-void Watch::look() {
+void LimitMonitor::look() {
     if (terminate()) throw Exhausted{*met_};
 }
 
-SatSolver::SatSolver(Watch& watch) : watch_(watch), solver_(std::make_unique<CaDiCaL::Solver>()) {
+SatSolver::SatSolver(LimitMonitor& watch) : watch_(watch), solver_(std::make_unique<CaDiCaL::Solver>()) {
     solver_->set("quiet", 1);
     solver_->set("profile", 0);  // it would query the clock in every call
     solver_->connect_terminator(&watch);
@@ -129,7 +130,7 @@ bool SatSolver::failed(int assumption) {
     return guarded([&] { return solver_->failed(assumption); });
 }
 
-Solver::Solver(const Circuit& circuit, Watch& watch)
+Solver::Solver(const Circuit& circuit, LimitMonitor& watch)
     : circuit_(circuit), solver_(watch), variable_(circuit.gates.size()), is_latch_(circuit.gates.size()) {
     solver_.expect_small_queries();
     for (const Circuit::Latch& latch : circuit.latches) is_latch_[latch.node] = true;

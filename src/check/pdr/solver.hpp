@@ -19,7 +19,7 @@ namespace grafverif::pdr {
 using Literal = Gates::Literal;
 
 /// Limits of the work.
-struct Bounds {
+struct SolverLimits {
     std::uint64_t memory = std::uint64_t{2} << 30U;  ///< bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;
@@ -32,9 +32,9 @@ struct Exhausted {
 };
 
 /// Polls the limits, during the solver's work and for other callers.
-class Watch final : public CaDiCaL::Terminator {
+class LimitMonitor final : public CaDiCaL::Terminator {
 public:
-    explicit Watch(const Bounds& bounds);
+    explicit LimitMonitor(const SolverLimits& bounds);
 
     /// From now on one of `parts` equal shares of the remaining time is the limit; work that exceeds it may continue in
     /// the next share.
@@ -53,7 +53,7 @@ public:
     std::uint64_t bytes() const;  ///< memory allocated since construction
 
 private:
-    Bounds bounds_;
+    SolverLimits bounds_;
     std::optional<std::chrono::steady_clock::time_point> share_ = {};  ///< the current deadline
     const std::atomic<bool>* moot_ = nullptr;
     std::uint64_t before_ = 0;
@@ -62,12 +62,12 @@ private:
     std::optional<Exhausted::Cause> met_ = {};
 };
 
-/// CaDiCaL with the bounds of a Watch. An exception from it, such as std::bad_alloc, leaves it unusable: it aborts the
-/// process when it is called again, and its destructor may release a wrong address (Internal::enlarge in 1.5.3). After
-/// one, every call throws std::bad_alloc, and the memory of the solver is not released.
+/// CaDiCaL with the bounds of a LimitMonitor. An exception from it, such as std::bad_alloc, leaves it unusable: it
+/// aborts the process when it is called again, and its destructor may release a wrong address (Internal::enlarge in
+/// 1.5.3). After one, every call throws std::bad_alloc, and the memory of the solver is not released.
 class SatSolver {
 public:
-    explicit SatSolver(Watch& watch);
+    explicit SatSolver(LimitMonitor& watch);
     ~SatSolver();
     SatSolver(const SatSolver&) = delete;
     SatSolver& operator=(const SatSolver&) = delete;
@@ -86,7 +86,7 @@ private:
     template <class Work>
     auto guarded(const Work& work) const;
 
-    Watch& watch_;
+    LimitMonitor& watch_;
     std::unique_ptr<CaDiCaL::Solver> solver_;
     mutable bool broken_ = false;
 };
@@ -94,7 +94,7 @@ private:
 class Solver {
 public:
     /// All arguments must outlive the object; the circuit may gain gates.
-    Solver(const Circuit& circuit, Watch& watch);
+    Solver(const Circuit& circuit, LimitMonitor& watch);
 
     /// The solver's literal for one of the circuit; adds the clauses of its gates.
     int of(Literal literal);

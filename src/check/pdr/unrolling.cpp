@@ -6,7 +6,7 @@
 
 namespace grafverif::pdr {
 
-Unrolling::Unrolling(const Circuit& circuit, Watch& watch)
+Unrolling::Unrolling(const Circuit& circuit, LimitMonitor& watch)
     : circuit_(circuit),
       watch_(watch),
       next_(circuit.gates.size()),
@@ -67,13 +67,13 @@ Literal Unrolling::at(Literal literal, std::size_t step) {
 std::optional<RunInputs> Unrolling::run_to(Literal bad, std::size_t steps) {
     const Literal there = at(bad, steps);
     if (there == Gates::no) return {};
-    const int asked = solver_.of(there);
-    if (solver_.solve(std::array{asked})) return inputs_of_answer(steps);
-    solver_.add(std::array{-asked});
+    const int requested = solver_.of(there);
+    if (solver_.solve(std::array{requested})) return inputs_of_result(steps);
+    solver_.add(std::array{-requested});
     return {};
 }
 
-RunInputs Unrolling::inputs_of_answer(std::size_t steps) const {
+RunInputs Unrolling::inputs_of_result(std::size_t steps) const {
     RunInputs inputs;
     for (std::size_t step = 0; step <= steps; ++step) {
         std::vector<bool>& values = inputs.emplace_back();

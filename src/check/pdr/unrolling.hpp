@@ -19,7 +19,7 @@ using RunInputs = std::vector<std::vector<bool>>;
 class Unrolling {
 public:
     /// Both arguments must outlive the object.
-    Unrolling(const Circuit& circuit, Watch& watch);
+    Unrolling(const Circuit& circuit, LimitMonitor& watch);
 
     /// A run with `bad` in the state after that many steps; nothing if there is none, which is recorded. Throws
     /// Exhausted; may be called again after that.
@@ -30,10 +30,10 @@ private:
 
     Literal at(Literal literal, std::size_t step);
     bool settle(std::uint32_t node, std::size_t step);
-    RunInputs inputs_of_answer(std::size_t steps) const;
+    RunInputs inputs_of_result(std::size_t steps) const;
 
     const Circuit& circuit_;
-    Watch& watch_;
+    LimitMonitor& watch_;
     std::vector<Literal> next_;                      ///< per node of a latch
     std::vector<bool> is_latch_;                     ///< per node
     Circuit unrolled_ = {};                          ///< only gates

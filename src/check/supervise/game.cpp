@@ -33,12 +33,12 @@ Bdd Game::unwilling(const Bdd& to) const {
     return found & reached_;
 }
 
-Bdd Game::allowed(std::size_t player, const Lost& lost) const {
+Bdd Game::allowed(std::size_t player, const LosingRegion& lost) const {
     return ready(player) & ~lost.all & ~evolves_to(player, lost.all);
 }
 
 /// The winning states from which a path through winning states leads to a marked one.
-Bdd Game::coreachable(const Lost& lost, const Bdd& marked) const {
+Bdd Game::coreachable(const LosingRegion& lost, const Bdd& marked) const {
     const Bdd won = reached_ & ~lost.all;
     std::vector<Bdd> pairs;
     for (std::size_t player = 0; player < players(); ++player) pairs.push_back(allowed(player, lost));
@@ -53,7 +53,7 @@ Bdd Game::coreachable(const Lost& lost, const Bdd& marked) const {
     return found;
 }
 
-Lost Game::solve(const Bdd& bad, const Bdd& marked, Lost lost) const {
+LosingRegion Game::solve(const Bdd& bad, const Bdd& marked, LosingRegion lost) const {
     const auto add = [&](const Bdd& states, bool blocked) {
         const Bdd found = states & reached_ & ~lost.all;
         if (found.is_false()) return false;

@@ -28,7 +28,7 @@ struct Player {
 
 /// The losing states, in the order of their detection: each set is bad or blocked, or one move or evolution leads from
 /// each of its states to earlier ones.
-struct Lost {
+struct LosingRegion {
     struct Stage {
         Bdd states = {};
         bool blocked = false;  ///< no marked state is reachable from here without an earlier losing state
@@ -63,20 +63,20 @@ public:
     Bdd states(const Bdd& pairs) const { return exists(pairs, all_may_); }
 
     /// All losing states for the bad states `bad`; `lost`: those already known.
-    Lost solve(const Bdd& bad, const Bdd& marked, Lost lost = {}) const;
+    LosingRegion solve(const Bdd& bad, const Bdd& marked, LosingRegion lost = {}) const;
     /// The pairs of winning states in which the player can evolve, and permissions whose evolution leads to a winning
     /// state.
-    Bdd allowed(std::size_t player, const Lost& lost) const;
+    Bdd allowed(std::size_t player, const LosingRegion& lost) const;
 
 private:
     Bdd unwilling(const Bdd& to) const;
-    Bdd coreachable(const Lost& lost, const Bdd& marked) const;
+    Bdd coreachable(const LosingRegion& lost, const Bdd& marked) const;
 
     const symbolic::StateSpace& model_;
     std::vector<Player> players_ = {};
     Bdd reached_ = {}, all_may_ = {}, is_move_ = {};
-    std::deque<bdd::Steps> moves_ = {};
-    std::vector<std::deque<bdd::Steps>> evolutions_ = {};
+    std::deque<bdd::ClusterSteps> moves_ = {};
+    std::vector<std::deque<bdd::ClusterSteps>> evolutions_ = {};
     std::vector<Bdd> ready_ = {};
 };
 

@@ -11,7 +11,7 @@
 
 #include "check/supervise/cover.hpp"
 #include "check/supervise/game.hpp"
-#include "check/supervise/seen.hpp"
+#include "check/supervise/observation_map.hpp"
 #include "check/symbolic/paths.hpp"
 
 namespace grafverif {
@@ -33,13 +33,13 @@ struct Policy {
 
 class Synthesis {
 public:
-    Synthesis(const TransitionSystem& system, const Supervision& asked, const SuperviseOptions& options)
-        : asked_(asked),
+    Synthesis(const TransitionSystem& system, const Supervision& requested, const SuperviseOptions& options)
+        : requested_(requested),
           progress_(options.progress),
           flat_(flattened(system)),
           space_({options.max_memory, options.deadline, options.stop}) {
         const auto here = [&](Id<Expr> term) { return flattened(system, flat_, term); };
-        for (const Supervision::Controller& controller : asked.controllers) {
+        for (const Supervision::Controller& controller : requested.controllers) {
             Terms& terms = terms_.emplace_back();
             terms.evolves = here(controller.evolves);
             for (const Id<Expr> seen : controller.seen) terms.seen.push_back(here(seen));
@@ -53,23 +53,23 @@ public:
                 }
             }
         }
-        for (const Id<Expr> bad : asked.bad) bad_terms_.push_back(here(bad));
-        marked_term_ = here(asked.marked);
+        for (const Id<Expr> bad : requested.bad) bad_terms_.push_back(here(bad));
+        marked_term_ = here(requested.marked);
     }
 
     Supervisor run() {
         prepare();
         if (!result_.reason.empty()) return std::move(result_);
-        tell("computing the losing states");
-        Lost lost = game_->solve(bad_, marked_);
+        report_phase("computing the losing states");
+        LosingRegion lost = game_->solve(bad_, marked_);
         if (!(lost.all & model_->initial()).is_false()) return nothing(lost);
         while (!settled(lost)) {
-            result_.claim = Supervisor::Claim::Cautious;
-            tell("recomputing the conditions");
+            result_.claim = Supervisor::Permissiveness::Cautious;
+            report_phase("recomputing the conditions");
             if (!(lost.all & model_->initial()).is_false())
                 return unknown("the inputs and steps of the charts do not distinguish enough states");
         }
-        tell("simplifying the conditions");
+        report_phase("simplifying the conditions");
         if (!write(lost)) return unknown("a condition has more than 64 terms");
         result_.outcome = Supervisor::Outcome::Found;
         return std::move(result_);
@@ -88,7 +88,7 @@ private:
         return made;
     }
 
-    void tell(const std::string& doing) const {
+    void report_phase(const std::string& doing) const {
         if (progress_) progress_(doing + ", " + std::to_string(space_.bytes() >> 20U) + " MiB");
     }
 
@@ -124,22 +124,22 @@ private:
     }
 
     Bdd all_reached() const {
-        tell("exploring the loop");
-        if (model_->has_kinds()) {
+        report_phase("exploring the loop");
+        if (model_->has_clusters()) {
             const Bdd closure = model_->closure(model_->initial());
             if ((closure & ~model_->invariant()).is_false() && !model_->leak(closure)) return closure;
         }
         bdd::Rings rings;
         rings.add(model_->initial());
         (void)symbolic::grow(*model_, rings, model_->invariant(), {}, [&](std::size_t) {
-            tell("exploring the loop, " + std::to_string(rings.each.size()) + " steps deep");
+            report_phase("exploring the loop, " + std::to_string(rings.each.size()) + " steps deep");
             return !model_->leak(rings.each.back());
         });
         return rings.reached;
     }
 
     const Supervision::Permission& permission(std::size_t player, std::size_t index) const {
-        return asked_.controllers[player].permissions[index];
+        return requested_.controllers[player].permissions[index];
     }
 
     // -- conditions over observations ---------------------------------------------------------------------------------
@@ -160,7 +160,7 @@ private:
 
     /// Refuses a player permissions in the states of `within`, one by one, as few as possible, and transitions before
     /// outputs; states without an allowed permission are added to `none_left`.
-    Policy decided(std::size_t player, const Bdd& within, const Lost& lost, Bdd& none_left) const {
+    Policy decided(std::size_t player, const Bdd& within, const LosingRegion& lost, Bdd& none_left) const {
         const std::vector<Bdd>& may = game_->may(player);
         Policy made{std::vector<Bdd>(may.size())};
         const Bdd here = within & game_->ready(player);
@@ -188,7 +188,7 @@ private:
     }
 
     /// The states reachable from `states` without losing states, under the policies.
-    Bdd closed(Bdd states, const Lost& lost) const {
+    Bdd closed(Bdd states, const LosingRegion& lost) const {
         for (Bdd latest = states; !latest.is_false(); states |= latest) {
             Bdd next = game_->moved(latest);
             for (std::size_t player = 0; player < game_->players(); ++player)
@@ -199,7 +199,7 @@ private:
     }
 
     /// Computes the policies; false if there are none for these states, after adding losing states.
-    bool settled(Lost& lost) {
+    bool settled(LosingRegion& lost) {
         policies_.clear();
         for (std::size_t player = 0; player < game_->players(); ++player) policies_.push_back(lenient(player));
         Bdd looked_at = model_->initial();
@@ -224,7 +224,7 @@ private:
     }
 
     /// The reached states from which a marked one is reachable under the policies.
-    Bdd returning(const Lost& lost) const {
+    Bdd returning(const LosingRegion& lost) const {
         std::vector<Bdd> pairs;
         for (std::size_t player = 0; player < game_->players(); ++player)
             pairs.push_back(game_->allowed(player, lost) & under_ & policies_[player].obeyed);
@@ -254,7 +254,7 @@ private:
     }
 
     /// Writes each condition and the classification. False if a condition is too long.
-    bool write(const Lost& lost) {
+    bool write(const LosingRegion& lost) {
         for (std::size_t player = 0; player < game_->players(); ++player) {
             const Bdd here = under_ & game_->ready(player);
             const Bdd chosen = here & policies_[player].obeyed;
@@ -265,9 +265,9 @@ private:
             }
             claim(player, chosen, matters, game_->allowed(player, lost) & here);
         }
-        if (!result_.hidden.empty()) result_.claim = Supervisor::Claim::Cautious;
-        if (result_.claim != Supervisor::Claim::Cautious && !result_.traded.empty())
-            result_.claim = Supervisor::Claim::Several;
+        if (!result_.hidden.empty()) result_.claim = Supervisor::Permissiveness::Cautious;
+        if (result_.claim != Supervisor::Permissiveness::Cautious && !result_.traded.empty())
+            result_.claim = Supervisor::Permissiveness::Several;
         return true;
     }
 
@@ -333,14 +333,14 @@ private:
     // -- runs that cannot be prevented
     // ----------------------------------------------------------------------------------
 
-    Supervisor nothing(const Lost& lost) {
+    Supervisor nothing(const LosingRegion& lost) {
         result_.outcome = Supervisor::Outcome::None;
         symbolic::Path path;
         symbolic::State state = model_->pick(lost.all & model_->initial(), {});
         for (;;) {
             path.states.push_back(state);
             const auto stage = std::ranges::find_if(
-                lost.stages, [&](const Lost::Stage& each) { return evaluate(each.states, state); });
+                lost.stages, [&](const LosingRegion::Stage& each) { return evaluate(each.states, state); });
             result_.blocked = stage->blocked;
             if (stage->blocked || evaluate(bad_, state)) break;
             step(path, state, lost, static_cast<std::size_t>(stage - lost.stages.begin()));
@@ -351,7 +351,7 @@ private:
     }
 
     /// A step to the first reachable stage before `stage`: a move, or an evolution under all permissions.
-    void step(symbolic::Path& path, symbolic::State& state, const Lost& lost, std::size_t stage) const {
+    void step(symbolic::Path& path, symbolic::State& state, const LosingRegion& lost, std::size_t stage) const {
         const Bdd only = model_->only(state);
         const auto go = [&](const Bdd& to, const Bdd& how) {
             for (std::size_t before = 0; before < stage; ++before) {
@@ -373,7 +373,7 @@ private:
         }
     }
 
-    const Supervision& asked_;
+    const Supervision& requested_;
     std::function<void(const std::string&)> progress_ = {};
     FlatSystem flat_;
     BddSpace space_;
@@ -382,7 +382,7 @@ private:
     Id<Expr> marked_term_ = {};
     std::optional<StateSpace> model_ = {};
     std::optional<Game> game_ = {};
-    std::vector<Seen> seen_ = {};                                   ///< per player
+    std::vector<ObservationMap> seen_ = {};                         ///< per player
     std::vector<std::vector<Bdd>> effects_ = {};                    ///< per player and permission
     std::vector<std::vector<std::vector<Bdd>>> site_effects_ = {};  ///< per player, permission and site
     Bdd bad_ = {}, marked_ = {};
@@ -395,10 +395,11 @@ private:
 
 }  // namespace supervise
 
-Supervisor supervisor_of(const TransitionSystem& system, const Supervision& asked, const SuperviseOptions& options) {
+Supervisor supervisor_of(const TransitionSystem& system, const Supervision& requested,
+                         const SuperviseOptions& options) {
     Supervisor unknown;
     try {
-        return supervise::Synthesis(system, asked, options).run();
+        return supervise::Synthesis(system, requested, options).run();
     } catch (const BddExhausted& exhausted) {
         const bool stopped = exhausted.cause() == BddExhausted::Cause::Stopped;
         unknown.reason =

@@ -61,7 +61,7 @@ struct Supervisor {
         None,     ///< no conditions suffice, even over all variables
         Unknown,  ///< see `reason`
     };
-    enum class Claim { Least, Several, Cautious };
+    enum class Permissiveness { Least, Several, Cautious };
 
     struct Literal {
         std::size_t seen = 0;  ///< of its controller
@@ -77,18 +77,18 @@ struct Supervisor {
         bool operator==(const Condition&) const = default;
     };
     /// A permission by its indices.
-    struct Which {
+    struct Selection {
         std::size_t controller = 0, permission = 0;
-        bool operator==(const Which&) const = default;
+        bool operator==(const Selection&) const = default;
     };
 
     Outcome outcome = Outcome::Unknown;
     std::string reason = {};
-    Claim claim = Claim::Least;
+    Permissiveness claim = Permissiveness::Least;
     std::vector<Condition> conditions = {};  ///< none: no restriction is needed
-    std::vector<Which> hidden = {};          ///< Cautious: permissions that a supervisor with full observation could
+    std::vector<Selection> hidden = {};      ///< Cautious: permissions that a supervisor with full observation could
                                              ///< give more often
-    std::vector<Which> traded = {};          ///< Several: permissions that could be given more often if others were
+    std::vector<Selection> traded = {};      ///< Several: permissions that could be given more often if others were
                                              ///< refused more often
     /// None: a run under all permissions to a bad state, none of whose moves can be prevented; if `blocked`, to a state
     /// from which every path to a marked one contains a losing state.
@@ -98,7 +98,7 @@ struct Supervisor {
 };
 
 /// Requires verify(system).empty().
-Supervisor supervisor_of(const TransitionSystem& system, const Supervision& asked,
+Supervisor supervisor_of(const TransitionSystem& system, const Supervision& requested,
                          const SuperviseOptions& options = {});
 
 }  // namespace grafverif

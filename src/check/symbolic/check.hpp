@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "check/symbolic/questions.hpp"
+#include "check/symbolic/property_queries.hpp"
 #include "check/symbolic/symbolic.hpp"
 
 namespace grafverif::symbolic {
@@ -23,7 +23,7 @@ public:
     SymbolicResult result();
 
     /// True if all states were reached, and none of them is faulty.
-    bool complete() const { return search_.obstacle == Obstacle::None; }
+    bool complete() const { return search_.obstacle == UnknownReason::None; }
     std::uint64_t bytes() const { return space_.bytes(); }
     const FlatSystem& flat() const { return flat_; }
     /// The run of each verdict.
@@ -31,7 +31,7 @@ public:
     /// Requires complete().
     const StateSpace& model() const { return *model_; }
     const Bdd& reached() const { return search_.reached; }
-    Search& search_made() { return search_; }
+    ReachableSet& search_made() { return search_; }
     /// A term over main that is defined everywhere, as a function of states and choices.
     Bdd meaning(const TransitionSystem& system, Id<Expr> term);
 
@@ -47,9 +47,9 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     FlatSystem flat_;
     BddSpace space_;
-    Questions questions_;
+    PropertyQueries questions_;
     std::optional<StateSpace> model_ = {};
-    Search search_ = {};
+    ReachableSet search_ = {};
     SymbolicResult result_ = {};
     std::vector<std::optional<FlatRun>> runs_ = {};
 };

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "check/symbolic/kinds.hpp"
+#include "check/symbolic/event_clusters.hpp"
 #include "check/symbolic/order.hpp"
 #include "ir/flat_system.hpp"
 
@@ -139,13 +139,14 @@ void StateSpace::add_next_bits(BddTerms& terms) {
 }
 
 /// Clusters keep bits unchanged, and free inputs always change: with them, all steps form one cluster.
-std::deque<bdd::Steps> StateSpace::steps_where(const Bdd& condition, const std::vector<std::uint32_t>& kept) const {
-    Kind all{offered_, next_bits_};
+std::deque<bdd::ClusterSteps> StateSpace::steps_where(const Bdd& condition,
+                                                      const std::vector<std::uint32_t>& kept) const {
+    EventCluster all{offered_, next_bits_};
     all.conditions.push_back(condition);
     const auto is_kept = [&](std::uint32_t bit) { return std::ranges::find(kept, bit) != kept.end(); };
     std::vector<std::uint32_t> gone = choice_bits_;
     std::erase_if(gone, is_kept);
-    std::vector<Kind> found;
+    std::vector<EventCluster> found;
     if (by_kind_ && free_.is_true()) {
         std::vector<BddWord> choices;
         for (const Id<Variable> id : flat_.variables.ids())
@@ -154,28 +155,28 @@ std::deque<bdd::Steps> StateSpace::steps_where(const Bdd& condition, const std::
         found = kinds(space_, all, choices);
     }
     if (found.empty()) found.push_back(std::move(all));
-    std::deque<bdd::Steps> steps;
-    for (Kind& kind : found)
+    std::deque<bdd::ClusterSteps> steps;
+    for (EventCluster& kind : found)
         steps.emplace_back(space_, std::move(kind.bits), std::move(kind.conditions), gone, support(free_));
     return steps;
 }
 
-Bdd StateSpace::image(const Bdd& states, const std::deque<bdd::Steps>& steps) const {
+Bdd StateSpace::image(const Bdd& states, const std::deque<bdd::ClusterSteps>& steps) const {
     Bdd result;
-    for (const bdd::Steps& kind : steps) result |= kind.relation.image(states, kind.gone);
+    for (const bdd::ClusterSteps& kind : steps) result |= kind.relation.image(states, kind.gone);
     return result & invariant_;
 }
 
-Bdd StateSpace::preimage(const Bdd& states, const std::deque<bdd::Steps>& steps) const {
+Bdd StateSpace::preimage(const Bdd& states, const std::deque<bdd::ClusterSteps>& steps) const {
     const Bdd to = exists(states & invariant_, free_);
     Bdd result;
-    for (const bdd::Steps& kind : steps) result |= kind.relation.preimage(to);
+    for (const bdd::ClusterSteps& kind : steps) result |= kind.relation.preimage(to);
     return result & invariant_;
 }
 
 Bdd StateSpace::still() const {
     Bdd result;
-    for (const bdd::Steps& kind : steps_)
+    for (const bdd::ClusterSteps& kind : steps_)
         if (kind.relation.bits().empty()) result |= kind.relation.preimage(Bdd::constant(true));
     return result & invariant_;
 }

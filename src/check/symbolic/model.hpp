@@ -30,20 +30,20 @@ public:
     const Bdd& invariant() const { return invariant_; }
     /// The successors of `states` by one step.
     Bdd image(const Bdd& states) const { return image(states, steps_); }
-    Bdd image(const Bdd& states, const std::deque<bdd::Steps>& steps) const;
+    Bdd image(const Bdd& states, const std::deque<bdd::ClusterSteps>& steps) const;
     /// True if the steps are partitioned; then `closure` is fast.
-    bool has_kinds() const { return steps_.size() > 1; }
+    bool has_clusters() const { return steps_.size() > 1; }
     /// The states reachable from `states` by any number of steps, provided that all values stay in their ranges;
     /// otherwise it may contain an invalid state and its successors.
     Bdd closure(const Bdd& states) const;
     /// The predecessors of `states` by one step.
     Bdd preimage(const Bdd& states) const { return preimage(states, steps_); }
-    Bdd preimage(const Bdd& states, const std::deque<bdd::Steps>& steps) const;
+    Bdd preimage(const Bdd& states, const std::deque<bdd::ClusterSteps>& steps) const;
     /// States in which some step changes nothing; may miss states if its cluster does not determine that.
     Bdd still() const;
     /// The steps that satisfy `condition`, over states and choices. Images and preimages leave the choices `kept`, bits
     /// of the space, unchanged.
-    std::deque<bdd::Steps> steps_where(const Bdd& condition, const std::vector<std::uint32_t>& kept = {}) const;
+    std::deque<bdd::ClusterSteps> steps_where(const Bdd& condition, const std::vector<std::uint32_t>& kept = {}) const;
 
     /// Terms over the variables of the system as functions of the bits of a state.
     BddTerms terms() const;
@@ -83,7 +83,7 @@ private:
     std::vector<Leak> leaks_ = {};   ///< over states and choices
     Bdd choices_ = {}, free_ = {};   ///< sets of variables
     std::vector<bdd::NextBit> next_bits_ = {};
-    std::deque<bdd::Steps> steps_ = {};  ///< by cluster
+    std::deque<bdd::ClusterSteps> steps_ = {};  ///< by cluster
 };
 
 }  // namespace grafverif::symbolic

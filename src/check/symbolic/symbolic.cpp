@@ -16,9 +16,9 @@ Check::Check(const TransitionSystem& system, const SymbolicOptions& options)
       space_(
           {.memory = options.max_memory, .deadline = options.deadline, .stop = options.stop, .worked = options.worked}),
       questions_(system, flat_) {
-    const std::unordered_set<std::string_view> asked(options.properties.begin(), options.properties.end());
+    const std::unordered_set<std::string_view> requested(options.properties.begin(), options.properties.end());
     for (const Id<Property> id : system.properties.ids())
-        if (asked.empty() || asked.contains(system.properties[id].name)) questions_.ask(id);
+        if (requested.empty() || requested.contains(system.properties[id].name)) questions_.ask(id);
 }
 
 SymbolicResult Check::result() {
@@ -31,8 +31,8 @@ SymbolicResult Check::result() {
     } catch (const std::bad_alloc&) {
         note(BddExhausted(BddExhausted::Cause::Memory));
     }
-    if (!result_.fault && search_.obstacle == Obstacle::None) count_states();
-    if (result_.fault) search_ = {.obstacle = Obstacle::Faulty, .reason = "model error; see above"};
+    if (!result_.fault && search_.obstacle == UnknownReason::None) count_states();
+    if (result_.fault) search_ = {.obstacle = UnknownReason::Faulty, .reason = "model error; see above"};
     answer();
     result_.bytes = std::max(result_.bytes, space_.bytes());
     result_.seconds = seconds();
@@ -56,10 +56,10 @@ double Check::seconds() const {
 void Check::note(const BddExhausted& exhausted) {
     const std::string after = " after " + std::to_string(search_.rings.each.size()) + " steps of the exploration";
     if (exhausted.cause() == BddExhausted::Cause::Stopped) {
-        search_.obstacle = Obstacle::Stopped;
+        search_.obstacle = UnknownReason::Stopped;
         search_.reason = "stopped" + after;
     } else {
-        search_.obstacle = Obstacle::Memory;
+        search_.obstacle = UnknownReason::Memory;
         search_.reason = "memory limit of " + std::to_string(options_.max_memory >> 20U) + " MiB reached" + after;
     }
 }
@@ -89,7 +89,7 @@ void Check::search() {
     };
     search_.witnesses = options_.witnesses;
     search_.rings.add(model.initial());
-    if (grow(model, search_.rings, model.invariant(), {}, goes_on(model.has_kinds())) && !leaks) {
+    if (grow(model, search_.rings, model.invariant(), {}, goes_on(model.has_clusters())) && !leaks) {
         const Bdd closure = model.closure(search_.reached);
         // States outside a range or the invariants may have further successors, although no run leads to them.
         if ((closure & ~model.invariant()).is_false() && !model.leak(closure)) search_.reached = closure;
@@ -103,10 +103,10 @@ std::optional<SystemFault> Check::fault() {
     using enum SystemFault::Kind;
     if (search_.reached.is_false()) return SystemFault{NoInitialState, {}, {}};
     const auto path_to = [&](const Bdd& states) {
-        return system_run(flat_, run_of(model, {shortest_way(model, search_, states), {}, {}}));
+        return system_run(flat_, run_of(model, {shortest_trace(model, search_, states), {}, {}}));
     };
     if (const auto some = model.leak(search_.reached)) {
-        (void)shortest_way(model, search_, some->states);
+        (void)shortest_trace(model, search_, some->states);
         // The nearest one: states after a leak do not belong to a run.
         for (const Bdd& ring : search_.rings.each)
             if (const auto leak = model.leak(ring))
@@ -118,7 +118,7 @@ std::optional<SystemFault> Check::fault() {
 }
 
 void Check::answer() {
-    for (Found& found : questions_.answers(model_ ? &*model_ : nullptr, search_, options_)) {
+    for (QueryResult& found : questions_.answers(model_ ? &*model_ : nullptr, search_, options_)) {
         result_.verdicts.push_back(std::move(found.verdict));
         result_.runs.push_back(found.run ? std::optional(system_run(flat_, *found.run)) : std::nullopt);
         runs_.push_back(std::move(found.run));

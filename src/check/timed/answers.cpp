@@ -7,8 +7,8 @@
 #include <new>
 
 #include "check/timed/components.hpp"
-#include "check/timed/lost.hpp"
-#include "check/timed/questions.hpp"
+#include "check/timed/dead_transitions.hpp"
+#include "check/timed/property_queries.hpp"
 #include "ir/patterns.hpp"
 #include "support/overloaded.hpp"
 
@@ -21,17 +21,17 @@ void violated(Verdict& verdict, Run run) {
     verdict.run = std::move(run);
 }
 
-void unknown(Verdict& verdict, Obstacle obstacle, std::string reason) {
+void unknown(Verdict& verdict, UnknownReason obstacle, std::string reason) {
     verdict.outcome = Outcome::Unknown;
     verdict.obstacle = obstacle;
     verdict.reason = std::move(reason);
 }
 
-std::string text_of(Obstacle ended, const Graph& graph, const Limits& limits) {
+std::string text_of(UnknownReason ended, const Graph& graph, const Limits& limits) {
     const std::string states = std::to_string(graph.states()) + " states";
-    if (ended == Obstacle::Bound) return "state limit reached: " + states;
-    if (ended == Obstacle::Memory && !limits.allowed_used()) return "out of memory after " + states;
-    if (ended == Obstacle::Memory)
+    if (ended == UnknownReason::Bound) return "state limit reached: " + states;
+    if (ended == UnknownReason::Memory && !limits.allowed_used()) return "out of memory after " + states;
+    if (ended == UnknownReason::Memory)
         return "memory limit of " + std::to_string(limits.max_memory() >> 20U) + " MiB reached after " + states;
     return graph.states() > 1 ? "stopped after " + states : "stopped before the exploration";
 }
@@ -66,57 +66,59 @@ Lasso without_time(Graph& graph, std::uint32_t state) {
 
 }  // namespace
 
-std::vector<Verdict> Questions::answers(Graph& graph, Obstacle ended, const std::vector<ModelError>& errors,
-                                        const Limits& limits) {
-    if (ended == Obstacle::Unsupported)
+std::vector<Verdict> PropertyQueries::answers(Graph& graph, UnknownReason ended, const std::vector<ModelError>& errors,
+                                              const Limits& limits) {
+    if (ended == UnknownReason::Unsupported)
         outcomes_ = {ended, "a state of this model exceeds the memory that the timed engine can address"};
-    else if (ended != Obstacle::None) outcomes_ = {ended, text_of(ended, graph, limits)};
-    else if (!errors.empty()) outcomes_ = {Obstacle::Faulty, "model error: " + text_of(network_, errors.front())};
-    else if (inexact_) outcomes_ = {Obstacle::Inexact, inexact_reason()};
+    else if (ended != UnknownReason::None) outcomes_ = {ended, text_of(ended, graph, limits)};
+    else if (!errors.empty()) outcomes_ = {UnknownReason::Faulty, "model error: " + text_of(network_, errors.front())};
+    else if (inexact_) outcomes_ = {UnknownReason::Inexact, inexact_reason()};
     std::vector<Verdict> verdicts;
-    for (Question& question : questions_) {
+    for (PropertyQuery& question : questions_) {
         try {
-            if (question.verdict.obstacle == Obstacle::None && graph.states() == 0)
+            if (question.verdict.obstacle == UnknownReason::None && graph.states() == 0)
                 unknown(question.verdict, ended, outcomes_.reason);
-            if (question.verdict.obstacle == Obstacle::None) answer(question, graph, limits);
+            if (question.verdict.obstacle == UnknownReason::None) answer(question, graph, limits);
         } catch (const Limits::Stop&) {
-            unknown(question.verdict, Obstacle::Stopped, "stopped");
+            unknown(question.verdict, UnknownReason::Stopped, "stopped");
         } catch (const std::bad_alloc&) {
-            unknown(question.verdict, Obstacle::Memory, "no memory is left to evaluate the explored states");
+            unknown(question.verdict, UnknownReason::Memory, "no memory is left to evaluate the explored states");
         }
         if (question.verdict.outcome == Outcome::Holds) mark_vacuous(question, graph);
         verdicts.push_back(std::move(question.verdict));
     }
     // Explanations are computed after all verdicts: they may use up time or memory that another verdict needs.
-    for (std::size_t k = 0; k < questions_.size(); ++k) tell_lost(questions_[k], graph, limits, verdicts[k]);
+    for (std::size_t k = 0; k < questions_.size(); ++k) report_never_again(questions_[k], graph, limits, verdicts[k]);
     return verdicts;
 }
 
-std::vector<std::vector<AbstractState>> Questions::paths(Graph& graph) const {
+std::vector<std::vector<AbstractState>> PropertyQueries::paths(Graph& graph) const {
     std::vector<std::vector<AbstractState>> found;
-    for (const Question& question : questions_) {
+    for (const PropertyQuery& question : questions_) {
         const Pattern pattern = question.property->pattern;
         const bool single = is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps;
-        const std::uint32_t state = single && question.watch != none ? watch_.found(question.watch) : Watch::none;
-        found.push_back(state == Watch::none ? std::vector<AbstractState>{} : graph.states_along(graph.path_to(state)));
+        const std::uint32_t state =
+            single && question.watch != none ? watch_.found(question.watch) : PropertyMonitor::none;
+        found.push_back(state == PropertyMonitor::none ? std::vector<AbstractState>{}
+                                                       : graph.states_along(graph.path_to(state)));
     }
     return found;
 }
 
-std::string Questions::inexact_reason() const { return "integer time is not exact for " + inexact_.value_or(""); }
+std::string PropertyQueries::inexact_reason() const { return "integer time is not exact for " + inexact_.value_or(""); }
 
-void Questions::answer(Question& question, Graph& graph, const Limits& limits) {
+void PropertyQueries::answer(PropertyQuery& question, Graph& graph, const Limits& limits) {
     switch (question.property->pattern) {
     case Pattern::Always:
     case Pattern::Never:
     case Pattern::ExactlyOneOf:
     case Pattern::Reachable:
-    case Pattern::ReachableAllSteps: return answer_state(question, graph);
+    case Pattern::ReachableAllSteps: return result_state(question, graph);
     case Pattern::Inevitable:
-    case Pattern::LeadsTo: return answer_liveness(question, graph, limits);
-    case Pattern::NoDeadlock: return answer_deadlock(question, graph, limits);
-    case Pattern::NoTimelock: return answer_timelock(question, graph, limits);
-    case Pattern::AlwaysPossible: return answer_possible(question, graph, limits);
+    case Pattern::LeadsTo: return decide_liveness(question, graph, limits);
+    case Pattern::NoDeadlock: return decide_deadlock(question, graph, limits);
+    case Pattern::NoTimelock: return decide_timelock(question, graph, limits);
+    case Pattern::AlwaysPossible: return decide_possible(question, graph, limits);
     case Pattern::RawUppaal:
     case Pattern::RawCtl:
     case Pattern::Watched:
@@ -125,36 +127,36 @@ void Questions::answer(Question& question, Graph& graph, const Limits& limits) {
     unreachable();
 }
 
-void Questions::holds_unless(Question& question, Obstacle obstacle, const std::string& reason) const {
-    if (obstacle == Obstacle::None) question.verdict.outcome = Outcome::Holds;
+void PropertyQueries::holds_unless(PropertyQuery& question, UnknownReason obstacle, const std::string& reason) const {
+    if (obstacle == UnknownReason::None) question.verdict.outcome = Outcome::Holds;
     else unknown(question.verdict, obstacle, reason);
 }
 
-void Questions::answer_state(Question& question, Graph& graph) const {
+void PropertyQueries::result_state(PropertyQuery& question, Graph& graph) const {
     const std::uint32_t state = watch_.found(question.watch);
     const Pattern pattern = question.property->pattern;
     const bool wanted = pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps;
-    if (state != Watch::none) {
+    if (state != PropertyMonitor::none) {
         violated(question.verdict, graph.run_to(state));
         if (wanted) question.verdict.outcome = Outcome::Holds;
         return;
     }
     if (watch_.broken(question.watch))
-        return unknown(question.verdict, Obstacle::Faulty, "an operand divides by zero in some state");
+        return unknown(question.verdict, UnknownReason::Faulty, "an operand divides by zero in some state");
     holds_unless(question, outcomes_.obstacle, outcomes_.reason);
     if (wanted && question.verdict.outcome == Outcome::Holds) question.verdict.outcome = Outcome::Violated;
 }
 
 /// The states that satisfy `predicate`; nothing, and an unknown verdict, if it is undefined in some state.
-std::optional<StateSet> Questions::states_where(Question& question, Graph& graph, std::uint32_t predicate,
-                                                const Limits& limits) const {
+std::optional<StateSet> PropertyQueries::states_where(PropertyQuery& question, Graph& graph, std::uint32_t predicate,
+                                                      const Limits& limits) const {
     StateSet set(graph.states());
     std::atomic<bool> broken = false;
     limits.share_states(graph.states(), [&](std::size_t begin, std::size_t end) {
         Unfolded now;
         std::vector<std::int64_t> registers;
         for (std::size_t i = begin; i != end && !broken; ++i) {
-            if (i % Limits::look_every == 0 && limits.stopped()) throw Limits::Stop{};
+            if (i % Limits::poll_interval == 0 && limits.stopped()) throw Limits::Stop{};
             const auto state = static_cast<std::uint32_t>(i);
             graph.store.load(state, now);
             const End found = graph.machine.holds(predicate, now.words.data(), registers);
@@ -163,44 +165,45 @@ std::optional<StateSet> Questions::states_where(Question& question, Graph& graph
         }
     });
     if (!broken) return set;
-    unknown(question.verdict, Obstacle::Faulty, "an operand divides by zero in some state");
+    unknown(question.verdict, UnknownReason::Faulty, "an operand divides by zero in some state");
     return {};
 }
 
-void Questions::answer_liveness(Question& question, Graph& graph, const Limits& limits) {
-    if (outcomes_.obstacle == Obstacle::Stopped) return unknown(question.verdict, Obstacle::Stopped, outcomes_.reason);
+void PropertyQueries::decide_liveness(PropertyQuery& question, Graph& graph, const Limits& limits) {
+    if (outcomes_.obstacle == UnknownReason::Stopped)
+        return unknown(question.verdict, UnknownReason::Stopped, outcomes_.reason);
     std::optional<StateSet> met = states_where(question, graph, question.q, limits);
     if (!met) return;
     std::vector<std::uint32_t> roots;
     if (question.property->pattern == Pattern::Inevitable) {
         if (!met->has(0)) roots.push_back(0);
     } else {
-        const std::optional<StateSet> asked = states_where(question, graph, question.p, limits);
-        if (!asked) return;
+        const std::optional<StateSet> requested = states_where(question, graph, question.p, limits);
+        if (!requested) return;
         for (std::uint32_t state = 0; state < graph.states(); ++state)
-            if (!met->has(state) && asked->has(state)) roots.push_back(state);
+            if (!met->has(state) && requested->has(state)) roots.push_back(state);
     }
     const std::optional<bool> holds = unavoidable(graph, *met, roots, limits);
-    if (!holds) return unknown(question.verdict, Obstacle::Stopped, "stopped");
+    if (!holds) return unknown(question.verdict, UnknownReason::Stopped, "stopped");
     if (*holds) return holds_if_dense(question, graph, graph.stuck_bound);
     std::erase_if(roots, [&](std::uint32_t root) { return met->has(root); });
     // If integer time is stuck because of a strict bound, a little more dense time may pass.
     const Lasso lasso = avoiding(graph, *met, roots, inexact_.has_value(), limits);
-    if (lasso.path.empty()) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
+    if (lasso.path.empty()) return unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
     violated(question.verdict, graph.run_along(lasso.path, lasso.loop));
 }
 
-void Questions::answer_deadlock(Question& question, Graph& graph, const Limits& limits) {
+void PropertyQueries::decide_deadlock(PropertyQuery& question, Graph& graph, const Limits& limits) {
     const auto judged = [&](std::uint32_t state) { return graph.holds(question.p, state) == End::Yes; };
     const std::optional<std::uint32_t> state = first_deadlock(graph, judged, limits);
-    if (state && inexact_) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
+    if (state && inexact_) return unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
     if (state) return violated(question.verdict, graph.run_to(*state));
     holds_if_dense(question, graph, graph.stuck_bound);
 }
 
 /// In an input abstraction, urgent edges must lead to the passing of time for all valuations chosen
 /// (ir/network_inputs.hpp); that they do for some says nothing.
-void Questions::answer_timelock_of_choices(Question& question, Graph& graph, const Limits& limits) const {
+void PropertyQueries::decide_timelock_of_choices(PropertyQuery& question, Graph& graph, const Limits& limits) const {
     holds_if_dense(question, graph, graph.locked_bound);
     if (question.verdict.outcome != Outcome::Holds) return;
     std::vector<std::uint32_t> successors;
@@ -211,20 +214,21 @@ void Questions::answer_timelock_of_choices(Question& question, Graph& graph, con
     });
     for (std::uint32_t state = 0; state < graph.states(); ++state) components.visit(state);
     if (components.any_cycle())
-        unknown(question.verdict, Obstacle::Inexact,
+        unknown(question.verdict, UnknownReason::Inexact,
                 "in the abstraction, urgent edges may follow each other without end");
 }
 
-void Questions::answer_timelock(Question& question, Graph& graph, const Limits& limits) {
-    if (outcomes_.obstacle == Obstacle::Stopped) return unknown(question.verdict, Obstacle::Stopped, outcomes_.reason);
-    if (!machine_.choices().empty()) return answer_timelock_of_choices(question, graph, limits);
+void PropertyQueries::decide_timelock(PropertyQuery& question, Graph& graph, const Limits& limits) {
+    if (outcomes_.obstacle == UnknownReason::Stopped)
+        return unknown(question.verdict, UnknownReason::Stopped, outcomes_.reason);
+    if (!machine_.choices().empty()) return decide_timelock_of_choices(question, graph, limits);
     StateSet passes = states_of_kind(
         graph, limits, [](StateKind kind) { return kind == StateKind::Passes || kind == StateKind::PassesOrActs; });
     auto locked = out_of_reach(graph, passes, Transitions::Actions, limits);
-    if (!locked) return unknown(question.verdict, Obstacle::Stopped, "stopped");
+    if (!locked) return unknown(question.verdict, UnknownReason::Stopped, "stopped");
     std::erase_if(*locked, [&](std::uint32_t state) { return graph.holds(question.p, state) != End::Yes; });
     if (!locked->empty()) {
-        if (inexact_) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
+        if (inexact_) return unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
         const Lasso lasso = without_time(graph, locked->front());
         return violated(question.verdict, graph.run_along(lasso.path, lasso.loop));
     }
@@ -232,35 +236,37 @@ void Questions::answer_timelock(Question& question, Graph& graph, const Limits& 
     if (question.verdict.outcome != Outcome::Holds) return;
     StateSet calm = states_of_kind(graph, limits, [](StateKind kind) { return kind != StateKind::Urgent; });
     const auto restless = out_of_reach(graph, calm, Transitions::UrgentActions, limits);
-    if (!restless) return unknown(question.verdict, Obstacle::Stopped, "stopped");
+    if (!restless) return unknown(question.verdict, UnknownReason::Stopped, "stopped");
     if (!restless->empty())
-        unknown(question.verdict, Obstacle::Inexact,
+        unknown(question.verdict, UnknownReason::Inexact,
                 "from some state, urgent edges alone do not lead to a state in which time may pass");
 }
 
-void Questions::answer_possible(Question& question, Graph& graph, const Limits& limits) {
-    if (outcomes_.obstacle == Obstacle::Stopped) return unknown(question.verdict, Obstacle::Stopped, outcomes_.reason);
+void PropertyQueries::decide_possible(PropertyQuery& question, Graph& graph, const Limits& limits) {
+    if (outcomes_.obstacle == UnknownReason::Stopped)
+        return unknown(question.verdict, UnknownReason::Stopped, outcomes_.reason);
     std::optional<StateSet> goal = states_where(question, graph, question.p, limits);
     if (!goal) return;
     const auto lost = out_of_reach(graph, *goal, Transitions::All, limits);
-    if (!lost) return unknown(question.verdict, Obstacle::Stopped, "stopped");
-    if (!lost->empty() && inexact_) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
+    if (!lost) return unknown(question.verdict, UnknownReason::Stopped, "stopped");
+    if (!lost->empty() && inexact_) return unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
     if (!lost->empty()) {
         question.lost = lost->front();
         return violated(question.verdict, graph.run_to(lost->front()));
     }
     holds_unless(question, outcomes_.obstacle, outcomes_.reason);
     if (question.verdict.outcome == Outcome::Holds && machine_.timed())
-        unknown(question.verdict, Obstacle::Inexact,
+        unknown(question.verdict, UnknownReason::Inexact,
                 "integer time does not cover the states between two ticks; use `--untimed` to decide it for the "
                 "untimed model");
 }
 
 /// Omitted if it needs more time or memory than is available.
-void Questions::tell_lost(const Question& question, Graph& graph, const Limits& limits, Verdict& verdict) const {
-    if (!question.lost || verdict.outcome != Outcome::Violated || outcomes_.obstacle != Obstacle::None) return;
+void PropertyQueries::report_never_again(const PropertyQuery& question, Graph& graph, const Limits& limits,
+                                         Verdict& verdict) const {
+    if (!question.lost || verdict.outcome != Outcome::Violated || outcomes_.obstacle != UnknownReason::None) return;
     try {
-        if (std::string words = lost_words(graph, *question.lost, limits); !words.empty())
+        if (std::string words = dead_transitions_note(graph, *question.lost, limits); !words.empty())
             verdict.notes.push_back(std::move(words));
     } catch (const Limits::Stop&) {
         return;
@@ -269,14 +275,15 @@ void Questions::tell_lost(const Question& question, Graph& graph, const Limits& 
     }
 }
 
-void Questions::holds_if_dense(Question& question, Graph& graph, const std::optional<UncoveredAt>& bound) const {
-    if (outcomes_.obstacle != Obstacle::None || !bound)
+void PropertyQueries::holds_if_dense(PropertyQuery& question, Graph& graph,
+                                     const std::optional<UncoveredAt>& bound) const {
+    if (outcomes_.obstacle != UnknownReason::None || !bound)
         return holds_unless(question, outcomes_.obstacle, outcomes_.reason);
-    unknown(question.verdict, Obstacle::Inexact,
+    unknown(question.verdict, UnknownReason::Inexact,
             "a timelock is possible between two ticks at " + place_of(graph, *bound));
 }
 
-std::string Questions::place_of(Graph& graph, const UncoveredAt& at) const {
+std::string PropertyQueries::place_of(Graph& graph, const UncoveredAt& at) const {
     const Network::Process& process = network_.processes[{at.bound.process}];
     const Network::Template& automaton = network_.templates[process.automaton];
     const auto location = machine_.layout().locations[at.bound.process].get(graph.load(at.state));
@@ -287,7 +294,7 @@ std::string Questions::place_of(Graph& graph, const UncoveredAt& at) const {
            clock + " == " + std::to_string(admitted(network_, bound).high) + "`";
 }
 
-void Questions::mark_vacuous(Question& question, const Graph& graph) const {
+void PropertyQueries::mark_vacuous(PropertyQuery& question, const Graph& graph) const {
     Verdict& verdict = question.verdict;
     const Pattern pattern = question.property->pattern;
     const auto vacuous = [&](const char* why) {
@@ -297,9 +304,9 @@ void Questions::mark_vacuous(Question& question, const Graph& graph) const {
     if (pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps || pattern == Pattern::NoTimelock)
         return;
     if (!graph.time_passes) vacuous("time does not pass in this model");
-    if (is_declared_response(*question.property) && watch_.found(question.watch) == Watch::none)
+    if (is_declared_response(*question.property) && watch_.found(question.watch) == PropertyMonitor::none)
         vacuous("the premise is never true");
-    if (is_about_all_states(pattern) && question.at_stable && watch_.found(settled_watch_) == Watch::none)
+    if (is_about_all_states(pattern) && question.at_stable && watch_.found(settled_watch_) == PropertyMonitor::none)
         vacuous("no state is quiescent");
 }
 

@@ -18,12 +18,12 @@ public:
     T& operator[](std::size_t i) { return chunks_[i >> shift][i & (chunk - 1)]; }
     const T& operator[](std::size_t i) const { return chunks_[i >> shift][i & (chunk - 1)]; }
     void push_back(T value) {
-        make_room(1);
+        free_memory(1);
         (*this)[size_++] = value;
     }
     /// Appends elements from other memory.
     void append(const T* values, std::size_t count) {
-        make_room(count);
+        free_memory(count);
         for (std::size_t done = 0; done != count;) {
             const std::size_t at = size_ & (chunk - 1);
             const std::size_t now = std::min(count - done, chunk - at);
@@ -33,7 +33,7 @@ public:
         }
     }
     /// Ensures that the next `count` calls of `push_back` need no memory.
-    void make_room(std::size_t count) {
+    void free_memory(std::size_t count) {
         while (chunks_.size() * chunk < size_ + count) chunks_.push_back(std::make_unique_for_overwrite<T[]>(chunk));
     }
     void pop_back() { --size_; }

@@ -154,7 +154,7 @@ std::optional<Compiler::Literal> Compiler::literal(Id<Expr> term) const {
 
 std::uint32_t Compiler::test(const Literal& literal, std::uint32_t yes, std::uint32_t no) {
     return emit(
-        {.mask = literal.mask, .value = literal.value, .yes = yes, .no = no, .word = literal.word, .op = Do::Test});
+        {.mask = literal.mask, .value = literal.value, .yes = yes, .no = no, .word = literal.word, .op = Opcode::Test});
 }
 
 void Compiler::choose(const InputChoice& choice, std::size_t number) {
@@ -172,7 +172,7 @@ std::uint32_t Compiler::chosen_within(Id<Network::Variable> variable, std::int64
     Word valuations = 0;
     for (std::size_t row = 0; row < chosen.values.size(); ++row)
         if (low <= chosen.values[row] && chosen.values[row] <= high) valuations |= Word{1} << row;
-    return emit({.value = valuations, .yes = yes, .no = no, .to = chosen.set, .op = Do::Choose});
+    return emit({.value = valuations, .yes = yes, .no = no, .to = chosen.set, .op = Opcode::Choose});
 }
 
 std::uint32_t Compiler::load(Id<Network::Variable> variable, std::uint32_t to, std::uint32_t next) {
@@ -183,7 +183,7 @@ std::uint32_t Compiler::load(Id<Network::Variable> variable, std::uint32_t to, s
         std::uint32_t start = Program::no;  // no valuation has another value
         for (const std::int64_t value : values) {
             const std::uint32_t constant =
-                emit({.value = static_cast<Word>(value), .yes = next, .to = to, .op = Do::Constant});
+                emit({.value = static_cast<Word>(value), .yes = next, .to = to, .op = Opcode::Constant});
             start = start == Program::no ? constant : chosen_within(variable, value, value, constant, start);
         }
         return start;
@@ -195,12 +195,12 @@ std::uint32_t Compiler::load(Id<Network::Variable> variable, std::uint32_t to, s
                  .to = to,
                  .word = field.word,
                  .shift = field.shift,
-                 .op = Do::Load});
+                 .op = Opcode::Load});
 }
 
 std::uint32_t Compiler::condition(Id<Expr> term, std::uint32_t yes, std::uint32_t no) {
     if (facts_[term.index].tree <= largest_tree) return boolean(term, yes, no, 0);
-    const std::uint32_t truth = emit({.yes = yes, .no = no, .op = Do::Truth});
+    const std::uint32_t truth = emit({.yes = yes, .no = no, .op = Opcode::Truth});
     std::uint32_t result = 0;
     const std::uint32_t start = eager(term, truth, result);
     program_.code[truth].a = result;
@@ -213,14 +213,17 @@ std::uint32_t Compiler::assignment(Id<Network::Variable> target, Id<Expr> value,
     const Op op = network_.exprs[value].op;
     if (type == Type{} && facts_[value.index].tree <= largest_tree) {
         const std::uint32_t set =
-            emit({.mask = ~Word{0}, .value = field.mask(), .yes = next, .word = field.word, .op = Do::Patch});
-        const std::uint32_t clear = emit({.mask = ~field.mask(), .yes = next, .word = field.word, .op = Do::Patch});
+            emit({.mask = ~Word{0}, .value = field.mask(), .yes = next, .word = field.word, .op = Opcode::Patch});
+        const std::uint32_t clear = emit({.mask = ~field.mask(), .yes = next, .word = field.word, .op = Opcode::Patch});
         return boolean(value, set, clear, 0);
     }
     const std::int64_t constant = network_.exprs[value].value;
     if (op == Op::Integer && type.low <= constant && constant <= type.high && field.width != 0)
-        return emit(
-            {.mask = ~field.mask(), .value = field.placed(constant), .yes = next, .word = field.word, .op = Do::Patch});
+        return emit({.mask = ~field.mask(),
+                     .value = field.placed(constant),
+                     .yes = next,
+                     .word = field.word,
+                     .op = Opcode::Patch});
     const std::uint32_t store = emit({.mask = field.mask(),
                                       .value = static_cast<Word>(type.low),
                                       .span = static_cast<Word>(type.high - type.low),
@@ -228,7 +231,7 @@ std::uint32_t Compiler::assignment(Id<Network::Variable> target, Id<Expr> value,
                                       .to = target.index,
                                       .word = field.word,
                                       .shift = field.shift,
-                                      .op = Do::Store});
+                                      .op = Opcode::Store});
     if (facts_[value.index].tree <= largest_tree && !type.boolean) return integer(value, 0, store);
     std::uint32_t result = 0;
     const std::uint32_t start = eager(value, store, result);
@@ -262,7 +265,7 @@ std::uint32_t Compiler::boolean(Id<Expr> term, std::uint32_t yes, std::uint32_t 
                      .yes = no,
                      .no = yes,
                      .word = layout_.variables[variable_of(node).index].word,
-                     .op = Do::Test});
+                     .op = Opcode::Test});
     case Op::Integer:
     case Op::Duration:
     case Op::Step:
@@ -358,7 +361,7 @@ std::uint32_t Compiler::comparison(Id<Expr> term, std::uint32_t yes, std::uint32
         std::swap(left, right);
         op = mirrored(op);
     }
-    const Do how = op == Op::Equal ? Do::Equal : op == Op::Less ? Do::Less : Do::LessEqual;
+    const Opcode how = op == Op::Equal ? Opcode::Equal : op == Op::Less ? Opcode::Less : Opcode::LessEqual;
     reserve(base + 1);
     const std::uint32_t compare = emit({.yes = yes, .no = no, .a = base, .b = base + 1, .op = how});
     return integer(left, base, integer(right, base + 1, compare));
@@ -368,19 +371,21 @@ std::uint32_t Compiler::integer(Id<Expr> term, std::uint32_t to, std::uint32_t n
     reserve(to + 1);
     const Expr& node = network_.exprs[term];
     const auto operands = network_.exprs.operands(term);
-    const auto binary = [&](Do op) {
+    const auto binary = [&](Opcode op) {
         const std::uint32_t last = emit({.yes = next, .to = to, .a = to, .b = to + 1, .op = op});
         return integer(operands[0], to, integer(operands[1], to + 1, last));
     };
     switch (node.op) {
-    case Op::Integer: return emit({.value = static_cast<Word>(node.value), .yes = next, .to = to, .op = Do::Constant});
+    case Op::Integer:
+        return emit({.value = static_cast<Word>(node.value), .yes = next, .to = to, .op = Opcode::Constant});
     case Op::Variable: return load(variable_of(node), to, next);
-    case Op::Negate: return integer(operands[0], to, emit({.yes = next, .to = to, .a = to, .b = to, .op = Do::Negate}));
-    case Op::Plus: return binary(Do::Add);
-    case Op::Minus: return binary(Do::Subtract);
-    case Op::Times: return binary(Do::Multiply);
-    case Op::Divide: return binary(Do::Divide);
-    case Op::Modulo: return binary(Do::Modulo);
+    case Op::Negate:
+        return integer(operands[0], to, emit({.yes = next, .to = to, .a = to, .b = to, .op = Opcode::Negate}));
+    case Op::Plus: return binary(Opcode::Add);
+    case Op::Minus: return binary(Opcode::Subtract);
+    case Op::Times: return binary(Opcode::Multiply);
+    case Op::Divide: return binary(Opcode::Divide);
+    case Op::Modulo: return binary(Opcode::Modulo);
     case Op::Conditional: {
         const std::uint32_t then = integer(operands[1], to, next);
         return boolean(operands[0], then, integer(operands[2], to, next), to);

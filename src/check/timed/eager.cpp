@@ -21,24 +21,24 @@ std::vector<Id<Expr>> subterms(const Exprs& exprs, Id<Expr> root) {
     return open;
 }
 
-Do operation(Op op) {
+Opcode operation(Op op) {
     switch (op) {
-    case Op::Not: return Do::EagerNot;
-    case Op::And: return Do::EagerAnd;
-    case Op::Or: return Do::EagerOr;
-    case Op::Equal: return Do::EagerEqual;
-    case Op::NotEqual: return Do::EagerUnequal;
+    case Op::Not: return Opcode::EagerNot;
+    case Op::And: return Opcode::EagerAnd;
+    case Op::Or: return Opcode::EagerOr;
+    case Op::Equal: return Opcode::EagerEqual;
+    case Op::NotEqual: return Opcode::EagerUnequal;
     case Op::Less:
-    case Op::Greater: return Do::EagerLess;  // with operands exchanged
+    case Op::Greater: return Opcode::EagerLess;  // with operands exchanged
     case Op::LessEqual:
-    case Op::GreaterEqual: return Do::EagerLessEqual;
-    case Op::Negate: return Do::Negate;
-    case Op::Plus: return Do::Add;
-    case Op::Minus: return Do::Subtract;
-    case Op::Times: return Do::Multiply;
-    case Op::Divide: return Do::Divide;
-    case Op::Modulo: return Do::Modulo;
-    case Op::Conditional: return Do::EagerChoice;
+    case Op::GreaterEqual: return Opcode::EagerLessEqual;
+    case Op::Negate: return Opcode::Negate;
+    case Op::Plus: return Opcode::Add;
+    case Op::Minus: return Opcode::Subtract;
+    case Op::Times: return Opcode::Multiply;
+    case Op::Divide: return Opcode::Divide;
+    case Op::Modulo: return Opcode::Modulo;
+    case Op::Conditional: return Opcode::EagerChoice;
     case Op::False:
     case Op::True:
     case Op::Integer:
@@ -70,7 +70,7 @@ std::uint32_t Compiler::eager(Id<Expr> term, std::uint32_t next, std::uint32_t& 
         const std::uint32_t to = home.at(walk->index);
         const auto in = [&](std::size_t i) { return home.at(operands[i].index); };
         const auto constant = [&](Word value) {
-            return emit({.value = value, .yes = start, .to = to, .op = Do::Constant});
+            return emit({.value = value, .yes = start, .to = to, .op = Opcode::Constant});
         };
         if (const auto bits = literal(*walk); bits && is_leaf(node.op)) {
             const std::uint32_t truth = constant(1);

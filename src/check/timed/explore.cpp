@@ -19,7 +19,7 @@
 #include <utility>
 
 #include "check/timed/profile.hpp"
-#include "check/timed/slice.hpp"
+#include "check/timed/successor_batch.hpp"
 
 namespace grafverif::timed {
 
@@ -32,18 +32,18 @@ bool Limits::stopped() const {
     return options_.deadline && std::chrono::steady_clock::now() >= *options_.deadline;
 }
 
-Obstacle Limits::judge(const Graph& graph, std::uint32_t state, std::size_t more) {
-    if (stopped()) return Obstacle::Stopped;
+UnknownReason Limits::judge(const Graph& graph, std::uint32_t state, std::size_t more) {
+    if (stopped()) return UnknownReason::Stopped;
     // Evaluating the properties needs additional memory; if there are links, the index has been freed by then.
     const std::size_t freed = graph.linked ? graph.store.index_bytes() : 0;
     const std::size_t bytes = graph.bytes() + more + std::max(16 * graph.states(), freed) - freed;
-    if (allowed_used_ = bytes > options_.max_memory; allowed_used_) return Obstacle::Memory;
-    if (!options_.progress) return Obstacle::None;
+    if (allowed_used_ = bytes > options_.max_memory; allowed_used_) return UnknownReason::Memory;
+    if (!options_.progress) return UnknownReason::None;
     const double now = seconds();
-    if (now - shown_ < 0.2) return Obstacle::None;
+    if (now - shown_ < 0.2) return UnknownReason::None;
     shown_ = now;
     options_.progress({graph.states(), graph.transitions, graph.states() - state, bytes, now});
-    return Obstacle::None;
+    return UnknownReason::None;
 }
 
 void Limits::explain(Graph& graph) {
@@ -55,30 +55,31 @@ void Limits::explain(Graph& graph) {
 namespace {
 
 constexpr std::uint32_t slices_each = 64;      // per thread, in a block
-constexpr std::size_t many_words = 1U << 21U;  // of computed states in a block; above this no further slice is begun
+constexpr std::size_t many_text = 1U << 21U;   // of computed states in a block; above this no further slice is begun
 constexpr std::size_t kept_bytes = 1U << 21U;  // of a slice, for the next one
 constexpr std::size_t worth_sharing = 16;      // slices of states or new states; fewer are processed by one thread
 constexpr std::size_t link_bytes = 24;         // per state; above it links are dropped
 constexpr std::size_t link_grace = 1U << 18U;  // but not before they use this number of bytes in total
 
-class Search {
+class Exploration {
 public:
-    Search(Graph& graph, Watch& watch, const std::vector<Field>& races, Limits& limits)
+    Exploration(Graph& graph, PropertyMonitor& watch, const std::vector<Field>& races, Limits& limits)
         : graph_(graph), watch_(watch), races_(races), limits_(limits), team_(limits.team()) {}
 
-    Obstacle run() {
+    UnknownReason run() {
         now_.words = packed_initial(graph_.machine.network(), graph_.machine.layout());
-        strangers_.begin(1, 1);
+        new_states_.begin(1, 1);
         find_or_discover(0);
-        strangers_.index(0, graph_.store.roots());
+        new_states_.index(0, graph_.store.roots());
         while (graph_.looked_at < graph_.states()) {
-            if (const Obstacle obstacle = limits_.judge(graph_, graph_.looked_at, held()); obstacle != Obstacle::None)
+            if (const UnknownReason obstacle = limits_.judge(graph_, graph_.looked_at, held());
+                obstacle != UnknownReason::None)
                 return obstacle;
-            if (limits_.until_decided() && watch_.is_over()) return Obstacle::Bound;
+            if (limits_.until_decided() && watch_.is_over()) return UnknownReason::Bound;
             limits_.explain(graph_);
-            if (const Obstacle obstacle = block(); obstacle != Obstacle::None) return obstacle;
+            if (const UnknownReason obstacle = block(); obstacle != UnknownReason::None) return obstacle;
         }
-        return Obstacle::None;
+        return UnknownReason::None;
     }
 
 private:
@@ -89,23 +90,23 @@ private:
     }
 
     std::size_t held() const {
-        std::size_t bytes = strangers_.bytes();
+        std::size_t bytes = new_states_.bytes();
         for (const Slicer& slicer : slicers_) bytes += slicer.bytes();
-        for (const Slice& slice : slices_) bytes += slice.bytes();
+        for (const SuccessorBatch& slice : slices_) bytes += slice.bytes();
         return bytes;
     }
 
     /// The next states of the queue: computes their moves in parallel, then numbers the new states one by one.
-    Obstacle block() {
+    UnknownReason block() {
         const auto first = static_cast<std::uint32_t>(graph_.states());
         filled_ = compute();
         gather();
-        Obstacle obstacle = Obstacle::None;
+        UnknownReason obstacle = UnknownReason::None;
         try {
-            for (std::size_t i = 0; i < filled_ && obstacle == Obstacle::None; ++i)
-                obstacle = slices_[i].cut ? Obstacle::Bound : number(slices_[i]);
+            for (std::size_t i = 0; i < filled_ && obstacle == UnknownReason::None; ++i)
+                obstacle = slices_[i].cut ? UnknownReason::Bound : number(slices_[i]);
         } catch (const std::bad_alloc&) {
-            obstacle = Obstacle::Memory;
+            obstacle = UnknownReason::Memory;
         }
         write_down(graph_.states() - first);
         for (std::size_t i = 0; i < filled_; ++i) {
@@ -126,7 +127,7 @@ private:
         std::atomic<std::size_t> next = 0, computed = 0;
         std::atomic<bool> stopped = false;
         share(states, [&](unsigned member) {
-            while (!stopped.load(std::memory_order_relaxed) && computed.load(std::memory_order_relaxed) < many_words) {
+            while (!stopped.load(std::memory_order_relaxed) && computed.load(std::memory_order_relaxed) < many_text) {
                 const std::size_t at = next.fetch_add(1);
                 if (at >= count) return;
                 const std::size_t begin = graph_.looked_at + at * limits_.slice();
@@ -147,44 +148,44 @@ private:
     void gather() {
         std::size_t count = 0;
         for (std::size_t i = 0; i < filled_; ++i) {
-            Slice& slice = slices_[i];
-            count += slice.strangers.size();
+            SuccessorBatch& slice = slices_[i];
+            count += slice.new_states.size();
             for (const std::uint32_t k : slice.kept) {
-                Slice::Stranger& stranger = slice.strangers[k];
-                if (stranger.folded) continue;
-                stranger.root = graph_.store.fold(words_of(slice, k), {}, next_);
-                stranger.shard = graph_.store.roots().shard_of(stranger.root);
+                SuccessorBatch::NewState& new_state = slice.new_states[k];
+                if (new_state.folded) continue;
+                new_state.root = graph_.store.fold(words_of(slice, k), {}, next_);
+                new_state.shard = graph_.store.roots().shard_of(new_state.root);
             }
         }
         const unsigned parts = count >= worth_sharing * limits_.slice() ? team_.size() : 1;
-        strangers_.begin(parts, count);
+        new_states_.begin(parts, count);
         share(count, [&](unsigned member) {
             if (member >= parts) return;
             for (std::size_t i = 0; i < filled_; ++i) meet(slices_[i], member);
-            graph_.store.roots().make_room(strangers_.size(member) * parts, {member, parts});
+            graph_.store.roots().free_memory(new_states_.size(member) * parts, {member, parts});
         });
     }
 
     /// Registers the new states of a slice that belong to the part, in order.
-    void meet(Slice& slice, unsigned part) {
-        for (Slice::Stranger& stranger : slice.strangers) {
-            if (strangers_.part_of(stranger.shard) != part) continue;
-            const Strangers::Met met = strangers_.meet(part, stranger.root);
-            stranger.entry = met.entry;
-            stranger.first = met.fresh;
+    void meet(SuccessorBatch& slice, unsigned part) {
+        for (SuccessorBatch::NewState& new_state : slice.new_states) {
+            if (new_states_.part_of(new_state.shard) != part) continue;
+            const NewStates::Lookup met = new_states_.meet(part, new_state.root);
+            new_state.entry = met.entry;
+            new_state.first = met.fresh;
         }
     }
 
     /// Requires that `kept` includes the new state.
-    const Word* words_of(const Slice& slice, std::uint32_t stranger) const {
-        const auto at = std::ranges::lower_bound(slice.kept, stranger) - slice.kept.begin();
+    const Word* words_of(const SuccessorBatch& slice, std::uint32_t new_state) const {
+        const auto at = std::ranges::lower_bound(slice.kept, new_state) - slice.kept.begin();
         return slice.words.data() + static_cast<std::size_t>(at) * graph_.machine.layout().words;
     }
 
     /// Numbers the successors of the states of a slice, in order, and their successors in time.
-    Obstacle number(const Slice& slice) {
+    UnknownReason number(const SuccessorBatch& slice) {
         for (std::uint32_t state = slice.begin; state != slice.end; ++state) {
-            if (limits_.too_many(graph_.states())) return Obstacle::Bound;
+            if (limits_.too_many(graph_.states())) return UnknownReason::Bound;
             if (state == level_end_ || state == 0) {
                 graph_.levels.push_back(state);
                 level_end_ = static_cast<std::uint32_t>(graph_.states());
@@ -192,10 +193,10 @@ private:
             visit(slice, state, slice.states[state - slice.begin]);
             graph_.looked_at = state + 1;
         }
-        return Obstacle::None;
+        return UnknownReason::None;
     }
 
-    void visit(const Slice& slice, std::uint32_t state, const Slice::State& at) {
+    void visit(const SuccessorBatch& slice, std::uint32_t state, const SuccessorBatch::State& at) {
         if (at.race) {
             if (!graph_.race) graph_.race = state;
             graph_.set_kind(state, StateKind::Open, state);
@@ -203,7 +204,7 @@ private:
         }
         for (std::uint32_t i = at.first; i != at.first + at.edges; ++i) {
             const std::uint32_t target = slice.targets[i];
-            if ((target & Slice::stranger) != 0 && slice.strangers[target & Slice::number].first)
+            if ((target & SuccessorBatch::new_state) != 0 && slice.new_states[target & SuccessorBatch::number].first)
                 resolve(slice, target, state);  // afterwards the others of the same state have its number
         }
         graph_.transitions += at.edges;
@@ -221,7 +222,7 @@ private:
     void write_down(std::size_t found) {
         next_slice_ = 0;
         share(std::max<std::size_t>(found, graph_.looked_at - slices_[0].begin), [&](unsigned member) {
-            if (member < strangers_.parts()) strangers_.index(member, graph_.store.roots());
+            if (member < new_states_.parts()) new_states_.index(member, graph_.store.roots());
             for (std::size_t i = 0; (i = next_slice_.fetch_add(1)) < filled_;) lead(slices_[i]);
         });
         try {
@@ -235,9 +236,9 @@ private:
     }
 
     /// Stores the targets of the edges of a slice's expanded states. Allocates no memory.
-    void lead(Slice& slice) {
+    void lead(SuccessorBatch& slice) {
         for (std::uint32_t state = slice.begin; state < std::min(slice.end, graph_.looked_at); ++state) {
-            const Slice::State& at = slice.states[state - slice.begin];
+            const SuccessorBatch::State& at = slice.states[state - slice.begin];
             if (graph_.linked) slice.links.begin();
             std::uint32_t last = state;
             std::uint32_t onward = 0;    // target of an edge; a late state, since these lead to further ones
@@ -246,7 +247,7 @@ private:
                 const std::uint32_t next = number_of(slice, slice.targets[i]);
                 if (graph_.linked) slice.links.add(std::exchange(last, next), next);
                 onward = std::max(onward, next);
-                if ((slice.targets[i] & Slice::urgent) != 0) urgently = std::max(urgently, next);
+                if ((slice.targets[i] & SuccessorBatch::urgent) != 0) urgently = std::max(urgently, next);
             }
             const StateKind kind = graph_.kind(state);
             if (kind == StateKind::Urgent) graph_.set_kind(state, kind, urgently);
@@ -255,28 +256,28 @@ private:
     }
 
     /// Requires a numbered target.
-    std::uint32_t number_of(const Slice& slice, std::uint32_t target) const {
-        const std::uint32_t number = target & Slice::number;
-        return (target & Slice::stranger) == 0 ? number : strangers_.number(slice.strangers[number].entry);
+    std::uint32_t number_of(const SuccessorBatch& slice, std::uint32_t target) const {
+        const std::uint32_t number = target & SuccessorBatch::number;
+        return (target & SuccessorBatch::new_state) == 0 ? number : new_states_.number(slice.new_states[number].entry);
     }
 
     /// The number of a target; a new state gets the next number when the search first reaches it.
-    std::uint32_t resolve(const Slice& slice, std::uint32_t target, std::uint32_t parent) {
-        const std::uint32_t index = target & Slice::number;
-        if ((target & Slice::stranger) == 0) return index;
-        const Slice::Stranger& stranger = slice.strangers[index];
-        Strangers::Entry& entry = strangers_[stranger.entry];
+    std::uint32_t resolve(const SuccessorBatch& slice, std::uint32_t target, std::uint32_t parent) {
+        const std::uint32_t index = target & SuccessorBatch::number;
+        if ((target & SuccessorBatch::new_state) == 0) return index;
+        const SuccessorBatch::NewState& new_state = slice.new_states[index];
+        NewStates::Entry& entry = new_states_[new_state.entry];
         if (entry.number != Store::none) return entry.number;
         entry.number = discover(entry.root, parent);
-        if (stranger.wanted) watch_.look(graph_.machine, entry.number, words_of(slice, index), registers_);
+        if (new_state.wanted) watch_.look(graph_.machine, entry.number, words_of(slice, index), registers_);
         return entry.number;
     }
 
     /// Adds a new state with its parent: completely, or not at all if memory is exhausted.
     std::uint32_t discover(Word root, std::uint32_t parent) {
         if (graph_.states() >= Store::most) throw std::bad_alloc();  // one state may have many successors
-        graph_.parent.make_room(1);
-        graph_.kinds.make_room(1);
+        graph_.parent.free_memory(1);
+        graph_.kinds.free_memory(1);
         const std::uint32_t state = graph_.store.roots().append(root);
         graph_.parent.push_back(parent);
         graph_.kinds.push_back(0);
@@ -287,8 +288,8 @@ private:
     std::uint32_t find_or_discover(std::uint32_t parent) {
         const Word root = graph_.store.fold(now_.words.data(), {}, next_);
         if (const std::uint32_t known = graph_.store.roots().find(root); known != Store::none) return known;
-        Strangers::Entry& entry =
-            strangers_[strangers_.meet(strangers_.part_of(graph_.store.roots().shard_of(root)), root).entry];
+        NewStates::Entry& entry =
+            new_states_[new_states_.meet(new_states_.part_of(graph_.store.roots().shard_of(root)), root).entry];
         if (entry.number != Store::none) return entry.number;
         entry.number = discover(root, parent);
         if (watch_.wants(graph_.machine, now_.words.data(), registers_))
@@ -301,9 +302,9 @@ private:
     std::uint32_t later(std::uint32_t state) {
         const std::size_t index = (state - slices_[0].begin) / limits_.slice();
         if (state >= slices_[0].begin && index < filled_) {
-            const Slice& slice = slices_[index];
+            const SuccessorBatch& slice = slices_[index];
             if (state < slice.end && slice.states[state - slice.begin].timed) {
-                const Slice::State& at = slice.states[state - slice.begin];
+                const SuccessorBatch::State& at = slice.states[state - slice.begin];
                 return at.passes ? resolve(slice, slice.targets[at.first + at.edges], state) : Store::none;
             }
         }
@@ -340,7 +341,7 @@ private:
     }
 
     /// Records the faults and bounds found in the expanded states of a slice.
-    void note(const Slice& slice) {
+    void note(const SuccessorBatch& slice) {
         const auto first = [&](std::optional<UncoveredAt>& of, const std::optional<UncoveredAt>& at) {
             if (!of && at && at->state < graph_.looked_at) of = at;
         };
@@ -357,27 +358,27 @@ private:
     }
 
     Graph& graph_;
-    Watch& watch_;
+    PropertyMonitor& watch_;
     const std::vector<Field>& races_;
     Limits& limits_;
-    Team& team_;
-    std::vector<Slice> slices_ = {};
+    ThreadPool& team_;
+    std::vector<SuccessorBatch> slices_ = {};
     std::vector<Slicer> slicers_ = {};  // per thread
-    Strangers strangers_ = {};
+    NewStates new_states_ = {};
     std::size_t filled_ = 0;  // slices of the current block
     std::atomic<std::size_t> next_slice_ = 0;
     std::uint32_t level_end_ = 0;
     Unfolded now_ = {}, next_ = {};
-    Watch::Registers registers_ = {};
+    PropertyMonitor::Registers registers_ = {};
 };
 
 }  // namespace
 
-Obstacle explore(Graph& graph, Watch& watch, const std::vector<Field>& races, Limits& limits) {
+UnknownReason explore(Graph& graph, PropertyMonitor& watch, const std::vector<Field>& races, Limits& limits) {
     try {
-        return Search(graph, watch, races, limits).run();
+        return Exploration(graph, watch, races, limits).run();
     } catch (const std::bad_alloc&) {
-        return Obstacle::Memory;  // the states found are complete and indexed, the expanded ones have their links
+        return UnknownReason::Memory;  // the states found are complete and indexed, the expanded ones have their links
     }
 }
 

@@ -8,9 +8,9 @@
 
 #include "check/timed/graph.hpp"
 #include "check/timed/machine.hpp"
+#include "check/timed/property_monitor.hpp"
 #include "check/timed/timed.hpp"
-#include "check/timed/watch.hpp"
-#include "support/team.hpp"
+#include "support/thread_pool.hpp"
 
 namespace grafverif::timed {
 
@@ -20,7 +20,7 @@ public:
     explicit Limits(const TimedOptions& options)
         : options_(options), start_(std::chrono::steady_clock::now()), team_(options.jobs) {}
 
-    Team& team() const { return team_; }
+    ThreadPool& team() const { return team_; }
     std::uint32_t slice() const { return options_.slice; }
     /// Number of parts into which cheap work on this number of states is divided.
     std::size_t parts(std::size_t states) const { return states < std::size_t{1024} * slice() ? 1 : team_.size(); }
@@ -46,12 +46,12 @@ public:
     bool stopped() const;
     /// For every state in loops outside the exploration: throws Stop if the check ends.
     struct Stop {};
-    static constexpr std::size_t look_every = 65536;  ///< states
+    static constexpr std::size_t poll_interval = 65536;  ///< states
     void poll() const {
-        if (++polls_ % look_every == 0 && stopped()) throw Stop{};
+        if (++polls_ % poll_interval == 0 && stopped()) throw Stop{};
     }
     /// The cause that ends the search, or None; reports progress periodically. `more`: bytes used besides the graph.
-    Obstacle judge(const Graph& graph, std::uint32_t state, std::size_t more);
+    UnknownReason judge(const Graph& graph, std::uint32_t state, std::size_t more);
     /// Computes a profile of the states found, once, if there are many and one was requested.
     void explain(Graph& graph);
     bool too_many(std::size_t states) const { return states >= options_.max_states || states >= Store::most; }
@@ -67,11 +67,11 @@ private:
     bool allowed_used_ = false;
     bool explained_ = false;
     mutable std::uint32_t polls_ = 0;
-    mutable Team team_;
+    mutable ThreadPool team_;
 };
 
 /// Fills `graph` from the initial state; returns the cause of an early end, or None. States in which the `race` bit is
 /// set are found but not expanded.
-Obstacle explore(Graph& graph, Watch& watch, const std::vector<Field>& races, Limits& limits);
+UnknownReason explore(Graph& graph, PropertyMonitor& watch, const std::vector<Field>& races, Limits& limits);
 
 }  // namespace grafverif::timed

@@ -21,7 +21,7 @@ void sweep_once(std::vector<std::uint32_t>& open, StateSet& set, bool beside, co
         std::size_t kept = open.size() * part / parts;
         const std::size_t end = open.size() * (part + 1) / parts;
         for (std::size_t i = kept; i != end; ++i) {
-            if (i % Limits::look_every == 0 && limits.stopped()) throw Limits::Stop{};
+            if (i % Limits::poll_interval == 0 && limits.stopped()) throw Limits::Stop{};
             const std::uint32_t state = open[i];
             if (!decided(state)) open[kept++] = state;
             else if (parts == 1) set.add(state);

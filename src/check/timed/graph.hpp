@@ -35,7 +35,7 @@ enum class StateKind : std::uint32_t {
 class Links {
 public:
     /// The lists of a few consecutive states, built in parallel with others.
-    struct Part {
+    struct Chunk {
         static constexpr std::size_t most = 5;  ///< maximum bytes of one state in a list
         std::vector<std::uint8_t> bytes = {};
         std::vector<std::uint32_t> begins = {};  ///< in `bytes`, of each list
@@ -51,10 +51,10 @@ public:
         }
     };
     /// Appends the lists of the next states.
-    void append(const Part& part) {
+    void append(const Chunk& part) {
         const auto first = static_cast<std::uint32_t>(bytes_.size());
         bytes_.append(part.bytes.data(), part.bytes.size());
-        ends_.make_room(part.begins.size());
+        ends_.free_memory(part.begins.size());
         for (const std::uint32_t begin : part.begins) ends_.push_back(first + begin);
     }
 

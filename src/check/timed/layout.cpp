@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ir/network_parts.hpp"
+#include "ir/network_subsystems.hpp"
 
 namespace grafverif::timed {
 
@@ -51,7 +51,7 @@ private:
 std::uint64_t values_of(const Type& type) { return static_cast<std::uint64_t>(type.high - type.low) + 1; }
 
 /// The processes, grouped by independent subsystem.
-std::vector<Id<Network::Process>> by_part(const Network& network, const NetworkParts& parts) {
+std::vector<Id<Network::Process>> by_part(const Network& network, const NetworkSubsystems& parts) {
     std::vector<Id<Network::Process>> processes;
     for (const Id<Network::Process> process : network.processes.ids()) processes.push_back(process);
     std::ranges::stable_sort(processes, {}, [&](Id<Network::Process> id) { return parts.of_process[id.index]; });
@@ -91,7 +91,7 @@ Layout layout_of(const Network& network, const std::vector<ProcessClocks>& clock
         const Network::Variable& variable = network.variables[id];
         if (!variable.scratch) layout.variables[id.index] = bits.take(values_of(variable.type), variable.type.low);
     };
-    const NetworkParts parts = parts_of(network);
+    const NetworkSubsystems parts = parts_of(network);
     std::uint32_t part = 0;
     for (const Id<Network::Process> process : by_part(network, parts)) {
         if (std::exchange(part, parts.of_process[process.index]) != part) layout.seams.push_back(bits.seam());

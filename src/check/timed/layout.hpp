@@ -48,9 +48,9 @@ struct Field {
 };
 
 struct Layout {
-    static constexpr std::size_t most_words = std::size_t{1}
-                                              << 16U;  ///< that a field can address; for more, `fits` is false
-    bool fits() const { return words <= most_words; }
+    static constexpr std::size_t most_text = std::size_t{1}
+                                             << 16U;  ///< that a field can address; for more, `fits` is false
+    bool fits() const { return words <= most_text; }
 
     std::vector<Field> locations = {};            ///< per process
     std::vector<Field> variables = {};            ///< per variable

@@ -56,7 +56,7 @@ Word* Machine::take(std::uint32_t edge, const Word* words, Moves& moves) const {
         moves.words.resize(2 * room);
     Word* const next = moves.words.data() + moves.edges.size() * layout_.words;
     for (std::size_t i = 0; i < layout_.stored; ++i) next[i] = words[i];
-    const Ran ran = run(program_, edges_[edge].effect, next, moves.registers.data() + program_.below);
+    const ExecutionResult ran = run(program_, edges_[edge].effect, next, moves.registers.data() + program_.below);
     moves.urgent = moves.urgent || edges_[edge].urgent;  // also at a model error
     if (ran.end == End::Yes) {
         moves.edges.push_back(edge);
@@ -72,7 +72,7 @@ void Machine::fire_each_way(std::uint32_t edge, const Word* words, Moves& moves)
     const Edge& at = edges_[edge];
     std::int64_t* const registers = moves.registers.data() + program_.below;
     const auto word = [&](std::size_t split) -> std::int64_t& { return *(registers - Choices::path - split / 64); };
-    for (std::size_t i = 0; i < Choices::path_words; ++i) word(64 * i) = 0;
+    for (std::size_t i = 0; i < Choices::path_text; ++i) word(64 * i) = 0;
     for (std::size_t ways = 0;; ++ways) {
         if (ways == most_choices) {
             moves.cut = true;

@@ -116,7 +116,7 @@ private:
     Edge compile_edge(Id<Network::Process> process, Id<Network::Edge> edge);
     std::uint32_t compile_effect(Id<Network::Process> process, const Network::Edge& edge);
     void compile_guard(Id<Expr> guard, Edge& compiled);
-    void judge_bounds(Id<Network::Process> process, const Network::Edge& edge, Edge& compiled) const;
+    void check_bounds(Id<Network::Process> process, const Network::Edge& edge, Edge& compiled) const;
     void add_sets(Id<Network::Process> process, Id<Network::Edge> edge, Edge& compiled);
     void fire(std::uint32_t edge, const Word* words, Moves& moves) const;
     void fire_each_way(std::uint32_t edge, const Word* words, Moves& moves) const;

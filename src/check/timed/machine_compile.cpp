@@ -111,7 +111,7 @@ Machine::Edge Machine::compile_edge(Id<Network::Process> process, Id<Network::Ed
     }
     compiled.effect = compile_effect(process, edge);
     add_sets(process, id, compiled);
-    judge_bounds(process, edge, compiled);
+    check_bounds(process, edge, compiled);
     return compiled;
 }
 
@@ -129,7 +129,7 @@ void Machine::compile_guard(Id<Expr> guard, Edge& compiled) {
     if (is_true(network_.exprs, guard) || alone(guard)) return;
     compiled.guard = compiler_.condition(guard, Program::yes, Program::no);
     const Instruction& first = program_.code[compiled.guard];
-    if (first.op != Do::Test || first.no != Program::no) return;
+    if (first.op != Opcode::Test || first.no != Program::no) return;
     compiled.word = first.word;
     compiled.mask = first.mask;
     compiled.value = first.value;
@@ -145,7 +145,7 @@ std::uint32_t Machine::compile_effect(Id<Network::Process> process, const Networ
         if (field.width == 0) return;
         auto known = std::ranges::find(patches, field.word, &Instruction::word);
         if (known == patches.end())
-            known = patches.insert(known, {.mask = ~Word{0}, .word = field.word, .op = Do::Patch});
+            known = patches.insert(known, {.mask = ~Word{0}, .word = field.word, .op = Opcode::Patch});
         known->mask &= ~field.mask();
         known->value |= field.placed(value);
     };
@@ -162,7 +162,7 @@ std::uint32_t Machine::compile_effect(Id<Network::Process> process, const Networ
                                    .yes = next,
                                    .word = field.word,
                                    .shift = field.shift,
-                                   .op = Do::Cap});
+                                   .op = Opcode::Cap});
     }
     for (Instruction& instruction : patches) {
         instruction.yes = next;
@@ -182,7 +182,7 @@ std::uint32_t Machine::compile_effect(Id<Network::Process> process, const Networ
 /// Determines which bounds of the source this edge covers (see UncoveredBound): it is enabled at `c == d` if c is the
 /// only clock that affects its constraint and the target's invariant after the resets. A bound of the target that the
 /// source implies has no effect. The edge frees the bound if c is reset, or not bounded before its next reset.
-void Machine::judge_bounds(Id<Network::Process> process, const Network::Edge& edge, Edge& compiled) const {
+void Machine::check_bounds(Id<Network::Process> process, const Network::Edge& edge, Edge& compiled) const {
     const Network::Template& automaton = network_.templates[network_.processes[process].automaton];
     const std::size_t clocks = automaton.clocks.size();
     const auto& invariant = automaton.locations[edge.from].invariant;

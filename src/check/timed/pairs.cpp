@@ -101,7 +101,7 @@ void Pairs::put(Shard& shard, std::uint64_t hash, std::uint32_t number) {
     shard.slots[place] = print_of(hash, shard.number_bits) << shard.number_bits | (number + 1);
 }
 
-void Pairs::make_room(std::size_t more, Share share) {
+void Pairs::free_memory(std::size_t more, Share share) {
     const std::size_t each = more / shards_.size() + more / shards_.size() / 8 + 16;
     for (std::size_t i = share.member; i < shards_.size(); i += share.members) {
         Shard& shard = shards_[i];

@@ -42,7 +42,7 @@ public:
         unsigned member = 0, members = 1;
     };
     /// Reserves memory for further pairs; it may not suffice if unusually many of them fall into one shard.
-    void make_room(std::size_t more, Share share);
+    void free_memory(std::size_t more, Share share);
     /// The shard of the pair; it belongs to the member whose number equals it modulo the number of members.
     std::uint8_t shard_of(Word pair) const { return static_cast<std::uint8_t>(shard_at(hash(pair))); }
     /// Makes an appended pair findable.

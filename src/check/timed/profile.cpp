@@ -28,7 +28,7 @@ std::uint64_t mixed(std::uint64_t value) {
     return value ^ (value >> 31U);
 }
 
-struct Thing {
+struct ProfiledElement {
     std::uint64_t now = 0;  // of the current state
     std::uint64_t met = 0;  // states whose rest is counted
     std::vector<std::uint64_t> rests = {};
@@ -71,24 +71,24 @@ public:
         name_parts();
         for (const Id<Network::Process> process : network_.processes.ids()) add_process(process);
         add_variables();
-        things_.resize(profile_.parts.size() + profile_.clocks.size());
+        elements_.resize(profile_.parts.size() + profile_.clocks.size());
     }
 
     StateProfile profile(Effort effort) {
         profile_.states = graph_.states();
         const std::uint64_t most = std::uint64_t{1} << (effort == Effort::Brief ? 19U : 25U);
-        const std::uint64_t each = columns_.size() + 4 * things_.size() + 1;
+        const std::uint64_t each = columns_.size() + 4 * elements_.size() + 1;
         profile_.sampled = std::min<std::uint64_t>(graph_.states(), most / each);
-        const std::uint64_t expected = profile_.sampled * (things_.size() + 1) / most_rests;
+        const std::uint64_t expected = profile_.sampled * (elements_.size() + 1) / most_rests;
         classes_ = std::bit_ceil(expected + 1);
-        profile_.most_combinations = std::max<std::uint64_t>(most_seen / things_.size(), 256);
+        profile_.most_combinations = std::max<std::uint64_t>(most_seen / elements_.size(), 256);
         for (std::uint32_t state = 0; state < profile_.sampled; ++state) look(graph_.load(state));
         for (std::size_t i = 0; i < profile_.parts.size(); ++i) {
-            profile_.parts[i].combinations = things_[i].values.size();
-            profile_.parts[i].factor = things_[i].factor();
+            profile_.parts[i].combinations = elements_[i].values.size();
+            profile_.parts[i].factor = elements_[i].factor();
         }
         for (std::size_t i = 0; i < profile_.clocks.size(); ++i) {
-            Thing& thing = things_[profile_.parts.size() + i];
+            ProfiledElement& thing = elements_[profile_.parts.size() + i];
             profile_.clocks[i].values = thing.values.size();
             profile_.clocks[i].factor = thing.factor();
         }
@@ -105,7 +105,7 @@ private:
     /// One part for each controller with its timers, one for each other process.
     void name_parts() {
         part_of_.assign(network_.processes.size(), Column::none);
-        told_ = told_names(network_);
+        told_ = display_names(network_);
         for (const Network::Controller& controller : network_.controllers) {
             part_of_[controller.process.index] = profile_.parts.size();
             for (const Network::Timer& timer : controller.timers)
@@ -187,20 +187,20 @@ private:
     }
 
     void look(const Word* words) {
-        for (Thing& thing : things_) thing.now = 0;
+        for (ProfiledElement& thing : elements_) thing.now = 0;
         finer_.now = 0;
         std::uint64_t whole = 0;
         for (std::size_t i = 0; i < columns_.size(); ++i) {
             const Column& column = columns_[i];
             const std::uint64_t value = mixed(mixed(i) ^ column.field.raw(words));
             whole += value;
-            if (column.part != Column::none) things_[column.part].now += value;
+            if (column.part != Column::none) elements_[column.part].now += value;
             if (column.clock == Column::none) continue;
-            things_[profile_.parts.size() + column.clock].now += value;
+            elements_[profile_.parts.size() + column.clock].now += value;
             if (profile_.finest) finer_.now += value - mixed(mixed(i) ^ coarser(column.field.raw(words)));
         }
         if (profile_.finest) finer_.look(whole, classes_, 0);
-        for (Thing& thing : things_) thing.look(whole, classes_, profile_.most_combinations);
+        for (ProfiledElement& thing : elements_) thing.look(whole, classes_, profile_.most_combinations);
         const bool inside = std::ranges::any_of(waiting_, [&](const Waiting& at) {
             const Word now = at.location.raw(words);
             return now != at.waiting && now != at.initial;
@@ -215,8 +215,8 @@ private:
     std::vector<std::string> told_ = {};     // per process: `3s/X2` of a timer, otherwise its name
     std::vector<Waiting> waiting_ = {};
     std::vector<Column> columns_ = {};
-    std::vector<Thing> things_ = {};  // parts, then clocks
-    Thing finer_ = {};                // the values that the coarser unit does not distinguish
+    std::vector<ProfiledElement> elements_ = {};  // parts, then clocks
+    ProfiledElement finer_ = {};                  // the values that the coarser unit does not distinguish
     std::uint64_t classes_ = 1;
 };
 

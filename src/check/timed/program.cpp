@@ -9,17 +9,17 @@ namespace grafverif::timed {
 
 namespace {
 
-std::int64_t arithmetic(Do op, std::int64_t left, std::int64_t right) {
+std::int64_t arithmetic(Opcode op, std::int64_t left, std::int64_t right) {
     if (left == undefined || right == undefined) return undefined;
     std::int64_t result = 0;
     bool overflow = false;
     switch (op) {
-    case Do::Add: overflow = __builtin_add_overflow(left, right, &result); break;
-    case Do::Subtract: overflow = __builtin_sub_overflow(left, right, &result); break;
-    case Do::Multiply: overflow = __builtin_mul_overflow(left, right, &result); break;
-    case Do::Divide: return right == 0 ? undefined : left / right;
-    case Do::Modulo: return right == 0 ? undefined : left % right;
-    case Do::Negate: return -left;
+    case Opcode::Add: overflow = __builtin_add_overflow(left, right, &result); break;
+    case Opcode::Subtract: overflow = __builtin_sub_overflow(left, right, &result); break;
+    case Opcode::Multiply: overflow = __builtin_mul_overflow(left, right, &result); break;
+    case Opcode::Divide: return right == 0 ? undefined : left / right;
+    case Opcode::Modulo: return right == 0 ? undefined : left % right;
+    case Opcode::Negate: return -left;
     default: unreachable();
     }
     return overflow ? undefined : result;
@@ -30,85 +30,89 @@ std::int64_t eager_value(const Instruction& at, const std::int64_t* registers) {
     const std::int64_t left = registers[at.a];
     const std::int64_t right = registers[at.b];
     if (left == undefined) return undefined;
-    if (at.op == Do::EagerNot) return left == 0;
-    if (at.op == Do::EagerAnd) return left == 0 ? 0 : right;
-    if (at.op == Do::EagerOr) return left != 0 ? 1 : right;
-    if (at.op == Do::EagerChoice) return left != 0 ? right : registers[at.c];
+    if (at.op == Opcode::EagerNot) return left == 0;
+    if (at.op == Opcode::EagerAnd) return left == 0 ? 0 : right;
+    if (at.op == Opcode::EagerOr) return left != 0 ? 1 : right;
+    if (at.op == Opcode::EagerChoice) return left != 0 ? right : registers[at.c];
     if (right == undefined) return undefined;
     switch (at.op) {
-    case Do::EagerEqual: return left == right;
-    case Do::EagerUnequal: return left != right;
-    case Do::EagerLess: return left < right;
-    case Do::EagerLessEqual: return left <= right;
+    case Opcode::EagerEqual: return left == right;
+    case Opcode::EagerUnequal: return left != right;
+    case Opcode::EagerLess: return left < right;
+    case Opcode::EagerLessEqual: return left <= right;
     default: unreachable();
     }
 }
 
 }  // namespace
 
-Ran run(const Program& program, std::uint32_t start, Word* words, std::int64_t* registers) {
+ExecutionResult run(const Program& program, std::uint32_t start, Word* words, std::int64_t* registers) {
     const Instruction* const code = program.code.data();
     std::uint32_t place = start;
     for (;;) {
         const Instruction& at = code[place];
         switch (at.op) {
-        case Do::Yes: return {End::Yes, place};
-        case Do::No: return {End::No, place};
-        case Do::Test: place = (words[at.word] & at.mask) == at.value ? at.yes : at.no; break;
-        case Do::Within: place = ((words[at.word] & at.mask) >> at.shift) - at.value <= at.span ? at.yes : at.no; break;
-        case Do::Patch:
+        case Opcode::Yes: return {End::Yes, place};
+        case Opcode::No: return {End::No, place};
+        case Opcode::Test: place = (words[at.word] & at.mask) == at.value ? at.yes : at.no; break;
+        case Opcode::Within:
+            place = ((words[at.word] & at.mask) >> at.shift) - at.value <= at.span ? at.yes : at.no;
+            break;
+        case Opcode::Patch:
             words[at.word] = (words[at.word] & at.mask) | at.value;
             place = at.yes;
             break;
-        case Do::Cap: {
+        case Opcode::Cap: {
             const Word raw = (words[at.word] & at.mask) >> at.shift;
             if (raw > at.value) words[at.word] = (words[at.word] & ~at.mask) | (at.value << at.shift);
             place = at.yes;
             break;
         }
-        case Do::Load:
+        case Opcode::Load:
             registers[at.to] = static_cast<std::int64_t>(((words[at.word] & at.mask) >> at.shift) + at.value);
             place = at.yes;
             break;
-        case Do::Constant:
+        case Opcode::Constant:
             registers[at.to] = static_cast<std::int64_t>(at.value);
             place = at.yes;
             break;
-        case Do::Add:
-        case Do::Subtract:
-        case Do::Multiply:
-        case Do::Divide:
-        case Do::Modulo:
-        case Do::Negate:
+        case Opcode::Add:
+        case Opcode::Subtract:
+        case Opcode::Multiply:
+        case Opcode::Divide:
+        case Opcode::Modulo:
+        case Opcode::Negate:
             registers[at.to] = arithmetic(at.op, registers[at.a], registers[at.b]);
             place = at.yes;
             break;
-        case Do::Equal:
-        case Do::Less:
-        case Do::LessEqual: {
+        case Opcode::Equal:
+        case Opcode::Less:
+        case Opcode::LessEqual: {
             const std::int64_t left = registers[at.a];
             const std::int64_t right = registers[at.b];
             if (left == undefined || right == undefined) return {End::NoValue, place};
-            const bool holds = at.op == Do::Equal ? left == right : at.op == Do::Less ? left < right : left <= right;
+            const bool holds = at.op == Opcode::Equal  ? left == right
+                               : at.op == Opcode::Less ? left < right
+                                                       : left <= right;
             place = holds ? at.yes : at.no;
             break;
         }
-        case Do::Truth:
+        case Opcode::Truth:
             if (registers[at.a] == undefined) return {End::NoValue, place};
             place = registers[at.a] != 0 ? at.yes : at.no;
             break;
-        case Do::EagerNot:
-        case Do::EagerAnd:
-        case Do::EagerOr:
-        case Do::EagerEqual:
-        case Do::EagerUnequal:
-        case Do::EagerLess:
-        case Do::EagerLessEqual:
-        case Do::EagerChoice:
+        case Opcode::EagerNot:
+        case Opcode::EagerAnd:
+        case Opcode::EagerOr:
+        case Opcode::EagerEqual:
+        case Opcode::EagerUnequal:
+        case Opcode::EagerLess:
+        case Opcode::EagerLessEqual:
+        case Opcode::EagerChoice:
             registers[at.to] = eager_value(at, registers);
             place = at.yes;
             break;
-        case Do::Choose: {
+        case Opcode::Choose: {
             std::int64_t& set = *(registers - at.to);
             const Word possible = static_cast<Word>(set);
             const Word within = possible & at.value;
@@ -123,7 +127,7 @@ Ran run(const Program& program, std::uint32_t start, Word* words, std::int64_t* 
             place = other ? at.no : at.yes;
             break;
         }
-        case Do::Store: {
+        case Opcode::Store: {
             if (registers[at.a] == undefined) return {End::NoValue, place};
             const Word raw = static_cast<Word>(registers[at.a]) - at.value;
             if (raw > at.span) return {End::OutOfRange, place};
@@ -143,7 +147,7 @@ Instruction field_within(const Field& field, std::int64_t low, std::int64_t high
             .no = no,
             .word = field.word,
             .shift = field.shift,
-            .op = Do::Within};
+            .op = Opcode::Within};
 }
 
 }  // namespace grafverif::timed

@@ -19,7 +19,7 @@
 
 namespace grafverif::timed {
 
-enum class Do : std::uint8_t {
+enum class Opcode : std::uint8_t {
     Yes,
     No,      // the end
     Test,    // (word & mask) == value ?
@@ -59,7 +59,7 @@ struct Instruction {
     std::uint32_t to = 0, a = 0, b = 0, c = 0;  ///< registers; Store: `to` is the variable
     std::uint16_t word = 0;
     std::uint8_t shift = 0;
-    Do op = Do::Yes;
+    Opcode op = Opcode::Yes;
 };
 
 /// The test that the bits of `field` are a number in low..high.
@@ -72,15 +72,15 @@ inline constexpr std::int64_t undefined = std::numeric_limits<std::int64_t>::min
 /// set of valuations that are possible for a choice is a bit mask; `Choose` splits a set for which its condition is
 /// neither constantly true nor false. `path` has one bit per split, `depth` counts the splits of a run.
 struct Choices {
-    static constexpr std::uint32_t depth = 1, path = 2, path_words = 4, most_splits = 64 * path_words;
+    static constexpr std::uint32_t depth = 1, path = 2, path_text = 4, most_splits = 64 * path_text;
     static constexpr std::uint32_t set(std::size_t choice) {
-        return path + path_words + static_cast<std::uint32_t>(choice);
+        return path + path_text + static_cast<std::uint32_t>(choice);
     }
 };
 
 struct Program {
     static constexpr std::uint32_t yes = 0, no = 1;  ///< the two final instructions come first
-    std::vector<Instruction> code = {Instruction{}, Instruction{.op = Do::No}};
+    std::vector<Instruction> code = {Instruction{}, Instruction{.op = Opcode::No}};
     std::size_t registers = 1;
     std::size_t below = 0;  ///< registers below the first one
 };
@@ -88,13 +88,13 @@ struct Program {
 enum class End { Yes, No, OutOfRange, NoValue };
 
 /// Runs from `start`; `place` is the final instruction, or the one that caused a fault.
-struct Ran {
+struct ExecutionResult {
     End end = End::No;
     std::uint32_t place = 0;
 };
-Ran run(const Program& program, std::uint32_t start, Word* words, std::int64_t* registers);
+ExecutionResult run(const Program& program, std::uint32_t start, Word* words, std::int64_t* registers);
 /// Runs a condition, which writes no word.
-inline Ran test(const Program& program, std::uint32_t start, const Word* words, std::int64_t* registers) {
+inline ExecutionResult test(const Program& program, std::uint32_t start, const Word* words, std::int64_t* registers) {
     return run(program, start, const_cast<Word*>(words), registers);
 }
 

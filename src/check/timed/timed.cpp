@@ -7,7 +7,7 @@
 
 #include "check/timed/premises.hpp"
 #include "check/timed/profile.hpp"
-#include "check/timed/questions.hpp"
+#include "check/timed/property_queries.hpp"
 #include "support/overloaded.hpp"
 
 namespace grafverif {
@@ -58,17 +58,17 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     timed::Limits limits(options);
     const Network flat = expand(network);
     timed::Machine machine(flat, options.choices);
-    timed::Watch watch;
-    timed::Questions questions(flat, machine, watch);
+    timed::PropertyMonitor watch;
+    timed::PropertyQueries questions(flat, machine, watch);
     const Property timelock = timed::undeclared_timelock(flat);
-    bool timelock_asked = !options.timelock;
+    bool timelock_requested = !options.timelock;
     for (const Id<Property> id : flat.properties.ids()) {
         const Property& property = flat.properties[id];
-        if (!timed::asked(options, property)) continue;
+        if (!timed::is_selected(options, property)) continue;
         questions.ask(id, property);
-        timelock_asked = timelock_asked || timed::about_time(property);
+        timelock_requested = timelock_requested || timed::about_time(property);
     }
-    if (!timelock_asked) questions.ask({}, timelock);
+    if (!timelock_requested) questions.ask({}, timelock);
     std::uint32_t settled = timed::Program::no;
     if (options.premises && flat.settled.valid())
         settled = machine.compiler().condition(flat.settled, timed::Program::yes, timed::Program::no);
@@ -77,8 +77,8 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     graph.linked = options.keep_links && (options.premises || questions.follow_edges());
     std::vector<timed::Field> races;
     if (flat.race.valid()) races.push_back(machine.layout().variables[flat.race.index]);
-    const Obstacle ended =
-        machine.layout().fits() ? timed::explore(graph, watch, races, limits) : Obstacle::Unsupported;
+    const UnknownReason ended =
+        machine.layout().fits() ? timed::explore(graph, watch, races, limits) : UnknownReason::Unsupported;
 
     TimedResult result;
     result.bytes = graph.bytes();
@@ -89,13 +89,13 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     if (options.paths) result.paths = questions.paths(graph);
     result.states = graph.states();
     result.transitions = graph.transitions;
-    result.complete = ended == Obstacle::None;
+    result.complete = ended == UnknownReason::None;
     result.time_passes = graph.time_passes;
     if (options.premises && result.complete) result.premises = premises(graph, settled, limits);
     const bool explained = options.profile || !result.complete || result.states >= many_states;
     if (explained && result.states > (result.complete ? 0 : 1))  // a search that did not begin has no profile
         result.profile =
-            measured(graph, options, ended == Obstacle::Stopped ? timed::Effort::Brief : timed::Effort::Full);
+            measured(graph, options, ended == UnknownReason::Stopped ? timed::Effort::Brief : timed::Effort::Full);
     result.seconds = limits.seconds();
     for (Verdict& verdict : result.verdicts) {
         verdict.states = std::to_string(result.states);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // scan_of: symbolic execution of one scan of a Program -> Equations. The value of every cell after the scan is a term
-// over its values before the scan and the inputs. Terms are shared, and the branches of IF and CASE are merged per cell,
-// so that the size of the terms is linear in the number of executed statements. Loops are unrolled and calls inlined.
+// over its values before the scan and the inputs. Terms are shared, and the branches of IF and CASE are merged per
+// cell, so that the size of the terms is linear in the number of executed statements. Loops are unrolled and calls
+// inlined.
 #pragma once
 
 #include <optional>

@@ -18,7 +18,7 @@ std::string one_line(std::string text) {
 
 class Writer {
 public:
-    Writer(const Circuit& circuit, const std::vector<Question>& questions, Form form, Extent extent)
+    Writer(const Circuit& circuit, const std::vector<AigerProperty>& questions, Form form, Extent extent)
         : circuit_(circuit),
           questions_(questions),
           form_(form),
@@ -27,14 +27,14 @@ public:
         number();
     }
 
-    Written result() {
+    AigerText result() {
         header();
         latches();
-        for (const Question& question : questions_)
+        for (const AigerProperty& question : questions_)
             if (question.justice.empty()) line(literal(question.bad));
-        for (const Question& question : questions_)
+        for (const AigerProperty& question : questions_)
             if (!question.justice.empty()) line(question.justice.size());
-        for (const Question& question : questions_)
+        for (const AigerProperty& question : questions_)
             for (const Literal each : question.justice) line(literal(each));
         gates();
         symbols();
@@ -45,7 +45,7 @@ private:
     /// Marks all nodes that the properties depend on, including through latches.
     void close() {
         std::vector<Literal> roots;
-        for (const Question& question : questions_) {
+        for (const AigerProperty& question : questions_) {
             roots.push_back(question.bad);
             roots.insert(roots.end(), question.justice.begin(), question.justice.end());
         }
@@ -84,7 +84,7 @@ private:
 
     void header() {
         const auto lists = static_cast<std::size_t>(
-            std::ranges::count_if(questions_, [](const Question& each) { return !each.justice.empty(); }));
+            std::ranges::count_if(questions_, [](const AigerProperty& each) { return !each.justice.empty(); }));
         std::string& text = written_.text;
         text = form_ == Form::Ascii ? "aag" : "aig";
         for (const std::size_t count : {last_, written_.inputs.size(), written_.latches.size(), std::size_t{0},
@@ -127,7 +127,7 @@ private:
         for (std::size_t i = 0; i < written_.latches.size(); ++i)
             name('l', i, circuit_.latches[written_.latches[i]].name);
         std::size_t bad = 0, justice = 0;
-        for (const Question& question : questions_)
+        for (const AigerProperty& question : questions_)
             question.justice.empty() ? name('b', bad++, question.name) : name('j', justice++, question.name);
     }
 
@@ -138,9 +138,9 @@ private:
     }
 
     const Circuit& circuit_;
-    const std::vector<Question>& questions_;
+    const std::vector<AigerProperty>& questions_;
     Form form_;
-    Written written_ = {};
+    AigerText written_ = {};
     std::vector<bool> needed_ = {};  ///< per node
     std::vector<std::uint32_t> gates_ = {};
     std::size_t last_ = 0;
@@ -148,12 +148,12 @@ private:
 
 }  // namespace
 
-Written written(const Circuit& circuit, const std::vector<Question>& questions, Form form, Extent extent) {
+AigerText written(const Circuit& circuit, const std::vector<AigerProperty>& questions, Form form, Extent extent) {
     return Writer(circuit, questions, form, extent).result();
 }
 
-std::vector<Question> questions_of(const TransitionSystem& system, const FlatSystem& flat, const Circuit& circuit) {
-    std::vector<Question> questions;
+std::vector<AigerProperty> queries_of(const TransitionSystem& system, const FlatSystem& flat, const Circuit& circuit) {
+    std::vector<AigerProperty> questions;
     for (const Circuit::Target& target : circuit.targets)
         questions.push_back({system.properties[target.about].name, target.bad, target.justice});
     for (const Circuit::Target& target : circuit.targets)

@@ -15,13 +15,13 @@ namespace grafverif::aiger {
 enum class Form { Ascii, Binary };
 
 /// A property of the file: a bad state, or a list of justice conditions if `justice` is not empty.
-struct Question {
+struct AigerProperty {
     std::string name = {};
     Gates::Literal bad = Gates::no;
     std::vector<Gates::Literal> justice = {};
 };
 
-struct Written {
+struct AigerText {
     std::string text = {};
     std::vector<std::size_t> inputs = {}, latches = {};  ///< those of the circuit, in the order of the file
     std::vector<Gates::Literal> literals = {};           ///< per node of the circuit: its literal in the file
@@ -29,15 +29,15 @@ struct Written {
 
 /// The complete circuit, or the cone of the properties with at least one input if there are inputs.
 enum class Extent { Whole, Cone };
-Written written(const Circuit& circuit, const std::vector<Question>& questions, Form form, Extent extent);
+AigerText written(const Circuit& circuit, const std::vector<AigerProperty>& questions, Form form, Extent extent);
 
 /// Properties for a model checker: one per target. If a property may be undefined or a variable may leave its range,
 /// also the reachability of this fault.
-std::vector<Question> questions_of(const TransitionSystem& system, const FlatSystem& flat, const Circuit& circuit);
+std::vector<AigerProperty> queries_of(const TransitionSystem& system, const FlatSystem& flat, const Circuit& circuit);
 
 /// JSON map from the inputs, latches and properties of the file to the model, and from its steps, inputs and outputs to
 /// the charts.
 std::string map_of(const TransitionSystem& system, const FlatSystem& flat, const Circuit& circuit,
-                   const Written& written);
+                   const AigerText& written);
 
 }  // namespace grafverif::aiger

@@ -17,7 +17,7 @@ std::string_view what_it_means(Pattern pattern) {
 
 class Map {
 public:
-    Map(const TransitionSystem& system, const FlatSystem& flat, const Circuit& circuit, const Written& written)
+    Map(const TransitionSystem& system, const FlatSystem& flat, const Circuit& circuit, const AigerText& written)
         : system_(system), flat_(flat), circuit_(circuit), written_(written) {}
 
     Json json() const {
@@ -93,13 +93,13 @@ private:
     const TransitionSystem& system_;
     const FlatSystem& flat_;
     const Circuit& circuit_;
-    const Written& written_;
+    const AigerText& written_;
 };
 
 }  // namespace
 
 std::string map_of(const TransitionSystem& system, const FlatSystem& flat, const Circuit& circuit,
-                   const Written& written) {
+                   const AigerText& written) {
     return json_text(Map(system, flat, circuit, written).json()) + "\n";
 }
 

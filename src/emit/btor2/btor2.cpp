@@ -234,7 +234,7 @@ public:
           now_(flat_.exprs, lines_, [this](const Expr& leaf) { return words_[index(leaf)]; }),
           first_(flat_.exprs, lines_, [this](const Expr& leaf) { return first_value({index(leaf)}); }) {}
 
-    Written result() {
+    Btor2Text result() {
         add_words();
         add_constraints();
         add_next_values();
@@ -346,7 +346,7 @@ private:
 
     const TransitionSystem& system_;
     FlatSystem flat_;
-    Written result_ = {};
+    Btor2Text result_ = {};
     Lines lines_ = {};
     Terms now_, first_;
     std::vector<Word> words_ = {};
@@ -359,6 +359,6 @@ private:
 
 }  // namespace
 
-Written written(const TransitionSystem& system) { return Writer(system).result(); }
+Btor2Text written(const TransitionSystem& system) { return Writer(system).result(); }
 
 }  // namespace grafverif::btor2

@@ -15,11 +15,11 @@
 
 namespace grafverif::btor2 {
 
-struct Written {
+struct Btor2Text {
     std::string text = {};
     std::vector<NotInCircuit> omitted = {};
 };
 /// Requires verify(system).empty().
-Written written(const TransitionSystem& system);
+Btor2Text written(const TransitionSystem& system);
 
 }  // namespace grafverif::btor2

@@ -24,7 +24,7 @@ int gap(const Item& above, const Item& below) {
 }
 
 /// Preferred start of an item.
-struct Wish {
+struct PreferredPosition {
     double sum = 0, weight = 0;
     void add(double place, double by) {
         sum += by * place;
@@ -107,7 +107,7 @@ private:
     }
 
     double wished(std::size_t item) const {
-        const Wish& wish = wishes_[item];
+        const PreferredPosition& wish = wishes_[item];
         return wish.weight == 0 ? layers_.items[item].at : wish.sum / wish.weight;
     }
 
@@ -294,7 +294,7 @@ private:
     }
 
     Layers& layers_;
-    std::vector<Wish> wishes_;
+    std::vector<PreferredPosition> wishes_;
 };
 
 /// Positions of a net on both sides of its track.

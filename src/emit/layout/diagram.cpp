@@ -80,7 +80,7 @@ Diagram diagram(const MealyMachine& machine) {
     for (const MealyMachine::Transition& one : machine.transitions)
         arrows.add(one.from.index, one.to.index,
                    (one.wait_ms != 0 ? "wait " + duration_text(one.wait_ms) + ", " : "") +
-                       condition_text(machine, one.condition) + " / " + answer_text(machine, one.answer, "-"));
+                       condition_text(machine, one.condition) + " / " + result_text(machine, one.answer, "-"));
     for (const MealyMachine::Unstable& one : machine.unstable)
         arrows.add_unstable(one.from.index, condition_text(machine, one.condition));
     result.arrows = arrows.take();

@@ -163,7 +163,7 @@ private:
 };
 
 /// Places the remaining labels in a column below the drawing.
-void house_below(Attempt& attempt) {
+void place_below(Attempt& attempt) {
     int y = attempt.plane.bottom() + 40;
     for (const auto& [size, label] : attempt.homeless) {
         *label = {attempt.plane.left(), y};
@@ -188,7 +188,7 @@ Drawing draw(const Graph& graph) {
         const auto [homeless, blemishes] = faults(best);
         if (homeless == 0 && (blemishes == 0 || graph.links.size() > many_links || i >= 7)) break;
     }
-    house_below(best);
+    place_below(best);
     return best.drawing;
 }
 

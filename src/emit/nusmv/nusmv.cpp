@@ -37,7 +37,7 @@ struct ModulePrinter {
 };
 
 /// The keyword of a part, written before the first entry; a comment before each section of entries.
-struct Part {
+struct SectionPrinter {
     std::ostream& out;
     const char* keyword = "";
     bool open = false;
@@ -113,7 +113,7 @@ void print_declaration(const ModulePrinter& printer, Id<System::Symbol> id) {
 }
 
 void print_choices(const ModulePrinter& printer) {
-    Part part{printer.out, "IVAR"};
+    SectionPrinter part{printer.out, "IVAR"};
     for (const Id<System::Symbol> id : printer.module().symbols.ids()) {
         const System::Symbol& symbol = printer.module().symbols[id];
         if (!std::holds_alternative<System::ChoiceSymbol>(symbol.kind)) continue;
@@ -146,7 +146,7 @@ std::vector<std::string_view> headings(const System& system) {
 }
 
 void print_variables(const ModulePrinter& printer) {
-    Part part{printer.out, "VAR"};
+    SectionPrinter part{printer.out, "VAR"};
     for (const Id<System::Symbol> id : printer.module().symbols.ids()) {
         const System::Symbol& symbol = printer.module().symbols[id];
         if (!std::holds_alternative<System::StateSymbol>(symbol.kind)) continue;
@@ -162,7 +162,7 @@ void print_variables(const ModulePrinter& printer) {
 }
 
 void print_assignments(const ModulePrinter& printer) {
-    Part part{printer.out, "ASSIGN"};
+    SectionPrinter part{printer.out, "ASSIGN"};
     for (const Id<System::Symbol> id : printer.module().symbols.ids()) {
         const System::Symbol& symbol = printer.module().symbols[id];
         const auto* state = std::get_if<System::StateSymbol>(&symbol.kind);
@@ -180,7 +180,7 @@ void print_assignments(const ModulePrinter& printer) {
 }
 
 void print_definitions(const ModulePrinter& printer) {
-    Part part{printer.out, "DEFINE"};
+    SectionPrinter part{printer.out, "DEFINE"};
     for (const Id<System::Symbol> id : printer.module().symbols.ids()) {
         const System::Symbol& symbol = printer.module().symbols[id];
         const auto* define = std::get_if<System::DefineSymbol>(&symbol.kind);

@@ -210,10 +210,10 @@ void Writer::write_move(std::size_t index, const Group& group) {
     fmt::print(out_, "/* {} */\nstatic bool may_{}(const int *s) {{\n    (void)s;\n", name_of(group), index);
     if (const auto slot = slots_.locations[group.process.index])
         fmt::print(out_, "    if (s[{}] != {}) return false;\n", *slot, edge.from.index);
-    const std::vector<ClockInterval> asked = slots_.asked(group.process, edge);
+    const std::vector<ClockInterval> tested = slots_.tested(group.process, edge);
     for (std::size_t clock = 0; clock < clocks.size(); ++clock) {
         const std::int64_t cap = std::max<std::int64_t>(caps[edge.from.index][clock], 0);
-        const std::int64_t low = std::max<std::int64_t>(asked[clock].low, 0), high = std::min(asked[clock].high, cap);
+        const std::int64_t low = std::max<std::int64_t>(tested[clock].low, 0), high = std::min(tested[clock].high, cap);
         if (low > high) out_ << "    return false;\n";
         else if (low == 0 && high == cap) continue;
         else fmt::print(out_, "    if (s[{0}] < {1} || s[{0}] > {2}) return false;\n", *clocks[clock], low, high);
@@ -344,7 +344,7 @@ void Writer::write_matrix(const char* name, const std::vector<SlotSet>& rows) {
 }
 
 void Writer::write_model() {
-    std::vector<SlotSet> reads, writes, asked;
+    std::vector<SlotSet> reads, writes, tested;
     for (const Group& group : groups_) {
         Reach found = reach(slots_, group.process, slots_.automaton(group.process).edges[group.edge]);
         reads.push_back(std::move(found.reads));
@@ -355,11 +355,11 @@ void Writer::write_model() {
     Reach time = reach_of_time(slots_);
     reads.push_back(std::move(time.reads));
     writes.push_back(std::move(time.writes));
-    for (const Label& label : labels_) asked.push_back(slots_.read_by(terms_, label.term));
-    asked.push_back(std::move(all));
+    for (const Label& label : labels_) tested.push_back(slots_.read_by(terms_, label.term));
+    tested.push_back(std::move(all));
     write_matrix("reads", reads);
     write_matrix("writes", writes);
-    write_matrix("asked", asked);
+    write_matrix("tested", tested);
     const auto list = [&](const char* name, const auto& each) {
         fmt::print(out_, "static const char *const {}[] = {{\n", name);
         each();
@@ -424,7 +424,7 @@ void pins_model_init(model_t model) {
     GBsetDMInfoRead(model, read);
     GBsetDMInfoMayWrite(model, write);
     GBsetDMInfoMustWrite(model, write);
-    GBsetStateLabelInfo(model, matrix(LABELS, asked));
+    GBsetStateLabelInfo(model, matrix(LABELS, tested));
     int state[SLOTS];
     memcpy(state, initial, sizeof state);
     GBsetInitialState(model, state);

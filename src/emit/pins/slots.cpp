@@ -75,7 +75,7 @@ std::vector<Network::Assignment> Slots::effect(Id<Network::Process> process, con
     return all;
 }
 
-std::vector<ClockInterval> Slots::asked(Id<Network::Process> process, const Network::Edge& edge) const {
+std::vector<ClockInterval> Slots::tested(Id<Network::Process> process, const Network::Edge& edge) const {
     const std::size_t count = automaton(process).clocks.size();
     std::vector<ClockInterval> wanted = admitted(network, edge.constraint, count);
     const std::vector<ClockInterval> after = admitted(network, automaton(process).locations[edge.to].invariant, count);

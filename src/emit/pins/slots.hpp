@@ -42,7 +42,7 @@ struct Slots {
     /// The assignments of an edge, followed by those of the procedures that it calls.
     std::vector<Network::Assignment> effect(Id<Network::Process> process, const Network::Edge& edge) const;
     /// Bounds of an edge per clock: of its constraint, and of its target's invariant for clocks that it does not reset.
-    std::vector<ClockInterval> asked(Id<Network::Process> process, const Network::Edge& edge) const;
+    std::vector<ClockInterval> tested(Id<Network::Process> process, const Network::Edge& edge) const;
 };
 
 /// The slots that a group reads and writes.

@@ -53,7 +53,7 @@ public:
         if (search) end_search();
         write_outputs();
         if (!equations_.timers.empty()) heading("timers start and stop with what they watch");
-        for (std::size_t k = 0; k < equations_.timers.size(); ++k) tell(k);
+        for (std::size_t k = 0; k < equations_.timers.size(); ++k) call_timer(k);
         return std::move(result_);
     }
 
@@ -88,13 +88,13 @@ private:
 
     /// Updates the timer after an evolution within the cycle.
     void follow(std::size_t k) {
-        tell(k);
+        call_timer(k);
         const std::string& end = stored_in(equations_.timers[k].end);
         if (names_.timers[k].off.empty()) line("{} := {} AND {};", end, end, lasted(k));
         else line("{} := {} OR {};", end, end, lasted(k));
     }
 
-    void tell(std::size_t k) {
+    void call_timer(std::size_t k) {
         const Equations::Timer& times = equations_.timers[k];
         const TimerNames& timer = names_.timers[k];
         if (!timer.on.empty())

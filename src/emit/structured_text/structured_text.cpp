@@ -158,7 +158,7 @@ bool expressible(const Equations& equations, Diagnostics& diagnostics) {
             check(write.value, write.origin);
         }
     for (const Equations::Previous& previous : equations.previous) check(previous.value, previous.origin);
-    for (const Equations::Watch& watch : equations.watches) check(watch.value, watch.origin);
+    for (const Equations::ObservedTerm& watch : equations.watches) check(watch.value, watch.origin);
     for (const Equations::Conflict& conflict : equations.conflicts) check(conflict.condition, conflict.origin);
     for (const Equations::Timer& timer : equations.timers)
         if (timer.rise_ms > longest_ms || timer.fall_ms > longest_ms)

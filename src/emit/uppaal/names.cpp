@@ -42,7 +42,7 @@ public:
     explicit Globals(const Network& network) : network_(network), seen_(network.exprs.size(), false) {}
 
     std::unordered_set<std::string> of(const Network::Template& automaton, const std::vector<std::string>& variables,
-                                       const std::unordered_set<std::string>& asked) {
+                                       const std::unordered_set<std::string>& requested) {
         for (const Network::Edge& edge : automaton.edges) {
             pending_.push_back(edge.guard);
             push(edge.assignments);
@@ -55,7 +55,7 @@ public:
             if (seen_[id.index]) continue;
             seen_[id.index] = true;
             const Expr& node = network_.exprs[id];
-            if (node.op == Op::Variable && asked.contains(variables[static_cast<std::size_t>(node.value)]))
+            if (node.op == Op::Variable && requested.contains(variables[static_cast<std::size_t>(node.value)]))
                 found.insert(variables[static_cast<std::size_t>(node.value)]);
             const auto operands = network_.exprs.operands(id);
             pending_.insert(pending_.end(), operands.begin(), operands.end());

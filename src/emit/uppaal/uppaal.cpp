@@ -234,9 +234,9 @@ private:
         xml_ += "\t<queries>\n";
         for (auto query = list.begin(); query != end; ++query) {
             if (query + 1 == end)
-                std::for_each(end, list.end(), [&](const Query& left_out) { write_left_out(left_out); });
+                std::for_each(end, list.end(), [&](const Query& left_out) { write_counterfactuals(left_out); });
             if (is_said(*query)) write_query(*query);
-            else write_left_out(*query);
+            else write_counterfactuals(*query);
         }
         xml_ += "\t</queries>\n";
     }
@@ -251,7 +251,7 @@ private:
         xml_ += "\t\t</query>\n";
     }
 
-    void write_left_out(const Query& query) {
+    void write_counterfactuals(const Query& query) {
         xml_ += "\t\t<!-- ";
         comment_xml(query.comment, xml_);
         xml_ += " -->\n";

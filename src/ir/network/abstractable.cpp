@@ -127,8 +127,8 @@ private:
         return own;
     }
 
-    /// Enumerates the reachable combinations of locations and outputs, clocks ignored, for any values of other variables.
-    /// False if there are too many, or a value is out of range or depends on another process.
+    /// Enumerates the reachable combinations of locations and outputs, clocks ignored, for any values of other
+    /// variables. False if there are too many, or a value is out of range or depends on another process.
     bool explore(const Slots& slots, AbstractableProcess& made) const {
         struct State {
             Id<Network::Location> location = {};

@@ -91,7 +91,7 @@ std::optional<std::int64_t> Choices::value_of(const Choice& choice, const Values
     return all;
 }
 
-bool Choices::tell_of(const std::vector<Id<Network::Variable>>& variables) const {
+bool Choices::report_of(const std::vector<Id<Network::Variable>>& variables) const {
     return std::ranges::any_of(choices_, [&](const Choice& choice) {
         return choice.writes == 0 && std::ranges::all_of(choice.reads, [&](Id<Network::Variable> read) {
                    return std::ranges::find(variables, read) != variables.end();

@@ -31,7 +31,7 @@ public:
     Id<Expr> chosen(Id<Expr> term) const;
     using Values = std::map<Id<Network::Variable>, std::int64_t>;
     /// True if some choice reads only these variables, with the values before the edge.
-    bool tell_of(const std::vector<Id<Network::Variable>>& variables) const;
+    bool report_of(const std::vector<Id<Network::Variable>>& variables) const;
     /// All values that `variables` can have before the edge, given the current values of the choices; empty if these do
     /// not constrain them or there are too many.
     std::optional<std::vector<Values>> possible_before(const std::vector<Id<Network::Variable>>& variables) const;

@@ -13,7 +13,7 @@
 #include "ir/junction.hpp"
 #include "ir/literal.hpp"
 #include "ir/network/choices.hpp"
-#include "ir/network_cells.hpp"
+#include "ir/network_fragments.hpp"
 #include "ir/slots.hpp"
 
 namespace grafverif {
@@ -25,7 +25,7 @@ enum : std::uint8_t { Kept = 1, Free = 2 };
 
 class LocalBuilder {
 public:
-    LocalBuilder(const Network& network, const NetworkCells& cells, const std::vector<std::uint32_t>& chosen,
+    LocalBuilder(const Network& network, const NetworkFragments& cells, const std::vector<std::uint32_t>& chosen,
                  const std::vector<Id<Expr>>& invariants, const LocalAblations& ablations)
         : whole_(network),
           cells_(cells),
@@ -59,7 +59,7 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t none = NetworkCells::none;
+    static constexpr std::uint32_t none = NetworkFragments::none;
 
     bool kept(Id<Network::Process> id) const { return process_[id.index] != none; }
     bool kept(Id<Network::Variable> id) const { return variable_[id.index] != none; }
@@ -97,7 +97,7 @@ private:
     Id<Expr> enabled_by_all(Id<Expr> guard);
 
     const Network& whole_;
-    const NetworkCells& cells_;
+    const NetworkFragments& cells_;
     const std::vector<std::uint32_t>& chosen_;
     const std::vector<Id<Expr>>& invariants_;
     LocalAblations ablations_;
@@ -312,7 +312,7 @@ void LocalBuilder::add_copies(const Network::Edge& free, Id<Expr> always, Networ
     Exprs& exprs = made_.network.exprs;
     std::vector<std::size_t> telling;
     for (std::size_t i = 0; i < invariants_.size(); ++i)
-        if (choices_.tell_of(free_in_[i])) telling.push_back(i);
+        if (choices_.report_of(free_in_[i])) telling.push_back(i);
     choices_.begin();
     do {
         if (ablations_.steady && !choices_.as_at_first()) continue;
@@ -426,7 +426,7 @@ void LocalBuilder::add_properties(const std::vector<Property>& properties) {
 
 }  // namespace
 
-LocalNetwork localized(const Network& network, const NetworkCells& cells, const std::vector<std::uint32_t>& chosen,
+LocalNetwork localized(const Network& network, const NetworkFragments& cells, const std::vector<std::uint32_t>& chosen,
                        const std::vector<Property>& properties, const std::vector<Id<Expr>>& invariants,
                        const LocalAblations& ablations) {
     return LocalBuilder(network, cells, chosen, invariants, ablations).build(properties);

@@ -179,10 +179,10 @@ private:
         if (!network_.variables.contains(controller.stable)) fault(where + ": no variable says whether it is stable");
         for (const Network::Timer& timer : controller.timers)
             if (!network_.processes.contains(timer.process)) fault(where + ": an unknown timer");
-        check_words(controller.words, where);
+        check_text(controller.words, where);
     }
 
-    void check_words(const ControllerWords<Network::Variable>& words, const std::string& where) {
+    void check_text(const ControllerWords<Network::Variable>& words, const std::string& where) {
         for (const auto& [name, variable] : words.steps)
             if (!network_.variables.contains(variable)) fault(where + ": `" + name.text() + "` stands for no variable");
         for (const auto* list : {&words.transitions, &words.inputs, &words.outputs, &words.internals})

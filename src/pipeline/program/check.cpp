@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "check/together.hpp"
+#include "check/portfolio.hpp"
 #include "derive/program/scan.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
@@ -27,13 +27,13 @@ public:
     Check(const Program& program, Scan scan, const std::vector<ProgramProperty>& properties)
         : program_(program), scan_(std::move(scan)), properties_(properties) {}
 
-    bool prepare(const std::vector<std::string>& asked, Diagnostics& diagnostics) {
+    bool prepare(const std::vector<std::string>& requested, Diagnostics& diagnostics) {
         std::vector<std::string> known;
         for (const ProgramProperty& property : properties_) known.push_back(property.name);
-        if (!all_known(asked, known, diagnostics)) return false;
+        if (!all_known(requested, known, diagnostics)) return false;
         bool ok = true;
         for (const ProgramProperty& property : properties_) {
-            if (!asked.empty() && std::ranges::find(asked, property.name) == asked.end()) continue;
+            if (!requested.empty() && std::ranges::find(requested, property.name) == requested.end()) continue;
             const auto condition = condition_of(property, diagnostics);
             ok = ok && condition;
             if (!condition) continue;
@@ -45,18 +45,18 @@ public:
     }
 
     Report report(const CheckOptions& options) {
-        TogetherOptions all;
+        PortfolioOptions all;
         all.witnesses = options.witnesses;
         all.jobs = options.jobs;
         all.alone = 50'000'000;
         set_limits(all, options.limits);
-        TogetherResult result = check_together(system_.system, all);
+        PortfolioResult result = check_together(system_.system, all);
         report_.model = scan_.equations.name;
-        report_.basis.engine = result.alone ? "symbolic" : "auto";
-        report_.basis.untimed = "free inputs";
-        report_.basis.mode = program_.interval_ms    ? fmt::format("a scan every {} ms", *program_.interval_ms)
-                             : scan_.elapsed.valid() ? "any time between scans"
-                                                     : "any number of scans";
+        report_.settings.engine = result.alone ? "symbolic" : "auto";
+        report_.settings.untimed = "free inputs";
+        report_.settings.mode = program_.interval_ms    ? fmt::format("a scan every {} ms", *program_.interval_ms)
+                                : scan_.elapsed.valid() ? "any time between scans"
+                                                        : "any number of scans";
         report_.failures = std::move(result.failures);
         if (result.fault)
             report_.failures.push_back(fmt::format("the system of the program is ill-defined: {} {}",
@@ -115,9 +115,9 @@ private:
         if (!replay.disagreement.empty())
             report_.failures.push_back("a division by zero is not confirmed: " + replay.disagreement);
         else fault_trace_ = std::move(replay.trace);
-        const bool asked = std::ranges::any_of(about_, is_about_division);
-        if (fault_trace_ && !asked)
-            report_.breakdowns.push_back({"no-value", "the program divides by zero", *fault_trace_});
+        const bool requested = std::ranges::any_of(about_, is_about_division);
+        if (fault_trace_ && !requested)
+            report_.error_traces.push_back({"no-value", "the program divides by zero", *fault_trace_});
         return verdict.outcome;
     }
 
@@ -128,16 +128,16 @@ private:
     void add(Verdict verdict, const std::optional<SystemRun>& run, std::size_t index, Outcome no_fault,
              bool witnesses) {
         const ProgramProperty& property = *about_[index];
-        Answer answer;
+        PropertyResult answer;
         answer.text = property.text;
         const bool universal_holds = (verdict.pattern == Pattern::Reachable) == (verdict.outcome == Outcome::Violated);
         if (is_about_division(&property)) {
             verdict.outcome = no_fault;
             if (no_fault == Outcome::Violated) answer.trace = fault_trace_;
-            if (no_fault == Outcome::Unknown) verdict.obstacle = Obstacle::Stopped;
+            if (no_fault == Outcome::Unknown) verdict.obstacle = UnknownReason::Stopped;
         } else if (verdict.outcome != Outcome::Unknown && universal_holds && no_fault != Outcome::Holds) {
             verdict.outcome = Outcome::Unknown;
-            verdict.obstacle = no_fault == Outcome::Violated ? Obstacle::Faulty : Obstacle::Stopped;
+            verdict.obstacle = no_fault == Outcome::Violated ? UnknownReason::Faulty : UnknownReason::Stopped;
             verdict.reason = no_fault_reason(no_fault);
         } else if (run && verdict.outcome != Outcome::Unknown && (verdict.outcome == Outcome::Violated || witnesses)) {
             ProgramReplay replay = replay_program(program_, scan_, system_, *run, &property);
@@ -146,7 +146,7 @@ private:
                 report_.failures.push_back(
                     fmt::format("the trace of `{}` is not confirmed: {}", property.name, replay.disagreement));
                 verdict.outcome = Outcome::Unknown;
-                verdict.obstacle = Obstacle::Failed;
+                verdict.obstacle = UnknownReason::Failed;
             }
         }
         answer.verdict = std::move(verdict);

@@ -104,7 +104,7 @@ private:
     }
 
     void event(std::size_t number) {
-        ChartRun::Moment moment;
+        ChartRun::Event moment;
         ChartRun::Act act{.controller = {0}, .begins = true, .starts = number == 0};
         if (number > 0) {
             act.samples = act.evolves = true;

@@ -9,14 +9,14 @@
 
 #include "analyse/analyse.hpp"
 #include "check/pdr/check.hpp"
-#include "check/together.hpp"
+#include "check/portfolio.hpp"
 #include "compare/difference.hpp"
 #include "compare/identical.hpp"
 #include "derive/derive.hpp"
 #include "pipeline/models.hpp"
 #include "run/interpreter.hpp"
-#include "run/side_by_side.hpp"
-#include "schedule/both.hpp"
+#include "run/lockstep.hpp"
+#include "schedule/product.hpp"
 #include "support/messages.hpp"
 #include "support/messages_choice.hpp"
 #include "syntax/print/dialect.hpp"
@@ -124,15 +124,15 @@ bool surely_stable(const Chart& chart, const Equations& equations, const Limits&
 // -- comparison
 // ----------------------------------------------------------------------------------------------------------
 
-class Question {
+class ChartComparison {
 public:
-    Question(const Chart& a, const Chart& b, const Equations& of_a, const Equations& of_b,
-             const CompareOptions& options, Comparison& result)
+    ChartComparison(const Chart& a, const Chart& b, const Equations& of_a, const Equations& of_b,
+                    const CompareOptions& options, Comparison& result)
         : charts_{&a, &b}, equations_{&of_a, &of_b}, options_(options), result_(result) {}
 
     /// For two charts with the same equations: equal, provided that the constraints permit any inputs.
     void answer_identical() {
-        const Both both = schedule_both(*equations_[0], *equations_[1], {result_.mode, unit(), {}});
+        const ProductMachine both = schedule_both(*equations_[0], *equations_[1], {result_.mode, unit(), {}});
         PdrOptions engine;
         engine.method = PdrOptions::Method::Bmc;
         engine.max_steps = 0;
@@ -173,14 +173,14 @@ private:
     }
 
     Answered ask(const std::vector<std::string>& properties, std::optional<std::int64_t> fewer_scans) {
-        const Both both = schedule_both(*equations_[0], *equations_[1], {result_.mode, unit(), fewer_scans});
-        TogetherOptions engines;
+        const ProductMachine both = schedule_both(*equations_[0], *equations_[1], {result_.mode, unit(), fewer_scans});
+        PortfolioOptions engines;
         engines.properties = properties;
         engines.witnesses = false;
         engines.equal_latches = true;
         set_limits(engines, options_.limits);
         if (options_.limits.progress)
-            engines.progress = [this](const TogetherProgress& now) {
+            engines.progress = [this](const PortfolioProgress& now) {
                 options_.limits.progress({[&now] {
                     return fmt::format("{} evolutions deep, {} MiB", now.symbolic.depth, now.symbolic.bytes >> 20U);
                 }});
@@ -195,20 +195,20 @@ private:
     }
 
     /// `possible` stands for the constraints: if they permit no inputs, the result would be vacuous.
-    Answered answered(const Both& both, const PdrResult& found) const {
+    Answered answered(const ProductMachine& both, const PdrResult& found) const {
         if (found.fault && found.fault->kind == SystemFault::Kind::NoInitialState) return contradiction();
         if (found.fault)
             return {Comparison::Outcome::Unknown, "internal error: the model of both charts has a model error", {}};
         Answered answer{Comparison::Outcome::Equal, {}, {}};
         for (std::size_t k = 0; k < found.verdicts.size(); ++k) {
             const Verdict& verdict = found.verdicts[k];
-            const bool asks_for_inputs = verdict.property == "possible";
+            const bool queries_inputs = verdict.property == "possible";
             if (verdict.outcome == Outcome::Unknown) {
                 if (answer.outcome == Comparison::Outcome::Equal)
                     answer = {Comparison::Outcome::Unknown, verdict.reason, {}};
-            } else if (asks_for_inputs && verdict.outcome == Outcome::Violated) {
+            } else if (queries_inputs && verdict.outcome == Outcome::Violated) {
                 return contradiction();
-            } else if (!asks_for_inputs && verdict.outcome == Outcome::Violated && found.runs[k]) {
+            } else if (!queries_inputs && verdict.outcome == Outcome::Violated && found.runs[k]) {
                 answer = {Comparison::Outcome::Different, {}, scans_of(both, *found.runs[k])};
             }
         }
@@ -216,7 +216,7 @@ private:
     }
 
     /// A scan begins at power-on and whenever both have waited.
-    std::vector<Comparison::Scan> scans_of(const Both& both, const SystemRun& run) const {
+    std::vector<Comparison::Scan> scans_of(const ProductMachine& both, const SystemRun& run) const {
         std::vector<Comparison::Scan> scans;
         for (std::size_t k = 0; k < run.states.size(); ++k) {
             if (k > 0 && run.states[k - 1][both.waits.index] == 0) continue;
@@ -230,7 +230,7 @@ private:
 
     /// The results of the interpreter for these scans, up to the first difference.
     void take(std::vector<Comparison::Scan> scans) {
-        const SideBySide rules(*charts_[0], *charts_[1], result_.mode);
+        const Lockstep rules(*charts_[0], *charts_[1], result_.mode);
         const std::optional<std::size_t> last = rules.difference(scans);
         if (!last) {
             result_.outcome = Comparison::Outcome::Unknown;
@@ -307,7 +307,7 @@ std::optional<Comparison> compare(const Model& a, Id<Chart> of_a, const Model& b
             }
         result.resolution_ms = *options.resolution_ms;
     }
-    Question question(charts[0], charts[1], *equations[0], *equations[1], options, result);
+    ChartComparison question(charts[0], charts[1], *equations[0], *equations[1], options, result);
     if (!durations(*equations[0], *equations[1]).empty() &&
         durations(*equations[0], *equations[1]).back() / result.resolution_ms > greatest_integer)
         result.reason = "a duration has too many time units; use a coarser `--resolution`";

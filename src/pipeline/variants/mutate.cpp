@@ -33,33 +33,33 @@ bool reads_back(const std::string& text) {
 
 }  // namespace
 
-MutantBench::MutantBench(const Model& model, Id<Chart> chart, std::string path, const ReadOptions& read,
-                         std::optional<ExecutionMode> mode)
+MutantChecker::MutantChecker(const Model& model, Id<Chart> chart, std::string path, const ReadOptions& read,
+                             std::optional<ExecutionMode> mode)
     : model_(model), chart_(chart), path_(std::move(path)), read_(read), mode_(mode) {}
 
-std::string MutantBench::shown(const Asked& asked, const std::string& property) const {
-    return asked_.size() < 2 ? property : model_.loops[asked.loop].name + "." + property;
+std::string MutantChecker::shown(const OriginalVerdicts& requested, const std::string& property) const {
+    return requested_.size() < 2 ? property : model_.loops[requested.loop].name + "." + property;
 }
 
-bool MutantBench::prepare(const Limits& limits) {
+bool MutantChecker::prepare(const Limits& limits) {
     for (const Id<ClosedLoop> loop : model_.loops.ids()) {
         const auto& controllers = model_.loops[loop].controllers;
         if (std::ranges::none_of(controllers, [&](const auto& each) { return each.chart == chart_; })) continue;
         Diagnostics diagnostics;
         const auto report = check(model_, loop, {.mode = mode_}, quiet_check({}, limits), diagnostics);
         if (!report) continue;
-        Asked asked{.loop = loop, .whole = report->breakdowns.empty()};
-        for (const Answer& answer : report->answers) {
-            if (answer.verdict.obstacle == Obstacle::Stopped) return false;
+        OriginalVerdicts requested{.loop = loop, .whole = report->error_traces.empty()};
+        for (const PropertyResult& answer : report->answers) {
+            if (answer.verdict.obstacle == UnknownReason::Stopped) return false;
             if (!as_expected(answer.verdict)) continue;
-            asked.properties.push_back(answer.verdict.property);
-            if (answer.verdict.vacuous) asked.vacuous.push_back(answer.verdict.property);
+            requested.properties.push_back(answer.verdict.property);
+            if (answer.verdict.vacuous) requested.vacuous.push_back(answer.verdict.property);
         }
-        asked_.push_back(std::move(asked));
+        requested_.push_back(std::move(requested));
     }
-    for (const Asked& asked : asked_) {
-        for (const std::string& property : asked.properties) properties_.push_back(shown(asked, property));
-        for (const std::string& property : asked.vacuous) vacuous_.push_back(shown(asked, property));
+    for (const OriginalVerdicts& requested : requested_) {
+        for (const std::string& property : requested.properties) properties_.push_back(shown(requested, property));
+        for (const std::string& property : requested.vacuous) vacuous_.push_back(shown(requested, property));
     }
     Diagnostics diagnostics;
     test_ = test_of(model_, chart_, {.mode = mode_, .limits = limits}, diagnostics);
@@ -67,12 +67,13 @@ bool MutantBench::prepare(const Limits& limits) {
     return true;
 }
 
-std::optional<std::size_t> MutantBench::test_steps() const {
+std::optional<std::size_t> MutantChecker::test_steps() const {
     return test_ ? std::optional(step_count(*test_)) : std::nullopt;
 }
 
-void MutantBench::ask(const Model& mutated, const Asked& asked, const Limits& limits, MutantFate& fate) const {
-    const auto loop = find_loop(mutated, model_.loops[asked.loop].name);
+void MutantChecker::ask(const Model& mutated, const OriginalVerdicts& requested, const Limits& limits,
+                        MutantFate& fate) const {
+    const auto loop = find_loop(mutated, model_.loops[requested.loop].name);
     Diagnostics diagnostics;
     const auto report =
         loop ? check(mutated, *loop, {.mode = mode_}, quiet_check({}, limits), diagnostics) : std::nullopt;
@@ -80,11 +81,11 @@ void MutantBench::ask(const Model& mutated, const Asked& asked, const Limits& li
         fate.reason = first_code(diagnostics);
         return;
     }
-    if (asked.whole && !report->breakdowns.empty())
-        fate.noticed_by.push_back(shown(asked, report->breakdowns.front().code));
-    for (const Answer& answer : report->answers) {
-        if (std::ranges::find(asked.properties, answer.verdict.property) == asked.properties.end()) continue;
-        const std::string name = shown(asked, answer.verdict.property);
+    if (requested.whole && !report->error_traces.empty())
+        fate.noticed_by.push_back(shown(requested, report->error_traces.front().code));
+    for (const PropertyResult& answer : report->answers) {
+        if (std::ranges::find(requested.properties, answer.verdict.property) == requested.properties.end()) continue;
+        const std::string name = shown(requested, answer.verdict.property);
         if (answer.verdict.outcome == Outcome::Unknown) fate.undecided.push_back(name);
         else if (!as_expected(answer.verdict)) fate.noticed_by.push_back(name);
         else if (answer.verdict.vacuous && std::ranges::find(vacuous_, name) == vacuous_.end())
@@ -93,11 +94,11 @@ void MutantBench::ask(const Model& mutated, const Asked& asked, const Limits& li
     fate.failures.insert(fate.failures.end(), report->failures.begin(), report->failures.end());
 }
 
-MutantFate MutantBench::fate_of(const Mutant& mutant, const Limits& limits) const {
+MutantFate MutantChecker::fate_of(const Mutant& mutant, const Limits& limits) const {
     MutantFate fate;
     if (!reads_back(mutant.text))
         fate.failures.push_back("a mutant differs from its text: " + mutant.kind + ", " + mutant.subject);
-    Reading reading = read_string(mutant.text, path_, read_);
+    ParseResult reading = read_string(mutant.text, path_, read_);
     const auto chart = reading.model ? find_chart(*reading.model, model_.charts[chart_].name) : std::nullopt;
     if (!chart || !equations_of(*reading.model, *chart, reading.diagnostics))
         return fate.kind = MutantFate::Kind::Refused, fate.reason = first_code(reading.diagnostics), fate;
@@ -109,7 +110,7 @@ MutantFate MutantBench::fate_of(const Mutant& mutant, const Limits& limits) cons
     fate.failures = compared->failures;
     fate.scans = compared->scans.size();
     if (compared->outcome == Comparison::Outcome::Equal) return fate.kind = MutantFate::Kind::Equivalent, fate;
-    for (const Asked& asked : asked_) ask(*reading.model, asked, limits, fate);
+    for (const OriginalVerdicts& requested : requested_) ask(*reading.model, requested, limits, fate);
     if (test_) fate.caught = disagreement(reading.model->charts[*chart], *test_).has_value();
     const bool differs = compared->outcome == Comparison::Outcome::Different;
     if (!fate.noticed_by.empty()) fate.kind = MutantFate::Kind::Noticed;

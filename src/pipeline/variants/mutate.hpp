@@ -12,11 +12,11 @@
 namespace grafverif {
 
 /// A chart, its properties, and its mutants; thread-safe.
-class MutantBench {
+class MutantChecker {
 public:
     /// `path`: of the file; its includes are resolved as those of the original. All arguments must outlive the bench.
-    MutantBench(const Model& model, Id<Chart> chart, std::string path, const ReadOptions& read,
-                std::optional<ExecutionMode> mode);
+    MutantChecker(const Model& model, Id<Chart> chart, std::string path, const ReadOptions& read,
+                  std::optional<ExecutionMode> mode);
 
     /// Decides the properties of the original, and generates its test sequence. False: stopped at a limit.
     bool prepare(const Limits& limits);
@@ -31,21 +31,21 @@ public:
     MutantFate fate_of(const Mutant& mutant, const Limits& limits) const;
 
 private:
-    struct Asked {
+    struct OriginalVerdicts {
         Id<ClosedLoop> loop = {};
         std::vector<std::string> properties = {};  ///< with expected verdicts for the original
         std::vector<std::string> vacuous = {};     ///< those of them that hold vacuously
         bool whole = true;                         ///< the original has no model error
     };
-    std::string shown(const Asked& asked, const std::string& property) const;
-    void ask(const Model& mutated, const Asked& asked, const Limits& limits, MutantFate& fate) const;
+    std::string shown(const OriginalVerdicts& requested, const std::string& property) const;
+    void ask(const Model& mutated, const OriginalVerdicts& requested, const Limits& limits, MutantFate& fate) const;
 
     const Model& model_;
     Id<Chart> chart_;
     std::string path_;
     const ReadOptions& read_;
     std::optional<ExecutionMode> mode_;
-    std::vector<Asked> asked_ = {};
+    std::vector<OriginalVerdicts> requested_ = {};
     std::vector<std::string> properties_ = {}, vacuous_ = {};
     std::optional<TestSequence> test_ = {};
     std::string no_test_ = {};

@@ -12,7 +12,7 @@
 #include "pipeline/models.hpp"
 #include "pipeline/variants/supervise_model.hpp"
 #include "pipeline/variants/supervise_text.hpp"
-#include "report/tell.hpp"
+#include "report/trace_rows.hpp"
 #include "run/project.hpp"
 #include "support/element_of.hpp"
 #include "support/unique_names.hpp"
@@ -29,7 +29,7 @@ constexpr std::uint64_t most_timed_states = 2'000'000;
 /// The game on one loop, and its result.
 class Supervising {
 public:
-    Supervising(const Model& model, Id<ClosedLoop> loop, Id<Source> main, Sources& sources, const SuperviseAsk& ask,
+    Supervising(const Model& model, Id<ClosedLoop> loop, Id<Source> main, Sources& sources, const SuperviseRequest& ask,
                 Diagnostics& diagnostics)
         : model_(model), loop_(loop), main_(main), sources_(sources), ask_(ask), diagnostics_(diagnostics) {
         made_.loop = model.loops[loop].name;
@@ -62,25 +62,25 @@ public:
                 "every property of states is expected violated; select the properties to enforce with `--property`";
             return std::move(made_);
         }
-        const Supervision asked = supervision(*system, *marked, loop, *properties);
+        const Supervision requested = supervision(*system, *marked, loop, *properties);
         SuperviseOptions options;
         set_limits(options, ask_.limits);
         if (ask_.limits.progress)
             options.progress = [this](const std::string& doing) { ask_.limits.progress({[&doing] { return doing; }}); };
-        const Supervisor found = supervisor_of(*system, asked, options);
+        const Supervisor found = supervisor_of(*system, requested, options);
         made_.outcome = found.outcome;
         made_.reason = found.reason;
         made_.claim = found.claim;
         made_.blocked = found.blocked;
-        for (const Supervisor::Which& which : found.hidden) made_.hidden.push_back(subject(which));
-        for (const Supervisor::Which& which : found.traded) made_.traded.push_back(subject(which));
-        if (found.run) tell_run(plain, found);
+        for (const Supervisor::Selection& which : found.hidden) made_.hidden.push_back(subject(which));
+        for (const Supervisor::Selection& which : found.traded) made_.traded.push_back(subject(which));
+        if (found.run) report_run(plain, found);
         if (found.outcome == Supervisor::Outcome::Found) write(found);
         return std::move(made_);
     }
 
 private:
-    const std::string& subject(const Supervisor::Which& which) const {
+    const std::string& subject(const Supervisor::Selection& which) const {
         return held_[which.controller][which.permission].subject;
     }
 
@@ -118,7 +118,7 @@ private:
 
     Supervision supervision(System& system, const Model& model, const ClosedLoop& loop,
                             const std::vector<Id<Property>>& properties) {
-        Supervision asked;
+        Supervision requested;
         Table<System::Symbol>& symbols = system.modules[system.main].symbols;
         for (std::size_t index = 0; index < system.controllers.size(); ++index) {
             const System::Controller& controller = system.controllers[index];
@@ -126,15 +126,15 @@ private:
             const auto symbol = [](const auto& list, const std::string& name) {
                 return element_of(list, name, [](const auto& each) { return each.name; }).variable;
             };
-            for (const Held& held : held_[index])
+            for (const PermittedElement& held : held_[index])
                 symbols[symbol(controller.words.inputs, held.permission)].kind = System::ChoiceSymbol{};
-            Supervision::Controller& player = asked.controllers.emplace_back();
+            Supervision::Controller& player = requested.controllers.emplace_back();
             std::vector<Id<Expr>> steps{controller.evolves};
             if (controller.starts.valid()) steps.push_back(controller.starts);
             player.evolves = system.exprs.disjunction(steps);
-            const Sight& sight = sights_.emplace_back(sight_of(system, controller, loop, id));
+            const ObservableVariables& sight = sights_.emplace_back(sight_of(system, controller, loop, id));
             player.seen = sight.terms;
-            for (const Held& held : held_[index]) {
+            for (const PermittedElement& held : held_[index]) {
                 Supervision::Permission& permission = player.permissions.emplace_back();
                 permission.symbol = symbol(controller.words.inputs, held.permission);
                 permission.output = held.output;
@@ -151,14 +151,15 @@ private:
                                      : system.exprs.leaf(Op::Variable, symbol(controller.words.outputs, sets).index));
             }
         }
-        for (const Id<Property> id : properties) asked.bad.push_back(violation(system, system.properties[id]));
+        for (const Id<Property> id : properties) requested.bad.push_back(violation(system, system.properties[id]));
         const auto marked = std::ranges::find(system.properties, marked_, &Property::name);
-        asked.marked = marked != system.properties.end() ? marked->operands[0] : initial_situation(system, model, loop);
-        return asked;
+        requested.marked =
+            marked != system.properties.end() ? marked->operands[0] : initial_situation(system, model, loop);
+        return requested;
     }
 
     /// Reports a run that violates without forbidden moves, so that it is a run of the original loop.
-    void tell_run(const Model& plain, const Supervisor& found) {
+    void report_run(const Model& plain, const Supervisor& found) {
         const auto system = transition_system_of(plain, loop_, untimed(ask_), diagnostics_);
         if (!system) return;
         const FlatSystem flat = flattened(*system);
@@ -173,14 +174,14 @@ private:
         ChartRun told = project(*system, system_run(flat, run));
         if (const auto wrong = disagreement(told, charts_of(plain, plain.loops[loop_])))
             made_.failures.push_back(replay_failure("the trace that no conditions prevent", *wrong));
-        else made_.run = tell(std::move(told));
+        else made_.run = with_rows(std::move(told));
     }
 
     void write(const Supervisor& found) {
         std::map<Id<Source>, std::map<std::uint32_t, NamedTerm>> edits;
         const ClosedLoop& loop = model_.loops[loop_];
         for (const Supervisor::Condition& condition : found.conditions) {
-            const Held& held = held_[condition.controller][condition.permission];
+            const PermittedElement& held = held_[condition.controller][condition.permission];
             const Chart& chart =
                 model_.charts[loop.controllers[{static_cast<std::uint32_t>(condition.controller)}].chart];
             NamedTerm term{.all = condition.all};
@@ -268,10 +269,10 @@ private:
                 if (std::ranges::find(known, name) != known.end()) timed.properties.push_back(name);
             timed.limits.states = std::min(timed.limits.states.value_or(most_timed_states), most_timed_states);
             const Report report = grafverif::check(loop_to_check(model, loop, *network), timed);
-            for (const Answer& answer : report.answers)
+            for (const PropertyResult& answer : report.answers)
                 if (answer.verdict.pattern == Pattern::NoTimelock) made_.timelock = answer.verdict.outcome;
             Report judged = report;
-            std::erase_if(judged.answers, [](const Answer& answer) {
+            std::erase_if(judged.answers, [](const PropertyResult& answer) {
                 return answer.verdict.pattern == Pattern::NoTimelock || answer.verdict.outcome == Outcome::Unknown;
             });
             names = unanswered(judged, names);
@@ -281,7 +282,7 @@ private:
     }
 
     static std::vector<std::string> unanswered(const Report& report, std::vector<std::string> names) {
-        for (const Answer& answer : report.answers) std::erase(names, answer.verdict.property);
+        for (const PropertyResult& answer : report.answers) std::erase(names, answer.verdict.property);
         return names;
     }
 
@@ -289,22 +290,22 @@ private:
     /// failure.
     std::vector<std::string> left_unproved(const Report& report, const std::vector<std::string>& names) {
         made_.failures.insert(made_.failures.end(), report.failures.begin(), report.failures.end());
-        for (const Breakdown& breakdown : report.breakdowns) made_.failures.push_back(breakdown.message);
+        for (const ModelErrorTrace& breakdown : report.error_traces) made_.failures.push_back(breakdown.message);
         std::vector<std::string> left = unanswered(report, names);
         std::string why = "it is not checked";
-        for (const Answer& answer : report.answers) {
+        for (const PropertyResult& answer : report.answers) {
             const Verdict& verdict = answer.verdict;
             if (verdict.outcome == Outcome::Holds) continue;
             left.push_back(verdict.property);
             why = verdict.reason;
             if (verdict.outcome == Outcome::Violated)
                 made_.failures.push_back(fmt::format("with the conditions, engine {} finds `{}` violated",
-                                                     report.basis.engine, verdict.property));
+                                                     report.settings.engine, verdict.property));
         }
         if (!left.empty()) {
             made_.outcome = Supervisor::Outcome::Unknown;
             made_.reason = fmt::format("conditions were found, but engine {} did not prove `{}` for them: {}",
-                                       report.basis.engine, left.front(), why);
+                                       report.settings.engine, left.front(), why);
         }
         return left;
     }
@@ -313,18 +314,18 @@ private:
     Id<ClosedLoop> loop_ = {};
     Id<Source> main_ = {};
     Sources& sources_;
-    const SuperviseAsk& ask_;
+    const SuperviseRequest& ask_;
     Diagnostics& diagnostics_;
-    std::string marked_ = {};                   ///< name of the property about marked situations
-    std::vector<std::vector<Held>> held_ = {};  ///< per controller
-    std::vector<Sight> sights_ = {};            ///< per controller
+    std::string marked_ = {};                               ///< name of the property about marked situations
+    std::vector<std::vector<PermittedElement>> held_ = {};  ///< per controller
+    std::vector<ObservableVariables> sights_ = {};          ///< per controller
     Supervised made_ = {};
 };
 
 }  // namespace
 
 std::optional<Supervised> supervised(const Model& model, Id<ClosedLoop> loop, Id<Source> main, Sources& sources,
-                                     const SuperviseAsk& ask, Diagnostics& diagnostics) {
+                                     const SuperviseRequest& ask, Diagnostics& diagnostics) {
     return Supervising(model, loop, main, sources, ask, diagnostics).run();
 }
 

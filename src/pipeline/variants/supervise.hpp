@@ -13,7 +13,7 @@
 
 namespace grafverif {
 
-struct SuperviseAsk {
+struct SuperviseRequest {
     std::vector<std::string> properties = {};  ///< names; empty: all about states alone that are not expected violated
     std::string marked = {};                   ///< a term of the loop; empty: the initial situation
     bool transitions = true, outputs = true;   ///< which elements may get conditions
@@ -43,7 +43,7 @@ struct Supervised {
     std::string marked = {};  ///< as given; empty: the initial situation
     Supervisor::Outcome outcome = Supervisor::Outcome::Unknown;
     std::string reason = {};  ///< of an unknown outcome
-    Supervisor::Claim claim = Supervisor::Claim::Least;
+    Supervisor::Permissiveness claim = Supervisor::Permissiveness::Least;
     std::vector<std::string> hidden = {}, traded = {};  ///< subjects; see Supervisor
     std::vector<ChartCondition> conditions = {};
     Outcome timelock = Outcome::Unknown;     ///< result of `no timelock` with the conditions
@@ -57,6 +57,6 @@ struct Supervised {
 /// `main`: the source that `model` was parsed from, with its includes in `sources`. Nothing after an error: unknown
 /// properties, or properties that are not about states alone; an invalid term.
 std::optional<Supervised> supervised(const Model& model, Id<ClosedLoop> loop, Id<Source> main, Sources& sources,
-                                     const SuperviseAsk& ask, Diagnostics& diagnostics);
+                                     const SuperviseRequest& ask, Diagnostics& diagnostics);
 
 }  // namespace grafverif

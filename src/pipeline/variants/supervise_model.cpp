@@ -17,7 +17,7 @@ using System = TransitionSystem;
 
 }  // namespace
 
-ModelOptions untimed(const SuperviseAsk& ask) {
+ModelOptions untimed(const SuperviseRequest& ask) {
     ModelOptions how;
     how.mode = ask.mode;
     how.grain = Grain::Atomic;
@@ -40,13 +40,13 @@ std::vector<bool> read_outputs(const Chart& chart) {
 
 }  // namespace
 
-std::vector<Held> add_permissions(Model& model, ClosedLoop& loop, Id<ClosedLoop::Controller> controller,
-                                  const Chart& written, const SuperviseAsk& ask, UniqueNames& names) {
+std::vector<PermittedElement> add_permissions(Model& model, ClosedLoop& loop, Id<ClosedLoop::Controller> controller,
+                                              const Chart& written, const SuperviseRequest& ask, UniqueNames& names) {
     Chart& chart = model.charts[loop.controllers[controller].chart];
     const std::vector<bool> read = read_outputs(written);
-    std::vector<Held> held;
+    std::vector<PermittedElement> held;
     const auto permission = [&](const std::string& subject, bool output) {
-        Held& made = held.emplace_back(Held{names.fresh("may_" + subject), subject, output});
+        PermittedElement& made = held.emplace_back(PermittedElement{names.fresh("may_" + subject), subject, output});
         const Id<Chart::Variable> variable =
             chart.variables.add({.name = made.permission, .kind = Chart::VariableKind::Input});
         loop.shared.add({.name = made.permission, .reader = controller, .variable = variable});
@@ -88,9 +88,9 @@ std::vector<Held> add_permissions(Model& model, ClosedLoop& loop, Id<ClosedLoop:
     return held;
 }
 
-Sight sight_of(System& system, const System::Controller& controller, const ClosedLoop& loop,
-               Id<ClosedLoop::Controller> id) {
-    Sight sight;
+ObservableVariables sight_of(System& system, const System::Controller& controller, const ClosedLoop& loop,
+                             Id<ClosedLoop::Controller> id) {
+    ObservableVariables sight;
     const auto add = [&](const std::string& name, Id<System::Symbol> symbol) {
         if (!system.modules[system.main].symbols[symbol].type.boolean) return;
         sight.names.push_back(name);
@@ -123,18 +123,18 @@ Id<Expr> initial_situation(TransitionSystem& system, const Model& model, const C
     return system.exprs.conjunction(terms);
 }
 
-std::optional<std::vector<Id<Property>>> kept(const System& system, const SuperviseAsk& ask, const std::string& marked,
-                                              Diagnostics& diagnostics) {
+std::optional<std::vector<Id<Property>>> kept(const System& system, const SuperviseRequest& ask,
+                                              const std::string& marked, Diagnostics& diagnostics) {
     std::vector<Id<Property>> found;
     std::vector<std::string> known;
     for (const Id<Property> id : system.properties.ids()) {
         const Property& property = system.properties[id];
         if (!is_about_all_states(property.pattern) || property.name == marked) continue;
         known.push_back(property.name);
-        const bool asked = ask.properties.empty()
-                               ? !property.expected_violated
-                               : std::ranges::find(ask.properties, property.name) != ask.properties.end();
-        if (asked || !property.origin.source.valid()) found.push_back(id);
+        const bool requested = ask.properties.empty()
+                                   ? !property.expected_violated
+                                   : std::ranges::find(ask.properties, property.name) != ask.properties.end();
+        if (requested || !property.origin.source.valid()) found.push_back(id);
     }
     for (const std::string& name : ask.properties)
         if (std::ranges::find(known, name) == known.end()) {

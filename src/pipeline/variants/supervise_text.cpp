@@ -109,7 +109,7 @@ tree::File tree_of(Id<Source> source, const Sources& sources) {
     return read_any(source, copy, {true}, known);
 }
 
-bool is_ours(Id<Source> source, const Sources& sources) {
+bool is_internal_error(Id<Source> source, const Sources& sources) {
     return format_of(sources[source].text) == FileFormat::Grafcet;
 }
 
@@ -125,19 +125,19 @@ std::string with_conditions(Id<Source> source, const Sources& sources,
     tree::File file = tree_of(source, sources);
     for (tree::Declaration& declaration : file.declarations)
         if (auto* chart = std::get_if<tree::Chart>(&declaration)) put(file, chart->items, terms);
-    return formatted(is_ours(source, sources) ? file : laid_out(std::move(file)));
+    return formatted(is_internal_error(source, sources) ? file : laid_out(std::move(file)));
 }
 
 std::optional<std::string> with_marked(Id<Source> source, Sources& sources, const std::string& loop,
                                        const std::string& name, const std::string& term, Diagnostics& diagnostics) {
     const std::string question = "property " + name + ": always possible " + term + ";\n";
-    const Id<Source> asked = sources.add({"--marked", "closed_loop marked {\n" + question + "}\n"});
-    const tree::File parsed = parse_file(asked, sources, diagnostics);
+    const Id<Source> requested = sources.add({"--marked", "closed_loop marked {\n" + question + "}\n"});
+    const tree::File parsed = parse_file(requested, sources, diagnostics);
     if (diagnostics.has_errors()) return {};
     const auto* one =
         parsed.declarations.size() == 1 ? std::get_if<tree::ClosedLoop>(&parsed.declarations[0]) : nullptr;
     if (one == nullptr || one->items.size() != 1) {
-        diagnostics.add(messages::unexpected({asked, 0, 0}, "more than a term", "one term"));
+        diagnostics.add(messages::unexpected({requested, 0, 0}, "more than a term", "one term"));
         return {};
     }
     const tree::File file = tree_of(source, sources);

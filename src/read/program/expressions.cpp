@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Expressions with their types. An integer literal adapts to the type that it meets; integers of different types meet in the type
-// that contains the other.
+// Expressions with their types. An integer literal adapts to the type that it meets; integers of different types meet
+// in the type that contains the other.
 #include <algorithm>
 #include <string>
 

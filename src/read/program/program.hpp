@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// read_program: Structured Text of IEC 61131-3 (programs, function blocks, functions, types, a configuration) -> Program.
-// Names are resolved without regard to case, types are checked, and each construct that Program does not represent
-// exactly is an error. All errors of a file are reported together.
+// read_program: Structured Text of IEC 61131-3 (programs, function blocks, functions, types, a configuration) ->
+// Program. Names are resolved without regard to case, types are checked, and each construct that Program does not
+// represent exactly is an error. All errors of a file are reported together.
 #pragma once
 
 #include <memory>
@@ -25,8 +25,8 @@ public:
     ~ProgramText();
 
     const Program& program() const;
-    /// A Boolean expression over the variables of the program, with the operators of Structured Text or of C. It is added
-    /// to the nodes of the program. Nothing after an error.
+    /// A Boolean expression over the variables of the program, with the operators of Structured Text or of C. It is
+    /// added to the nodes of the program. Nothing after an error.
     std::optional<Id<Program::Node>> condition(const st::Text& text, const Sources& sources, Diagnostics& diagnostics);
 
     struct Inside;

@@ -7,8 +7,8 @@
 
 namespace grafverif::program {
 
-/// Bodies of the standard. A variable ELAPSED advances between two scans while RUNNING is true, whether or not the block
-/// is called, and both are hidden from programs.
+/// Bodies of the standard. A variable ELAPSED advances between two scans while RUNNING is true, whether or not the
+/// block is called, and both are hidden from programs.
 ///
 /// Readings on which the standard is open: counters stop at the limits of INT; the output of TON and TP for the preset
 /// time zero changes in the scan of the edge; a preset time that changes while Q is true has no effect on TON.

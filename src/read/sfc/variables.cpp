@@ -86,12 +86,12 @@ void collect_written(const st::File& file, const st::Block& block, std::unordere
     }
 }
 
-struct Written {
+struct WrittenVariables {
     std::unordered_set<std::string> stored = {}, acted = {};
 };
 
-Written written_in(const Sfc& sfc) {
-    Written written;
+WrittenVariables written_in(const Sfc& sfc) {
+    WrittenVariables written;
     std::unordered_set<Id<st::Word>> actions;
     for (const st::Action& action : sfc.unit.actions) {
         actions.insert(action.name.word);
@@ -145,7 +145,7 @@ std::string path_of(const st::File& file, Id<st::Expr> expr) {
 }
 
 void classify_variables(Sfc& sfc) {
-    const Written written = written_in(sfc);
+    const WrittenVariables written = written_in(sfc);
     std::vector<const st::Variable*> declared;
     for (const st::Variable& one : sfc.unit.variables) declared.push_back(&one);
     for (const st::Variable& one : sfc.file.globals) declared.push_back(&one);

@@ -30,14 +30,15 @@ std::string standing(const std::vector<Comparison::Variable>& variables, const s
 }
 
 /// The outputs with different values in `a` and `b`.
-std::string differing(const Comparison& comparison, const Comparison::Answer& a, const Comparison::Answer& b) {
+std::string differing(const Comparison& comparison, const Comparison::ScanOutputs& a,
+                      const Comparison::ScanOutputs& b) {
     std::string text;
     for (std::size_t k = 0; k < comparison.outputs.size(); ++k)
         if (a.outputs[k] != b.outputs[k]) text += (text.empty() ? "`" : ", `") + comparison.outputs[k].name + "`";
     return text;
 }
 
-std::string answer_text(const Comparison& comparison, const Comparison::Answer& answer) {
+std::string result_text(const Comparison& comparison, const Comparison::ScanOutputs& answer) {
     if (!answer.stop.empty()) return "stops: " + answer.stop;
     return standing(comparison.outputs, answer.outputs) + "  in " + answer.situation;
 }
@@ -64,8 +65,8 @@ void print_scans(const Comparison& comparison, std::ostream& out) {
     for (std::size_t scan = 0; scan < comparison.scans.size(); ++scan) {
         time += comparison.scans[scan].wait_ms;
         rows.push_back({seconds_text(time), standing(comparison.inputs, comparison.scans[scan].inputs),
-                        answer_text(comparison, comparison.answers[0][scan]),
-                        answer_text(comparison, comparison.answers[1][scan])});
+                        result_text(comparison, comparison.answers[0][scan]),
+                        result_text(comparison, comparison.answers[1][scan])});
     }
     constexpr std::array<std::size_t, 4> most = {8, 24, 29, 29};
     std::array<std::size_t, 4> widths = {};
@@ -73,7 +74,7 @@ void print_scans(const Comparison& comparison, std::ostream& out) {
         for (std::size_t k = 0; k < row.size(); ++k)
             widths[k] = std::min(most[k], std::max(widths[k], columns_of(row[k])));
     for (const auto& row : rows) print_row(row, widths, out);
-    const Comparison::Answer &a = comparison.answers[0].back(), &b = comparison.answers[1].back();
+    const Comparison::ScanOutputs &a = comparison.answers[0].back(), &b = comparison.answers[1].back();
     if (!a.stop.empty() || !b.stop.empty())
         out << fmt::format("  in the last scan, `{}` stops and the other continues\n", a.stop.empty() ? "b" : "a");
     else out << fmt::format("  in the last scan, they differ in {}\n", printable(differing(comparison, a, b)));
@@ -155,7 +156,7 @@ void print_changes(const std::vector<ChartChange>& changes, std::ostream& out) {
     }
 }
 
-void print_answer(const Comparison& comparison, Colour colour, std::ostream& out) {
+void print_result(const Comparison& comparison, Colour colour, std::ostream& out) {
     out << fmt::format("`{}` (a) and `{}` (b): {}\n", printable(comparison.charts[0]), printable(comparison.charts[1]),
                        outcome_text(comparison, colour));
     print_sentence(comparison, out);
@@ -164,7 +165,7 @@ void print_answer(const Comparison& comparison, Colour colour, std::ostream& out
 }
 
 void print_comparison(const Comparison& comparison, Colour colour, std::ostream& out) {
-    print_answer(comparison, colour, out);
+    print_result(comparison, colour, out);
     out << (comparison.changes.empty() ? "the texts differ at most in order and layout\n"
                                        : "differences of the texts, from a to b:\n");
     print_changes(comparison.changes, out);

@@ -20,7 +20,7 @@
 namespace grafverif {
 
 /// Without the differences of the texts.
-void print_answer(const Comparison& comparison, Colour colour, std::ostream& out);
+void print_result(const Comparison& comparison, Colour colour, std::ostream& out);
 void print_comparison(const Comparison& comparison, Colour colour, std::ostream& out);
 std::string comparison_json(const Comparison& comparison);
 

@@ -24,7 +24,7 @@ std::size_t count_of(const Mutation& mutation, Fate kind) {
     return static_cast<std::size_t>(std::ranges::count_if(
         mutation.fates, [&](const std::optional<MutantFate>& fate) { return fate && fate->kind == kind; }));
 }
-std::size_t not_judged(const Mutation& mutation) {
+std::size_t not_checked(const Mutation& mutation) {
     return static_cast<std::size_t>(
         std::ranges::count_if(mutation.fates, [](const std::optional<MutantFate>& fate) { return !fate.has_value(); }));
 }
@@ -66,10 +66,10 @@ std::size_t line_of(const Mutant& mutant, const Sources& sources) {
 }
 
 void print_scores(const Mutation& mutation, std::ostream& out) {
-    const char* const yet = not_judged(mutation) > 0 ? " so far" : "";
+    const char* const yet = not_checked(mutation) > 0 ? " so far" : "";
     const Score specified = of_specification(mutation), tested = of_tests(mutation);
     // A run that was stopped early has not found the properties yet.
-    if (mutation.properties.empty() && not_judged(mutation) == 0)
+    if (mutation.properties.empty() && not_checked(mutation) == 0)
         out << "no properties: no closed loop contains this chart\n";
     else
         out << fmt::format("the specification detects {} of {}{}{}\n", specified.noticed, specified.judged,
@@ -142,7 +142,8 @@ void print_mutation(const Mutation& mutation, const Sources& sources, std::ostre
     counted(Fate::Unnoticed, "survived: different outputs, but killed by no property");
     counted(Fate::Refused, "invalid: rejected as input");
     counted(Fate::Unknown, "undecided");
-    if (const std::size_t count = not_judged(mutation)) out << fmt::format("{:>5} not checked: stopped early\n", count);
+    if (const std::size_t count = not_checked(mutation))
+        out << fmt::format("{:>5} not checked: stopped early\n", count);
     print_scores(mutation, out);
     print_those(mutation, Fate::Unnoticed, "survived:", sources, out);
     print_those(mutation, Fate::Unknown, "undecided:", sources, out);
@@ -162,7 +163,7 @@ std::string mutation_json(const Mutation& mutation, const Sources& sources) {
     object["no_test"] = text_or_null(mutation.no_test);
     for (const Fate kind : {Fate::Equivalent, Fate::Noticed, Fate::Unnoticed, Fate::Refused, Fate::Unknown})
         object["counts"][std::string(word(kind))] = count_of(mutation, kind);
-    object["counts"]["not_judged"] = not_judged(mutation);
+    object["counts"]["not_judged"] = not_checked(mutation);
     object["specification"] = {{"notices", specified.noticed}, {"of", specified.judged}};
     object["tests"] = {{"catch", tested.noticed}, {"of", tested.judged}};
     object["mutants"] = nlohmann::ordered_json::array();

@@ -17,7 +17,8 @@ public:
     /// `program` must outlive the object. Loops must end (see derive/program: scan_of).
     explicit ProgramRun(const Program& program);
 
-    /// One scan. `inputs`: a value for each cell that is an input, in order; `elapsed_ms`: the time since the last scan.
+    /// One scan. `inputs`: a value for each cell that is an input, in order; `elapsed_ms`: the time since the last
+    /// scan.
     void scan(std::span<const std::int64_t> inputs, std::int64_t elapsed_ms);
 
     const ProgramLayout& layout() const { return layout_; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// schedule_program: Scan -> TransitionSystem. A state consists of the cells before a scan and of the inputs that it will
-// read, which are free; one step is one scan. A property is about the end of that scan: a term over the state before it,
-// so that no copy of the inputs is needed. Only the cells on which the properties depend are variables.
+// schedule_program: Scan -> TransitionSystem. A state consists of the cells before a scan and of the inputs that it
+// will read, which are free; one step is one scan. A property is about the end of that scan: a term over the state
+// before it, so that no copy of the inputs is needed. Only the cells on which the properties depend are variables.
 #pragma once
 
 #include <optional>

@@ -13,7 +13,8 @@ std::string_view documentation_url();
 /// The entry of a diagnostic on the site at `base`; empty without a base.
 std::string diagnostic_page(std::string_view code, std::string_view base = documentation_url());
 
-/// The text of `code` on a terminal: a hyperlink (OSC 8) to its entry on the site at `base`; `code` alone without a base.
+/// The text of `code` on a terminal: a hyperlink (OSC 8) to its entry on the site at `base`; `code` alone without a
+/// base.
 std::string terminal_link(std::string_view code, std::string_view base = documentation_url());
 
 }  // namespace grafverif

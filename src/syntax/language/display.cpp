@@ -46,12 +46,12 @@ public:
     }
 
 private:
-    struct Seen {
+    struct Occurrence {
         Span where = {};
         std::size_t more = 0;
     };
     Span part_;
-    std::map<std::uint32_t, Seen> seen_ = {};
+    std::map<std::uint32_t, Occurrence> seen_ = {};
 };
 
 /// ASCII white space; a carriage return only before a line feed.

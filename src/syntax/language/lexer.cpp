@@ -132,7 +132,7 @@ void Lexer::advance(std::string_view match) {
 void Lexer::lines() { line_ends_ += static_cast<std::uint32_t>(match_.size()); }
 
 /// Records a blank line before the current token or comment.
-void Lexer::begin_thing() {
+void Lexer::begin_element() {
     if (line_ends_ > 1 && anything_) file_->gaps.push_back(here_.begin);
     line_ends_ = 0;
     anything_ = true;
@@ -140,14 +140,14 @@ void Lexer::begin_thing() {
 
 void Lexer::comment() {
     const bool own_line = line_ends_ > 0 || !anything_;
-    begin_thing();
+    begin_element();
     std::string kept(match_);
     while (!kept.empty() && (kept.back() == '\r' || kept.back() == ' ' || kept.back() == '\t')) kept.pop_back();
     file_->comments.push_back({std::move(kept), here_, own_line});
 }
 
 Token Lexer::word(Parser::token_kind_type kind) {
-    begin_thing();
+    begin_element();
     std::string_view text = match_;
     if (text.size() > longest_name) {
         report(messages::name_too_long(here_, text, longest_name));
@@ -162,7 +162,7 @@ Token Lexer::word(Parser::token_kind_type kind) {
 Token Lexer::wide_name() {
     const std::size_t length = identifier_length(match_);
     if (length < match_.size()) {
-        begin_thing();
+        begin_element();
         const std::string_view character = match_.substr(length, first_glyph(match_.substr(length)).bytes);
         const auto begin = here_.begin + static_cast<std::uint32_t>(length);
         const Span where{here_.source, begin, begin + static_cast<std::uint32_t>(character.size())};
@@ -176,18 +176,18 @@ Token Lexer::wide_name() {
 }
 
 Token Lexer::sign(Parser::token_kind_type kind) {
-    begin_thing();
+    begin_element();
     if (kind == Parser::token::END) return {kind, Span{here_.source, here_.end, here_.end}};
     return {kind, here_};
 }
 
 Token Lexer::string() {
-    begin_thing();
+    begin_element();
     return {Parser::token::STRING, std::string(match_.substr(1, match_.size() - 2)), here_};
 }
 
 Token Lexer::duration() {
-    begin_thing();
+    begin_element();
     const Measure parts = measure(match_);
     const auto factor = milliseconds_in(parts.unit);
     if (!factor) return broken(messages::unknown_unit(here_, match_));
@@ -197,7 +197,7 @@ Token Lexer::duration() {
 }
 
 Token Lexer::decimal_without_unit() {
-    begin_thing();
+    begin_element();
     return broken(messages::decimal_number(here_, match_));
 }
 
@@ -214,7 +214,7 @@ Span Lexer::operator_of_ctl() const {
 }
 
 Token Lexer::other_spelling(Parser::token_kind_type kind, std::string_view meant) {
-    begin_thing();
+    begin_element();
     if (const Span where = operator_of_ctl(); where.source.valid())
         if (const std::string pattern = pattern_of(seen_text(where)); !pattern.empty())
             return broken(messages::other_pattern(where, seen_text(where), pattern));
@@ -223,17 +223,17 @@ Token Lexer::other_spelling(Parser::token_kind_type kind, std::string_view meant
 }
 
 Token Lexer::unterminated_comment() {
-    begin_thing();
+    begin_element();
     return broken(messages::unterminated({here_.source, here_.begin, here_.begin + 2}, "comment", "*/"));
 }
 
 Token Lexer::unterminated_string() {
-    begin_thing();
+    begin_element();
     return broken(messages::unterminated(here_, "string", "\""));
 }
 
 Token Lexer::unexpected_character() {
-    begin_thing();
+    begin_element();
     if (const Span where = operator_of_ctl(); where.source.valid())
         if (const std::string pattern = pattern_of(seen_text(where)); !pattern.empty())
             return broken(messages::other_pattern(where, seen_text(where), pattern));

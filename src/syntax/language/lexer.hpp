@@ -81,7 +81,7 @@ private:
 
     Token broken(Diagnostic diagnostic);
     void report(Diagnostic diagnostic);
-    void begin_thing();
+    void begin_element();
     void consumed();
     bool nests_too_deep(Kind next) const;
     void resynchronise();

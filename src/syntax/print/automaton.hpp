@@ -33,25 +33,26 @@ std::string condition_text(const MealyMachine& machine, Id<Expr> condition);
 /// `V1 if s and not h1`, `SPEED = 2`.
 std::string emission_text(const LocationAutomaton& automaton, const LocationAutomaton::Emission& emission);
 /// `V1, SPEED = 2`: the nonzero outputs; `none` if all are zero.
-std::string answer_text(const MealyMachine& machine, Id<MealyMachine::Answer> answer, std::string_view none);
+std::string result_text(const MealyMachine& machine, Id<MealyMachine::OutputWord> answer, std::string_view none);
 
 /// `details`: also each location and evolution, or each state and transition.
 void print_automaton(std::ostream& out, const LocationAutomaton& automaton, bool details);
 void print_mealy(std::ostream& out, const MealyMachine& machine, bool details);
 
-/// `{"name", "mode", "locations", "evolutions", "evolutions_from_init", "unstable", "unstable_from_init"}`; with details also
-/// `"inputs", "outputs", "assumed", "location_table": [{"location", "situation", "values", "outputs"}],
-/// "evolution_table": [{"from", "to", "condition", "restarted"}], "instability_table": [{"from", "condition", "witness",
-/// "cycle"}]`; location 0 is INIT.
+/// `{"name", "mode", "locations", "evolutions", "evolutions_from_init", "unstable", "unstable_from_init"}`; with
+/// details also `"inputs", "outputs", "assumed", "location_table": [{"location", "situation", "values", "outputs"}],
+/// "evolution_table": [{"from", "to", "condition", "restarted"}], "instability_table": [{"from", "condition",
+/// "witness", "cycle"}]`; location 0 is INIT.
 void print_automaton_json(std::ostream& out, const LocationAutomaton& automaton, bool details);
 
-/// `{"name", "mode", "states", "transitions", "unstable_pairs", "combinations", "initial"}`; with details also `"inputs",
-/// "outputs", "assumed", "activation", "state_table", "transition_table": [{"from", "to", "condition", "outputs",
-/// "wait_ms"}], "unstable_table"`.
+/// `{"name", "mode", "states", "transitions", "unstable_pairs", "combinations", "initial"}`; with details also
+/// `"inputs", "outputs", "assumed", "activation", "state_table", "transition_table": [{"from", "to", "condition",
+/// "outputs", "wait_ms"}], "unstable_table"`.
 void print_mealy_json(std::ostream& out, const MealyMachine& machine, bool details);
 
-/// `{"chart", "mode", "cover", "hold", "steps", "lower_bound", "proven_least", "covered", "to_cover", "inputs", "outputs",
-/// "sequences": [[{"step", "wait_ms", "cycles", "inputs": {}, "outputs": {}, "situation"}]]}`; step 0 is the activation.
+/// `{"chart", "mode", "cover", "hold", "steps", "lower_bound", "proven_least", "covered", "to_cover", "inputs",
+/// "outputs", "sequences": [[{"step", "wait_ms", "cycles", "inputs": {}, "outputs": {}, "situation"}]]}`; step 0 is the
+/// activation.
 void print_test_json(std::ostream& out, const TestSequence& test);
 
 /// One sentence: length of the test, its coverage, and if its length is proved to be minimal.

@@ -54,7 +54,7 @@ std::string time_text(const Network& network, const Network::Controller& control
     return time_text(times.rise_ms, prefix_of(network, controller) + times.watched, times.fall_ms);
 }
 
-std::vector<std::string> told_names(const Network& network) {
+std::vector<std::string> display_names(const Network& network) {
     std::vector<std::string> names;
     for (const Network::Process& process : network.processes) names.push_back(process.name);
     for (const Network::Controller& controller : network.controllers)

@@ -30,7 +30,7 @@ std::string prefix_of(const Network& network, const Network::Controller& control
 std::string time_text(const Network& network, const Network::Controller& controller, std::size_t timer);
 /// Displayed name of each process of the network: for a timer its condition, if the observed term has a name; otherwise
 /// the name of the process.
-std::vector<std::string> told_names(const Network& network);
+std::vector<std::string> display_names(const Network& network);
 /// The same for a time condition that a property reads.
 std::string time_text(const Chart& chart, const ClosedLoop::TimeSymbol& symbol);
 

@@ -78,7 +78,7 @@ void write_sections(const Equations& equations, Writer& writer) {
     }
     if (equations.timers.empty() && equations.outputs.empty()) return;
     writer.title("(c) Outputs values");
-    for (const Equations::Watch& watch : equations.watches) writer.line(watch.variable, watch.value);
+    for (const Equations::ObservedTerm& watch : equations.watches) writer.line(watch.variable, watch.value);
     for (const Equations::Timer& timer : equations.timers) writer.timer(timer);
     for (const Equations::Output& output : equations.outputs) writer.line(output.variable, output.value);
     writer.close();
@@ -198,7 +198,7 @@ void print_equations_json(std::ostream& out, const Equations& equations) {
     Json previous = Json::array(), watches = Json::array();
     for (const Equations::Previous& one : equations.previous)
         previous.push_back({{"variable", name(equations, one.variable)}, {"equation", plain(equations, one.value)}});
-    for (const Equations::Watch& one : equations.watches)
+    for (const Equations::ObservedTerm& one : equations.watches)
         watches.push_back({{"variable", name(equations, one.variable)}, {"equation", plain(equations, one.value)}});
     Json timers = Json::array();
     for (const Equations::Timer& timer : equations.timers)

@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 26> smv_symbols{"<->", "->", "!=", "<=", 
                                                        "+",   "-",  "*",  "/",  "?",  ":",  ",", "."};
 
 /// A part of a formula.
-struct Part {
+struct Subformula {
     std::size_t begin = 0, end = 0;
     Type type = Type::Any;
     bool temporal = false;  ///< contains a path operator
@@ -46,7 +46,7 @@ public:
         : Reader(text, smv_symbols, "$#-"), ltl_(language == FormulaLanguage::Ltl), names_(names) {}
 
     void read() {
-        const Part whole = implication();
+        const Subformula whole = implication();
         if (kind_ != Kind::End) expected("an operator or the end");
         require(whole, Type::Boolean, "a formula");
     }
@@ -54,33 +54,33 @@ public:
 private:
     // -- type checks --------------------------------------------------------------------------------------------------
 
-    void require(const Part& part, Type type, std::string_view who) {
+    void require(const Subformula& part, Type type, std::string_view who) {
         if (part.type == Type::Any || part.type == type) return;
         fail(part.begin, part.end,
              fmt::format("expected {1} for {0}, found {2}", who, described(type), described(part.type)));
     }
-    void require_plain(const Part& part, std::string_view op) {
+    void require_plain(const Subformula& part, std::string_view op) {
         if (!part.temporal) return;
         fail(part.begin, part.end, fmt::format("an operand of `{}` contains a path operator", op));
     }
-    void require_alike(const Part& left, const Part& right, std::string_view op) {
+    void require_alike(const Subformula& left, const Subformula& right, std::string_view op) {
         if (left.type == Type::Any || right.type == Type::Any || left.type == right.type) return;
         fail(right.begin, right.end,
              fmt::format("`{}` has {} on one side and {} on the other", op, described(left.type),
                          described(right.type)));
     }
     std::string an_operand(std::string_view op) const { return fmt::format("an operand of `{}`", op); }
-    Part joined(const Part& left, const Part& right, Type type) const {
+    Subformula joined(const Subformula& left, const Subformula& right, Type type) const {
         return {left.begin, right.end, type, left.temporal || right.temporal};
     }
 
     // -- conditions ---------------------------------------------------------------------------------------------------
 
     template <class Operand>
-    Part logical(std::initializer_list<std::string_view> operators, const Operand& operand) {
-        Part left = operand();
+    Subformula logical(std::initializer_list<std::string_view> operators, const Operand& operand) {
+        Subformula left = operand();
         for (std::string_view op = accept_one(operators); !op.empty(); op = accept_one(operators)) {
-            const Part right = operand();
+            const Subformula right = operand();
             require(left, Type::Boolean, an_operand(op));
             require(right, Type::Boolean, an_operand(op));
             left = joined(left, right, Type::Boolean);
@@ -88,26 +88,26 @@ private:
         return left;
     }
 
-    Part implication() {
+    Subformula implication() {
         const Nest nest(*this);
         return logical({"->"}, [this] { return logical({"<->"}, [this] { return choice(); }); });
     }
 
-    Part choice() {
+    Subformula choice() {
         const Nest nest(*this);
-        const Part condition =
+        const Subformula condition =
             logical({"|", "xor", "xnor"}, [this] { return logical({"&"}, [this] { return until(); }); });
         if (in_until_ || !accept("?")) return condition;
-        const Part then = implication();
+        const Subformula then = implication();
         expect(":");
-        const Part otherwise = choice();
+        const Subformula otherwise = choice();
         require(condition, Type::Boolean, an_operand("?"));
-        for (const Part& part : {condition, then, otherwise}) require_plain(part, "?");
+        for (const Subformula& part : {condition, then, otherwise}) require_plain(part, "?");
         require_alike(then, otherwise, "? :");
         return joined(condition, otherwise, then.type == Type::Any ? otherwise.type : then.type);
     }
 
-    Part until() {
+    Subformula until() {
         if (!ltl_) return path();
         return logical({"U", "S", "V", "T"}, [this] { return path(); });
     }
@@ -119,7 +119,7 @@ private:
                     : is_one_of({"EX", "AX", "EF", "AF", "EG", "AG", "EBF", "ABF", "EBG", "ABG"});
     }
 
-    Part path() {
+    Subformula path() {
         const Nest nest(*this);
         const std::size_t begin = begin_;
         if (is("!") && path_follows()) {
@@ -135,7 +135,7 @@ private:
         return temporal(begin, path(), op);
     }
 
-    Part temporal(std::size_t begin, const Part& operand, std::string_view op) {
+    Subformula temporal(std::size_t begin, const Subformula& operand, std::string_view op) {
         require(operand, Type::Boolean, an_operand(op));
         return {begin, operand.end, Type::Boolean, operand.temporal || op != "!"};
     }
@@ -148,15 +148,15 @@ private:
         return ahead.at_unary_path() || (!ltl_ && ahead.is_one_of({"A", "E"}));
     }
 
-    Part until_of_ctl() {
+    Subformula until_of_ctl() {
         const std::size_t begin = begin_;
         advance();
         expect("[");
         const bool outer = std::exchange(in_until_, true);
-        const Part before = implication();
+        const Subformula before = implication();
         if (accept("BU")) subrange();
         else expect("U");
-        const Part after = implication();
+        const Subformula after = implication();
         in_until_ = outer;
         expect("]");
         require(before, Type::Boolean, an_operand("U"));
@@ -185,12 +185,12 @@ private:
 
     // -- relations and numbers ----------------------------------------------------------------------------------------
 
-    Part relation() {
-        Part left = membership();
+    Subformula relation() {
+        Subformula left = membership();
         const std::initializer_list<std::string_view> operators{"=", "!=", "<=", ">=", "<", ">"};
         for (std::string_view op = accept_one(operators); !op.empty(); op = accept_one(operators)) {
-            const Part right = membership();
-            for (const Part& part : {left, right}) {
+            const Subformula right = membership();
+            for (const Subformula& part : {left, right}) {
                 require_plain(part, op);
                 if (op != "=" && op != "!=") require(part, Type::Number, an_operand(op));
             }
@@ -200,26 +200,26 @@ private:
         return left;
     }
 
-    Part membership() {
-        const Part left = sum();
+    Subformula membership() {
+        const Subformula left = sum();
         if (!accept("in")) return left;
         require_plain(left, "in");
-        const Part set = members(left);
+        const Subformula set = members(left);
         return {left.begin, set.end, Type::Boolean, false};
     }
 
     /// `{a, b}` or `1..3`, with members of the type of `one`.
-    Part members(const Part& one) {
+    Subformula members(const Subformula& one) {
         const std::size_t begin = begin_;
         if (!accept("{")) {
-            const Part low = sum();
+            const Subformula low = sum();
             expect("..");
-            const Part high = sum();
-            for (const Part& part : {one, low, high}) require(part, Type::Number, an_operand("in"));
+            const Subformula high = sum();
+            for (const Subformula& part : {one, low, high}) require(part, Type::Number, an_operand("in"));
             return joined(low, high, Type::Number);
         }
         do {
-            const Part member = implication();
+            const Subformula member = implication();
             require_plain(member, "in");
             require_alike(one, member, "in");
         } while (accept(","));
@@ -228,11 +228,11 @@ private:
     }
 
     template <class Operand>
-    Part numeric(std::initializer_list<std::string_view> operators, const Operand& operand) {
-        Part left = operand();
+    Subformula numeric(std::initializer_list<std::string_view> operators, const Operand& operand) {
+        Subformula left = operand();
         for (std::string_view op = accept_one(operators); !op.empty(); op = accept_one(operators)) {
-            const Part right = operand();
-            for (const Part& part : {left, right}) {
+            const Subformula right = operand();
+            for (const Subformula& part : {left, right}) {
                 require_plain(part, op);
                 require(part, Type::Number, an_operand(op));
             }
@@ -241,24 +241,24 @@ private:
         return left;
     }
 
-    Part sum() {
+    Subformula sum() {
         return numeric({"+", "-"}, [this] { return numeric({"*", "/", "mod"}, [this] { return operand(); }); });
     }
 
     // -- operands -----------------------------------------------------------------------------------------------------
 
-    Part operand() {
+    Subformula operand() {
         const Nest nest(*this);
         const std::size_t begin = begin_;
         if (const std::string_view op = accept_one({"!", "-"}); !op.empty()) {
-            const Part part = operand();
+            const Subformula part = operand();
             require(part, op == "!" ? Type::Boolean : Type::Number, an_operand(op));
             if (op == "-") require_plain(part, op);
             return {begin, part.end, op == "!" ? Type::Boolean : Type::Number, part.temporal};
         }
         if (accept("(")) {
             const bool outer = std::exchange(in_until_, false);
-            const Part part = implication();
+            const Subformula part = implication();
             in_until_ = outer;
             expect(")");
             return {begin, before_, part.type, part.temporal};
@@ -275,7 +275,7 @@ private:
 
     bool is_function() const { return is_one_of({"count", "abs", "min", "max", "toint", "bool", "next"}); }
 
-    Part call() {
+    Subformula call() {
         const std::size_t begin = begin_;
         const std::string function(here());
         if (function == "next" && !ltl_) fail_here("`next` is allowed only in LTL, not in CTL");
@@ -283,7 +283,7 @@ private:
         advance();
         expect("(");
         const bool outer = std::exchange(in_next_, in_next_ || function == "next");
-        std::vector<Part> arguments;
+        std::vector<Subformula> arguments;
         do arguments.push_back(implication());
         while (accept(","));
         in_next_ = outer;
@@ -293,7 +293,7 @@ private:
                                                                           : 1;
         if (arguments.size() != most)
             fail(begin, before_, fmt::format("`{}` takes {}", function, most == 1 ? "one operand" : "two operands"));
-        for (const Part& part : arguments) {
+        for (const Subformula& part : arguments) {
             require_plain(part, function);
             if (function == "count") require(part, Type::Boolean, an_operand(function));
             if (function == "abs" || most == 2) require(part, Type::Number, an_operand(function));
@@ -302,7 +302,7 @@ private:
         return {begin, before_, function == "bool" ? Type::Boolean : Type::Number, false};
     }
 
-    Part name() {
+    Subformula name() {
         const std::size_t begin = begin_;
         refuse_word();
         std::string path(here());

@@ -22,7 +22,7 @@ namespace {
 
 // Several words per line.
 // clang-format off
-constexpr auto uppaal_words = std::to_array<std::string_view>({
+constexpr auto uppaal_keywords = std::to_array<std::string_view>({
     "DBL_MAX", "DBL_MIN", "FLT_MAX", "FLT_MIN", "INT16_MAX", "INT16_MIN", "INT32_MAX", "INT32_MIN", "INT8_MAX",
     "INT8_MIN", "IO", "M_1_PI", "M_2_PI", "M_2_SQRTPI", "M_E", "M_LN10", "M_LN2", "M_LOG10E", "M_LOG2E", "M_PI",
     "M_PI_2", "M_PI_4", "M_SQRT1_2", "M_SQRT2", "UINT16_MAX", "UINT8_MAX", "abs", "acos", "acosh", "after_update",
@@ -45,7 +45,7 @@ constexpr auto uppaal_query_words = std::to_array<std::string_view>({
     "maxPr", "minE", "minPr", "numOf", "sat", "saveStrategy", "simulate", "simulation", "strategy", "sup", "under",
 });
 
-constexpr auto nusmv_words = std::to_array<std::string_view>({
+constexpr auto nusmv_keywords = std::to_array<std::string_view>({
     "A", "ABF", "ABG", "AF", "AG", "ASSIGN", "AX", "BU", "COMPASSION", "COMPID", "COMPUTE", "COMPWFF", "CONSTANTS",
     "CONSTARRAY", "CONSTRAINT", "CTLSPEC", "CTLWFF", "DEFINE", "E", "EBF", "EBG", "EF", "EG", "EX", "F", "FAIRNESS",
     "FALSE", "FROZENVAR", "FUN", "G", "H", "IN", "INIT", "INVAR", "INVARSPEC", "ISA", "ITYPE", "IVAR", "JUSTICE",
@@ -58,7 +58,7 @@ constexpr auto nusmv_words = std::to_array<std::string_view>({
     "unsigned", "uwconst", "word", "word1", "xnor", "xor",
 });
 
-constexpr auto structured_text_words = std::to_array<std::string_view>({
+constexpr auto structured_text_keywords = std::to_array<std::string_view>({
     "ABS", "ABSTRACT", "ACOS", "ACTION", "ADD", "AND", "ANY", "ARRAY", "ASIN", "AT", "ATAN", "ATAN2", "BOOL", "BY",
     "BYTE", "CAL", "CASE", "CHAR", "CLASS", "CONCAT", "CONFIGURATION", "CONSTANT", "CONTINUE", "COS", "CTD", "CTU",
     "CTUD", "DATE", "DATE_AND_TIME", "DELETE", "DINT", "DIV", "DO", "DT", "DWORD", "ELSE", "ELSIF", "END_ACTION",
@@ -142,8 +142,8 @@ std::string first_free(const std::string& base, std::unordered_map<std::string, 
 }  // namespace
 
 bool is_reserved(Target target, std::string_view name) {
-    static const Words uppaal(uppaal_words), queries(uppaal_query_words), nusmv(nusmv_words),
-        structured_text(structured_text_words);
+    static const Words uppaal(uppaal_keywords), queries(uppaal_query_words), nusmv(nusmv_keywords),
+        structured_text(structured_text_keywords);
     switch (target) {
     case Target::Uppaal: return uppaal.contains(name) || queries.contains(name);
     case Target::UppaalLocal: return uppaal.contains(name);

@@ -76,7 +76,7 @@ OrderedJson step_json(const TestSequence& test, const TestSequence::Step& step, 
 
 }  // namespace
 
-std::string answer_text(const Machine& machine, Id<Machine::Answer> answer, std::string_view none) {
+std::string result_text(const Machine& machine, Id<Machine::OutputWord> answer, std::string_view none) {
     std::string text;
     for (std::size_t k = 0; k < machine.outputs.size(); ++k) {
         const std::int64_t value = machine.answers[answer].values[k];
@@ -110,7 +110,7 @@ void print_mealy(std::ostream& out, const Machine& machine, bool details) {
         out << "assumed: " << condition_text(machine, machine.assumed) << '\n';
     for (const Machine::Activation& one : machine.activation)
         out << fmt::format("first cycle, which activates the initial steps: {}{}\n",
-                           answer_text(machine, one.answer, "no output"),
+                           result_text(machine, one.answer, "no output"),
                            machine.activation.size() == 1 ? "" : " when " + condition_text(machine, one.condition));
     if (!details) return;
     for (const Id<Machine::State> id : machine.states.ids()) {
@@ -118,7 +118,7 @@ void print_mealy(std::ostream& out, const Machine& machine, bool details) {
         for (const Machine::Transition& one : transitions_from(machine, id))
             out << fmt::format(
                 "    {}{} -> {} / {}\n", one.wait_ms != 0 ? "wait " + duration_text(one.wait_ms) + ", " : "",
-                condition_text(machine, one.condition), one.to.index, answer_text(machine, one.answer, "no output"));
+                condition_text(machine, one.condition), one.to.index, result_text(machine, one.answer, "no output"));
         for (const Machine::Unstable& one : machine.unstable)
             if (one.from == id) out << "    " << condition_text(machine, one.condition) << " never stabilises\n";
     }

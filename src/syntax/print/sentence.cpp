@@ -40,7 +40,7 @@ namespace {
 std::string bracketed(const std::string& text) { return text.find(' ') == std::string::npos ? text : '(' + text + ')'; }
 
 /// Prints the scope with its operands `of`.
-std::string scope_words(Sentence::Scope scope, std::span<const std::string> of) {
+std::string scope_text(Sentence::Scope scope, std::span<const std::string> of) {
     switch (scope) {
     case Sentence::Scope::Globally: return "";
     case Sentence::Scope::Before: return " before " + of[0];
@@ -54,7 +54,7 @@ std::string scope_words(Sentence::Scope scope, std::span<const std::string> of) 
 }  // namespace
 
 std::string claim(const Sentence& watch, const std::vector<std::string>& of, const std::string& bound) {
-    const auto within = [&](std::size_t own) { return scope_words(watch.scope, std::span(of).subspan(own)); };
+    const auto within = [&](std::size_t own) { return scope_text(watch.scope, std::span(of).subspan(own)); };
     switch (watch.kind) {
     case Sentence::Kind::Absence: return "never " + of[0] + within(1);
     case Sentence::Kind::Universality: return "always " + of[0] + within(1);

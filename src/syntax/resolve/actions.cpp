@@ -35,7 +35,7 @@ void note_kind(ChartScope& scope, Id<Chart::Variable> variable, std::vector<Span
 std::int64_t duration_of(ChartScope& scope, Id<tree::Expr> node) {
     if (!node.valid()) return 0;
     Terms terms = terms_of(scope);
-    const auto value = terms.constant(node, Kind::Duration, "a delay or limit");
+    const auto value = terms.constant(node, TermKind::Duration, "a delay or limit");
     if (value && *value == 0) scope.diagnostics.add(messages::zero_duration(scope.file.exprs[node].where));
     return value.value_or(0);
 }
@@ -115,8 +115,8 @@ void resolve_stored(ChartScope& scope, const tree::Assignment& written, Chart::S
     }
     Terms terms = terms_of(scope);
     action.target = target;
-    action.value =
-        terms.resolve(written.value, variable.type.boolean ? Kind::Boolean : Kind::Integer, '`' + variable.name + '`');
+    action.value = terms.resolve(written.value, variable.type.boolean ? TermKind::Boolean : TermKind::Integer,
+                                 '`' + variable.name + '`');
     action.origin = written.where;
     if (!action.value.valid()) return;
     const Expr& value = scope.chart.exprs[action.value];

@@ -46,7 +46,7 @@ std::string summary(const tree::File& file, const tree::Component& written) {
 /// A constraint guarantees a property of the component's outputs. It reads only outputs, so that it can be assumed if
 /// they are free.
 void resolve_constraint(ComponentScope& scope, const tree::Constraint& written) {
-    const Id<Expr> condition = all_terms(scope).resolve(written.condition, Kind::Boolean, "a constraint");
+    const Id<Expr> condition = all_terms(scope).resolve(written.condition, TermKind::Boolean, "a constraint");
     if (!condition.valid()) return;
     const Component& component = scope.component;
     for (const Id<Expr> leaf : leaves(component.exprs, condition)) {

@@ -27,7 +27,7 @@ struct ComponentScope {
 };
 
 Span origin(const Component& component, const ComponentScope::Symbol& symbol);
-Kind kind_of(Component::ValueKind kind);
+TermKind kind_of(Component::ValueKind kind);
 
 // -- parameters.cpp
 void resolve_parameters(ComponentScope& scope, const tree::Component& written);

@@ -16,7 +16,7 @@ namespace {
 // -- names -----------------------------------------------------------------------------------------------------------
 
 Term step_term(ChartScope& scope, Id<Chart::Step> step) {
-    return {scope.chart.exprs.leaf(Op::Step, step.index), Kind::Boolean};
+    return {scope.chart.exprs.leaf(Op::Step, step.index), TermKind::Boolean};
 }
 
 Term unknown_name(ChartScope& scope, Span where, std::string_view name) {
@@ -48,7 +48,7 @@ Term step_variable_term(ChartScope& scope, Span where, std::string_view name) {
 
 Term variable_term(ChartScope& scope, Id<Chart::Variable> variable) {
     const bool boolean = scope.chart.variables[variable].type.boolean;
-    return {scope.chart.exprs.leaf(Op::Variable, variable.index), boolean ? Kind::Boolean : Kind::Integer};
+    return {scope.chart.exprs.leaf(Op::Variable, variable.index), boolean ? TermKind::Boolean : TermKind::Integer};
 }
 
 Term name_term(ChartScope& scope, const tree::Expr& node) {
@@ -59,7 +59,7 @@ Term name_term(ChartScope& scope, const tree::Expr& node) {
     const Term term = variable != scope.variables.end()
                           ? variable_term(scope, variable->second)
                           : step_variable_term(scope, node.where, scope.file.text(node.word));
-    if (term.kind != Kind::Wrong) scope.known_names.emplace(key, term);
+    if (term.kind != TermKind::Wrong) scope.known_names.emplace(key, term);
     return term;
 }
 
@@ -105,7 +105,7 @@ Term member_term(ChartScope& scope, const tree::Expr& node) {
 
 Term time_term(ChartScope& scope, const tree::Expr& node, const WrittenTime& written) {
     Terms terms = terms_of(scope);
-    const Id<Expr> watched = terms.resolve(written.watched, Kind::Boolean, "a time condition");
+    const Id<Expr> watched = terms.resolve(written.watched, TermKind::Boolean, "a time condition");
     const Chart::TimeCondition time{milliseconds(scope.file, written.rise, scope.diagnostics), watched,
                                     milliseconds(scope.file, written.fall, scope.diagnostics), node.where};
     if (!watched.valid()) return {};
@@ -113,15 +113,15 @@ Term time_term(ChartScope& scope, const tree::Expr& node, const WrittenTime& wri
         std::to_string(time.rise_ms) + '/' + std::to_string(watched.index) + '/' + std::to_string(time.fall_ms);
     const auto [known, fresh] = scope.times.try_emplace(key);
     if (fresh) known->second = scope.chart.time_conditions.add(time);
-    return {scope.chart.exprs.leaf(Op::Timed, known->second.index), Kind::Boolean};
+    return {scope.chart.exprs.leaf(Op::Timed, known->second.index), TermKind::Boolean};
 }
 
 /// Type of the divisor in `3/X2`, a time condition without unit; Integer for any other division.
-Kind timed_without_unit(ChartScope& scope, const tree::Expr& node) {
+TermKind timed_without_unit(ChartScope& scope, const tree::Expr& node) {
     const tree::Expr& left = scope.file.exprs[node.first];
     const tree::Expr& right = scope.file.exprs[node.last];
     if (left.op != tree::Op::Number || (right.op != tree::Op::Name && right.op != tree::Op::Member))
-        return Kind::Integer;
+        return TermKind::Integer;
     return terms_of(scope).resolve(node.last).kind;
 }
 
@@ -129,9 +129,9 @@ std::optional<Term> special_term(ChartScope& scope, const tree::Expr& node) {
     if (node.op != tree::Op::Divide) return {};
     const WrittenTime time = written_time(scope.file, node);
     if (time.watched.valid()) return time_term(scope, node, time);
-    const Kind divisor = timed_without_unit(scope, node);
-    if (divisor != Kind::Boolean && divisor != Kind::Wrong) return {};
-    if (divisor == Kind::Boolean)
+    const TermKind divisor = timed_without_unit(scope, node);
+    if (divisor != TermKind::Boolean && divisor != TermKind::Wrong) return {};
+    if (divisor == TermKind::Boolean)
         scope.diagnostics.add(messages::missing_unit(scope.file.exprs[node.first].where, "this time"));
     return Term{};
 }
@@ -151,7 +151,7 @@ Terms terms_of(ChartScope& scope) {
 Id<Expr> resolve_condition(ChartScope& scope, Id<tree::Expr> node, Id<Chart::PartialChart> here,
                            std::string_view user) {
     scope.here = here;
-    return terms_of(scope).resolve(node, Kind::Boolean, user);
+    return terms_of(scope).resolve(node, TermKind::Boolean, user);
 }
 
 Id<Chart::Step> step_in(ChartScope& scope, Id<Chart::PartialChart> here, tree::Name label) {

@@ -16,11 +16,11 @@ namespace {
 
 using Named = NamedConstant;
 
-Kind kind_of(Named::Kind kind) {
+TermKind kind_of(Named::Kind kind) {
     switch (kind) {
-    case Named::Kind::Boolean: return Kind::Boolean;
-    case Named::Kind::Integer: return Kind::Integer;
-    case Named::Kind::Duration: return Kind::Duration;
+    case Named::Kind::Boolean: return TermKind::Boolean;
+    case Named::Kind::Integer: return TermKind::Integer;
+    case Named::Kind::Duration: return TermKind::Duration;
     }
     unreachable();
 }
@@ -40,16 +40,16 @@ std::optional<std::int64_t> value_of(Named::Kind kind, const std::string& text) 
 }
 
 /// The declared type, or that of the value if none is declared; empty after an error.
-std::optional<Named::Kind> written_kind(const tree::Variable& written, Kind value) {
+std::optional<Named::Kind> written_kind(const tree::Variable& written, TermKind value) {
     switch (written.type) {
     case tree::TypeWord::Bool: return Named::Kind::Boolean;
     case tree::TypeWord::Int: return Named::Kind::Integer;
     case tree::TypeWord::Duration: return Named::Kind::Duration;
     case tree::TypeWord::None: break;
     }
-    if (value == Kind::Boolean) return Named::Kind::Boolean;
-    if (value == Kind::Integer) return Named::Kind::Integer;
-    if (value == Kind::Duration) return Named::Kind::Duration;
+    if (value == TermKind::Boolean) return Named::Kind::Boolean;
+    if (value == TermKind::Integer) return Named::Kind::Integer;
+    if (value == TermKind::Duration) return Named::Kind::Duration;
     return {};
 }
 
@@ -62,8 +62,8 @@ struct Bounds {
 std::optional<Bounds> bounds_of(LoopScope& scope, const tree::Variable& written) {
     if (!written.range) return {};
     Terms terms = constant_terms(scope, "a range");
-    const auto low = terms.constant(written.range->low, Kind::Integer, "a range");
-    const auto high = terms.constant(written.range->high, Kind::Integer, "a range");
+    const auto low = terms.constant(written.range->low, TermKind::Integer, "a range");
+    const auto high = terms.constant(written.range->high, TermKind::Integer, "a range");
     if (!low || !high) return {};
     if (*low <= *high) return Bounds{*low, *high};
     scope.diagnostics.add(messages::bad_range(written.where, scope.text(written.name), *low, *high));
@@ -162,9 +162,9 @@ std::optional<Term> constant_named(LoopScope& scope, std::string_view name) {
         if (constant.name != name) continue;
         Exprs& exprs = scope.loop.exprs;
         switch (constant.kind) {
-        case Named::Kind::Boolean: return Term{exprs.constant(constant.value != 0), Kind::Boolean};
-        case Named::Kind::Integer: return Term{exprs.integer(constant.value), Kind::Integer};
-        case Named::Kind::Duration: return Term{exprs.duration(constant.value), Kind::Duration};
+        case Named::Kind::Boolean: return Term{exprs.constant(constant.value != 0), TermKind::Boolean};
+        case Named::Kind::Integer: return Term{exprs.integer(constant.value), TermKind::Integer};
+        case Named::Kind::Duration: return Term{exprs.duration(constant.value), TermKind::Duration};
         }
     }
     return {};

@@ -52,7 +52,7 @@ void take_clock_constraint(ComponentScope& scope, const tree::Expr& node, Conjun
     constraint.origin = node.where;
     Terms terms = constant_terms(scope, "the bound of a clock");
     const Id<tree::Expr> bound = left ? node.last : node.first;
-    constraint.bound = terms.resolve(bound, Kind::Duration, "the comparison of a clock");
+    constraint.bound = terms.resolve(bound, TermKind::Duration, "the comparison of a clock");
     if (node.op == tree::Op::NotEqual) scope.diagnostics.add(messages::clock_not_equal(node.where));
     else if (constraint.bound.valid()) taken.clocks.push_back(constraint);
 }
@@ -67,7 +67,7 @@ void take(ComponentScope& scope, Id<tree::Expr> id, Conjuncts& taken) {
     }
     if (is_comparison(node.op) && (clock_at(scope, node.first) || clock_at(scope, node.last)))
         return take_clock_constraint(scope, node, taken);
-    const Id<Expr> term = all_terms(scope).resolve(id, Kind::Boolean, "a guard");
+    const Id<Expr> term = all_terms(scope).resolve(id, TermKind::Boolean, "a guard");
     if (!term.valid()) return;
     taken.data.push_back(term);
     taken.data_nodes.push_back(id);
@@ -93,7 +93,7 @@ std::optional<Component::Assignment> assignment(ComponentScope& scope, const tre
                                                 const ComponentScope::Symbol& target, Terms values) {
     Component::Assignment resolved;
     resolved.origin = written.where;
-    Kind kind = Kind::Boolean;
+    TermKind kind = TermKind::Boolean;
     if (const auto* parameter = std::get_if<Id<Component::Parameter>>(&target)) {
         const Component::Parameter& assigned = scope.component.parameters[*parameter];
         if (assigned.kind != Component::ParameterKind::Output) {

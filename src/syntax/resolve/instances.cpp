@@ -104,9 +104,9 @@ std::optional<std::int64_t> value_of(LoopScope& scope, Binding& binding, Id<Expr
 void bind_given_constant(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     const Parameter& parameter = binding.component->parameters[id];
     Terms terms = constant_terms(scope, '`' + parameter.name + '`');
-    const Kind kind = parameter.value == Component::ValueKind::Boolean   ? Kind::Boolean
-                      : parameter.value == Component::ValueKind::Integer ? Kind::Integer
-                                                                         : Kind::Duration;
+    const TermKind kind = parameter.value == Component::ValueKind::Boolean   ? TermKind::Boolean
+                          : parameter.value == Component::ValueKind::Integer ? TermKind::Integer
+                                                                             : TermKind::Duration;
     const auto value = terms.constant(binding.given[id.index]->value, kind, '`' + parameter.name + '`');
     if (!value) binding.wrong = true;
     binding.instance.arguments[id.index] = value.value_or(0);
@@ -196,7 +196,7 @@ void bind_input(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     const auto named =
         value.op == tree::Op::Name ? scope.shared.find(std::string(scope.file.text(value.word))) : scope.shared.end();
     if (named == scope.shared.end()) {
-        const Kind kind = boolean ? Kind::Boolean : Kind::Integer;
+        const TermKind kind = boolean ? TermKind::Boolean : TermKind::Integer;
         const Id<Expr> term = port_terms(scope).resolve(written, kind, "the input `" + parameter.name + '`');
         binding.wrong = binding.wrong || !term.valid();
         if (term.valid()) binding.instance.arguments[id.index] = term;

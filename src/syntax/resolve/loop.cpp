@@ -120,7 +120,7 @@ void share_variables(LoopScope& scope) {
     }
 }
 
-void look_inside(LoopScope& scope) {
+void search_inside(LoopScope& scope) {
     for (const Id<ClosedLoop::Controller> controller : scope.loop.controllers.ids()) {
         const Chart& chart = scope.chart(controller);
         LoopScope::Inside& inside = scope.inside.emplace_back();
@@ -137,7 +137,8 @@ void look_inside(LoopScope& scope) {
 
 void resolve_time_unit(LoopScope& scope, const tree::TimeUnit& written) {
     if (scope.loop.time_unit_ms) scope.diagnostics.add(messages::declared_twice(written.where, "time unit"));
-    const auto unit = constant_terms(scope, "a time unit").constant(written.duration, Kind::Duration, "a time unit");
+    const auto unit =
+        constant_terms(scope, "a time unit").constant(written.duration, TermKind::Duration, "a time unit");
     if (!unit) return;
     if (*unit == 0) scope.diagnostics.add(messages::zero_duration(scope.file.exprs[written.duration].where));
     scope.loop.time_unit_ms = *unit;
@@ -176,14 +177,14 @@ void check_formula(LoopScope& scope, const tree::Property& written) {
 
 std::int64_t duration_of(LoopScope& scope, Id<tree::Expr> written) {
     constexpr std::string_view user = "the duration of a property";
-    const auto duration = constant_terms(scope, user).constant(written, Kind::Duration, user);
+    const auto duration = constant_terms(scope, user).constant(written, TermKind::Duration, user);
     if (duration && *duration <= 0) scope.diagnostics.add(messages::zero_duration(scope.file.exprs[written].where));
     return duration.value_or(0);
 }
 
 std::int64_t count_of(LoopScope& scope, Id<tree::Expr> written) {
     constexpr std::string_view user = "the count of a property";
-    const auto count = constant_terms(scope, user).constant(written, Kind::Integer, user);
+    const auto count = constant_terms(scope, user).constant(written, TermKind::Integer, user);
     if (count && (*count < 1 || *count > greatest_count))
         scope.diagnostics.add(messages::bad_count(scope.file.exprs[written].where, *count, greatest_count));
     return count.value_or(0);
@@ -209,13 +210,13 @@ void resolve_property(LoopScope& scope, const tree::Property& written,
     check_formula(scope, written);
     Terms terms = property_terms(scope);
     for (const Id<tree::Expr> node : written.operands) {
-        const Id<Expr> operand = terms.resolve(node, Kind::Boolean, "a property");
+        const Id<Expr> operand = terms.resolve(node, TermKind::Boolean, "a property");
         if (operand.valid()) property.operands.push_back(operand);
     }
     scope.loop.properties.add(std::move(property));
 }
 
-void resolve_questions(LoopScope& scope, const tree::ClosedLoop& written) {
+void resolve_queries(LoopScope& scope, const tree::ClosedLoop& written) {
     std::unordered_map<std::string_view, Span> names;
     bool grain = false;
     if (!scope.incomplete) declare_observers(scope, written);
@@ -275,11 +276,11 @@ std::optional<ClosedLoop> resolve_loop(const tree::File& file, const tree::Close
     }
     if (!controlled) diagnostics.add(messages::no_controller(written.name.where, scope.loop.name));
     share_variables(scope);
-    look_inside(scope);
+    search_inside(scope);
     resolve_constants(scope, written);
     resolve_instances(scope, written);
     check_constant_names(scope);
-    resolve_questions(scope, written);
+    resolve_queries(scope, written);
     if (!scope.incomplete) check_driven(scope, written.where);
     if (scope.incomplete || diagnostics.errors() != errors) return {};
     return std::move(scope.loop);

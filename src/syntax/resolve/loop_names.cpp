@@ -43,7 +43,7 @@ Term symbol_term(LoopScope& scope, const ClosedLoop::Symbol& symbol, bool boolea
         symbol);
     const auto [known, fresh] = scope.symbols.try_emplace(key);
     if (fresh) known->second = scope.loop.symbols.add(symbol);
-    return {scope.loop.exprs.leaf(Op::Variable, known->second.index), boolean ? Kind::Boolean : Kind::Integer};
+    return {scope.loop.exprs.leaf(Op::Variable, known->second.index), boolean ? TermKind::Boolean : TermKind::Integer};
 }
 
 Term internal_term(LoopScope& scope, Id<Controller> controller, Id<Chart::Variable> variable) {
@@ -99,7 +99,7 @@ Term own_term(LoopScope& scope, Id<ClosedLoop::Instance> instance, Id<Component:
 }
 
 /// `Gate_X`, the name of the variable `X` of `Gate` in traces and models.
-std::optional<Term> told_name(LoopScope& scope, std::string_view name) {
+std::optional<Term> display_name(LoopScope& scope, std::string_view name) {
     for (const Id<ClosedLoop::Instance> id : scope.loop.instances.ids()) {
         const ClosedLoop::Instance& instance = scope.loop.instances[id];
         if (!instance.component.valid() || !name.starts_with(instance.name + '_')) continue;
@@ -122,7 +122,7 @@ Term simple_name(LoopScope& scope, Span where, std::string_view name) {
     for (const Id<Controller> controller : scope.loop.controllers.ids()) {
         const auto term = inside(scope, controller, name, {}, where);
         if (!term) continue;
-        if (term->kind == Kind::Wrong) return {};
+        if (term->kind == TermKind::Wrong) return {};
         if (found) {
             scope.diagnostics.add(
                 messages::ambiguous(where, name, qualified(scope, owner, name), qualified(scope, controller, name)));
@@ -132,7 +132,7 @@ Term simple_name(LoopScope& scope, Span where, std::string_view name) {
         owner = controller;
     }
     if (found) return *found;
-    if (const auto own = told_name(scope, name)) return *own;
+    if (const auto own = display_name(scope, name)) return *own;
     if (scope.excused.contains(name)) return {};  // declared by an instance that has an error
     return unknown_name(scope, where, name);
 }
@@ -151,7 +151,7 @@ std::optional<Term> variable_of(LoopScope& scope, Id<ClosedLoop::Instance> insta
             return symbol_term(scope, ClosedLoop::SharedSymbol{*shared}, scope.loop.shared[*shared].type.boolean);
         const bool boolean = component.parameters[id].value == Component::ValueKind::Boolean;
         if (const auto* term = std::get_if<Id<Expr>>(&argument))
-            return Term{*term, boolean ? Kind::Boolean : Kind::Integer};
+            return Term{*term, boolean ? TermKind::Boolean : TermKind::Integer};
     }
     return {};
 }

@@ -95,7 +95,7 @@ std::optional<Term> time_term(LoopScope& scope, const tree::Expr& node) {
     const Times times{milliseconds(scope.file, written.rise, scope.diagnostics),
                       milliseconds(scope.file, written.fall, scope.diagnostics)};
     const bool wrong = (written.rise.valid() && times.rise_ms == 0) || (written.fall.valid() && times.fall_ms == 0);
-    const Id<Expr> watched = property_terms(scope).resolve(written.watched, Kind::Boolean, "a time condition");
+    const Id<Expr> watched = property_terms(scope).resolve(written.watched, TermKind::Boolean, "a time condition");
     if (!watched.valid() || wrong) return Term{};
     std::vector<Timer> found;
     std::vector<std::string> others;
@@ -109,7 +109,7 @@ std::optional<Term> time_term(LoopScope& scope, const tree::Expr& node) {
     } else if (found.empty()) scope.diagnostics.add(messages::unknown_time(node.where, others));
     if (found.size() != 1) return Term{};
     const Id<Expr> end = symbol_leaf(scope, found.front().symbol);
-    return Term{time_condition(scope.loop.exprs, times.rise_ms, watched, times.fall_ms, end), Kind::Boolean};
+    return Term{time_condition(scope.loop.exprs, times.rise_ms, watched, times.fall_ms, end), TermKind::Boolean};
 }
 
 }  // namespace grafverif

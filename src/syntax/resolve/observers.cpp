@@ -65,7 +65,7 @@ void resolve_edge(LoopScope& scope, Id<Observer> observer, const tree::ObserverE
     edge.from = location_named(scope, scope.loop.observers[observer], written.from);
     edge.to = location_named(scope, scope.loop.observers[observer], written.to);
     edge.guard = written.condition.valid()
-                     ? property_terms(scope).resolve(written.condition, Kind::Boolean, "the guard of an observer")
+                     ? property_terms(scope).resolve(written.condition, TermKind::Boolean, "the guard of an observer")
                      : scope.loop.exprs.constant(true);
     if (edge.from.valid() && edge.to.valid() && edge.guard.valid())
         scope.loop.observers[observer].edges.push_back(std::move(edge));
@@ -170,7 +170,8 @@ void resolve_constraints(LoopScope& scope, const tree::ClosedLoop& written) {
     for (const tree::LoopItem& item : written.items) {
         const auto* constraint = std::get_if<tree::Constraint>(&item);
         if (constraint == nullptr) continue;
-        const Id<Expr> condition = property_terms(scope).resolve(constraint->condition, Kind::Boolean, "a constraint");
+        const Id<Expr> condition =
+            property_terms(scope).resolve(constraint->condition, TermKind::Boolean, "a constraint");
         if (!condition.valid() || !reads_inputs_only(scope, condition, constraint->where)) continue;
         add_constraint(scope, {.condition = condition, .origin = constraint->where}, "", ++number);
     }

@@ -24,11 +24,11 @@ Span origin(const Component& component, const ComponentScope::Symbol& symbol) {
                       symbol);
 }
 
-Kind kind_of(ValueKind kind) {
+TermKind kind_of(ValueKind kind) {
     switch (kind) {
-    case ValueKind::Boolean: return Kind::Boolean;
-    case ValueKind::Integer: return Kind::Integer;
-    case ValueKind::Duration: return Kind::Duration;
+    case ValueKind::Boolean: return TermKind::Boolean;
+    case ValueKind::Integer: return TermKind::Integer;
+    case ValueKind::Duration: return TermKind::Duration;
     }
     unreachable();
 }
@@ -70,7 +70,7 @@ Term symbol_term(ComponentScope& scope, const ComponentScope::Symbol& symbol) {
                                           kind_of(scope.component.variables[id].value)};
                           },
                           [&](Id<Component::Clock>) {
-                              return Term{{}, Kind::Clock};
+                              return Term{{}, TermKind::Clock};
                           },
                       },
                       symbol);
@@ -152,10 +152,10 @@ void resolve_default(ComponentScope& scope, const Constant& constant) {
     Terms terms = constant_terms(scope, "a default");
     if (written.type == tree::TypeWord::None) {
         const Term term = terms.resolve(written.value);
-        if (term.kind == Kind::Wrong) return;
+        if (term.kind == TermKind::Wrong) return;
         parameter.initial = term.expr;
-        if (term.kind == Kind::Boolean) parameter.value = ValueKind::Boolean;
-        if (term.kind == Kind::Duration) parameter.value = ValueKind::Duration;
+        if (term.kind == TermKind::Boolean) parameter.value = ValueKind::Boolean;
+        if (term.kind == TermKind::Duration) parameter.value = ValueKind::Duration;
         return;
     }
     const Id<Expr> value = terms.resolve(written.value, kind_of(parameter.value), '`' + parameter.name + '`');
@@ -200,8 +200,8 @@ template <class Declared>
 void resolve_range(ComponentScope& scope, const tree::Variable& written, Declared& declared) {
     Terms range = constant_terms(scope, "a range");
     if (written.range) {
-        const Id<Expr> low = range.resolve(written.range->low, Kind::Integer, "a range");
-        const Id<Expr> high = range.resolve(written.range->high, Kind::Integer, "a range");
+        const Id<Expr> low = range.resolve(written.range->low, TermKind::Integer, "a range");
+        const Id<Expr> high = range.resolve(written.range->high, TermKind::Integer, "a range");
         if (low.valid()) declared.low = low;
         if (high.valid()) declared.high = high;
     } else if (declared.value == ValueKind::Integer) {
@@ -211,12 +211,12 @@ void resolve_range(ComponentScope& scope, const tree::Variable& written, Declare
     Terms value = constant_terms(scope, "a value at power-on");
     if (written.type == tree::TypeWord::None) {
         const Term term = value.resolve(written.value);
-        if (term.kind == Kind::Integer)
+        if (term.kind == TermKind::Integer)
             scope.diagnostics.add(messages::unbounded_integer(written.where, declared.name));
-        if (term.kind == Kind::Duration)
+        if (term.kind == TermKind::Duration)
             scope.diagnostics.add(messages::misplaced_type(
                 written.where, "durations are allowed only for constants; declare a `clock` to measure time"));
-        if (term.kind == Kind::Boolean) declared.initial = term.expr;
+        if (term.kind == TermKind::Boolean) declared.initial = term.expr;
         return;
     }
     const Id<Expr> initial = value.resolve(written.value, kind_of(declared.value), '`' + declared.name + '`');

@@ -11,13 +11,13 @@
 
 namespace grafverif {
 
-std::string_view described(Kind kind) {
+std::string_view described(TermKind kind) {
     switch (kind) {
-    case Kind::Wrong: return "an error";
-    case Kind::Boolean: return "a condition";
-    case Kind::Integer: return "an integer";
-    case Kind::Duration: return "a duration";
-    case Kind::Clock: return "a clock";
+    case TermKind::Wrong: return "an error";
+    case TermKind::Boolean: return "a condition";
+    case TermKind::Integer: return "an integer";
+    case TermKind::Duration: return "a duration";
+    case TermKind::Clock: return "a clock";
     }
     unreachable();
 }
@@ -116,10 +116,10 @@ Term Terms::resolve(Id<tree::Expr> id) {
         if (const auto taken = special(node)) return *taken;
     }
     switch (node.op) {
-    case tree::Op::False: return {exprs_->constant(false), Kind::Boolean};
-    case tree::Op::True: return {exprs_->constant(true), Kind::Boolean};
-    case tree::Op::Number: return {exprs_->integer(node.value), Kind::Integer};
-    case tree::Op::Duration: return {exprs_->duration(node.value), Kind::Duration};
+    case tree::Op::False: return {exprs_->constant(false), TermKind::Boolean};
+    case tree::Op::True: return {exprs_->constant(true), TermKind::Boolean};
+    case tree::Op::Number: return {exprs_->integer(node.value), TermKind::Integer};
+    case tree::Op::Duration: return {exprs_->duration(node.value), TermKind::Duration};
     case tree::Op::Name:
     case tree::Op::Member: return name(node);
     case tree::Op::In: return place(node);
@@ -145,17 +145,17 @@ Term Terms::resolve(Id<tree::Expr> id) {
     unreachable();
 }
 
-Id<Expr> Terms::resolve(Id<tree::Expr> id, Kind kind, std::string_view user) {
+Id<Expr> Terms::resolve(Id<tree::Expr> id, TermKind kind, std::string_view user) {
     const Term term = resolve(id);
     const tree::Expr& written = node(id);
-    if (kind == Kind::Duration && term.kind == Kind::Integer) {
+    if (kind == TermKind::Duration && term.kind == TermKind::Integer) {
         diagnostics_->add(messages::missing_unit(written.where, "this duration"));
         return {};
     }
     return is(written, term, kind, user) ? term.expr : Id<Expr>{};
 }
 
-std::optional<std::int64_t> Terms::constant(Id<tree::Expr> id, Kind kind, std::string_view user) {
+std::optional<std::int64_t> Terms::constant(Id<tree::Expr> id, TermKind kind, std::string_view user) {
     const std::size_t errors = diagnostics_->errors();
     const Id<Expr> term = resolve(id, kind, user);
     if (!term.valid() || diagnostics_->errors() != errors) return {};
@@ -168,14 +168,14 @@ std::optional<std::int64_t> Terms::constant(Id<tree::Expr> id, Kind kind, std::s
     return value;
 }
 
-Term Terms::mismatch(const tree::Expr& operand, Kind found, std::string_view user, std::string_view expected) {
-    if (found != Kind::Wrong)
+Term Terms::mismatch(const tree::Expr& operand, TermKind found, std::string_view user, std::string_view expected) {
+    if (found != TermKind::Wrong)
         diagnostics_->add(messages::type_mismatch(operand.where, user, expected, described(found)));
     return {};
 }
 
 /// Checks the type of an operand; reports another type.
-bool Terms::is(const tree::Expr& operand, const Term& term, Kind kind, std::string_view user) {
+bool Terms::is(const tree::Expr& operand, const Term& term, TermKind kind, std::string_view user) {
     if (term.kind == kind) return true;
     mismatch(operand, term.kind, user, described(kind));
     return false;
@@ -188,14 +188,14 @@ Term Terms::boolean_operand(const tree::Expr& written, Op op) {
     }
     const Term operand = resolve(written.first);
     const tree::Expr& below = node(written.first);
-    if (operand.kind == Kind::Duration) {
+    if (operand.kind == TermKind::Duration) {
         const std::string text = below.op == tree::Op::Duration ? duration_text(below.value) : "3s";
         diagnostics_->add(messages::duration_below(below.where, spelling(written.op), text));
         return {};
     }
-    if (!is(below, operand, Kind::Boolean, quoted(written.op))) return {};
+    if (!is(below, operand, TermKind::Boolean, quoted(written.op))) return {};
     const std::array operands = {operand.expr};
-    return {exprs_->apply(op, operands), Kind::Boolean};
+    return {exprs_->apply(op, operands), TermKind::Boolean};
 }
 
 Term Terms::junction(const tree::Expr& written) {
@@ -203,11 +203,12 @@ Term Terms::junction(const tree::Expr& written) {
     bool right = true;
     for (Id<tree::Expr> id = written.first; id.valid(); id = node(id).next) {
         const Term operand = resolve(id);
-        if (is(node(id), operand, Kind::Boolean, quoted(written.op))) operands.push_back(operand.expr);
+        if (is(node(id), operand, TermKind::Boolean, quoted(written.op))) operands.push_back(operand.expr);
         else right = false;
     }
     if (!right) return {};
-    return {written.op == tree::Op::And ? exprs_->conjunction(operands) : exprs_->disjunction(operands), Kind::Boolean};
+    return {written.op == tree::Op::And ? exprs_->conjunction(operands) : exprs_->disjunction(operands),
+            TermKind::Boolean};
 }
 
 /// Resolves a location test; allowed only in properties.
@@ -219,48 +220,49 @@ Term Terms::place(const tree::Expr& written) {
 
 Term Terms::implication(const tree::Expr& written) {
     const Term left = resolve(written.first), right = resolve(written.last);
-    const bool left_right = is(node(written.first), left, Kind::Boolean, quoted(written.op));
-    if (!is(node(written.last), right, Kind::Boolean, quoted(written.op)) || !left_right) return {};
-    return {exprs_->disjunction(exprs_->negation(left.expr), right.expr), Kind::Boolean};
+    const bool left_right = is(node(written.first), left, TermKind::Boolean, quoted(written.op));
+    if (!is(node(written.last), right, TermKind::Boolean, quoted(written.op)) || !left_right) return {};
+    return {exprs_->disjunction(exprs_->negation(left.expr), right.expr), TermKind::Boolean};
 }
 
 Term Terms::comparison(const tree::Expr& written) {
     const Term left = resolve(written.first), right = resolve(written.last);
-    if (left.kind == Kind::Wrong || right.kind == Kind::Wrong) return {};
-    if (left.kind == Kind::Clock || right.kind == Kind::Clock) {
+    if (left.kind == TermKind::Wrong || right.kind == TermKind::Wrong) return {};
+    if (left.kind == TermKind::Clock || right.kind == TermKind::Clock) {
         diagnostics_->add(messages::clock_not_conjunct(written.where));
         return {};
     }
-    if (left.kind == Kind::Duration || right.kind == Kind::Duration) {
+    if (left.kind == TermKind::Duration || right.kind == TermKind::Duration) {
         diagnostics_->add(messages::type_mismatch(written.where, quoted(written.op), "integers or clocks",
                                                   "a comparison of durations"));
         return {};
     }
     const bool equality = written.op == tree::Op::Equal || written.op == tree::Op::NotEqual;
-    if (!equality || left.kind == Kind::Integer || right.kind == Kind::Integer) {
-        const bool both = is(node(written.first), left, Kind::Integer, quoted(written.op)) &&
-                          is(node(written.last), right, Kind::Integer, quoted(written.op));
+    if (!equality || left.kind == TermKind::Integer || right.kind == TermKind::Integer) {
+        const bool both = is(node(written.first), left, TermKind::Integer, quoted(written.op)) &&
+                          is(node(written.last), right, TermKind::Integer, quoted(written.op));
         if (!both) return {};
     }
-    return {exprs_->apply(ir_op(written.op), left.expr, right.expr), Kind::Boolean};
+    return {exprs_->apply(ir_op(written.op), left.expr, right.expr), TermKind::Boolean};
 }
 
 Term Terms::arithmetic(const tree::Expr& written) {
     if (written.op == tree::Op::Negate) {
         const Term operand = resolve(written.first);
-        if (!is(node(written.first), operand, Kind::Integer, "`-`")) return {};
+        if (!is(node(written.first), operand, TermKind::Integer, "`-`")) return {};
         const std::array operands = {operand.expr};
-        return {exprs_->apply(Op::Negate, operands), Kind::Integer};
+        return {exprs_->apply(Op::Negate, operands), TermKind::Integer};
     }
     const Term left = resolve(written.first), right = resolve(written.last);
-    if (left.kind == Kind::Wrong || right.kind == Kind::Wrong) return {};
-    const bool some_duration = left.kind == Kind::Duration || right.kind == Kind::Duration;
+    if (left.kind == TermKind::Wrong || right.kind == TermKind::Wrong) return {};
+    const bool some_duration = left.kind == TermKind::Duration || right.kind == TermKind::Duration;
     const bool sum = written.op == tree::Op::Plus && left.kind == right.kind;
-    const bool multiple = written.op == tree::Op::Times && (left.kind == Kind::Integer || right.kind == Kind::Integer);
+    const bool multiple =
+        written.op == tree::Op::Times && (left.kind == TermKind::Integer || right.kind == TermKind::Integer);
     if (some_duration && (sum || multiple))
-        return {exprs_->apply(ir_op(written.op), left.expr, right.expr), Kind::Duration};
-    const bool both = is(node(written.first), left, Kind::Integer, quoted(written.op)) &&
-                      is(node(written.last), right, Kind::Integer, quoted(written.op));
+        return {exprs_->apply(ir_op(written.op), left.expr, right.expr), TermKind::Duration};
+    const bool both = is(node(written.first), left, TermKind::Integer, quoted(written.op)) &&
+                      is(node(written.last), right, TermKind::Integer, quoted(written.op));
     if (!both) return {};
     const bool divides = written.op == tree::Op::Divide || written.op == tree::Op::Modulo;
     const Expr& divisor = (*exprs_)[right.expr];
@@ -268,7 +270,7 @@ Term Terms::arithmetic(const tree::Expr& written) {
         diagnostics_->add(messages::division_by_zero(node(written.last).where));
         return {};
     }
-    return {exprs_->apply(ir_op(written.op), left.expr, right.expr), Kind::Integer};
+    return {exprs_->apply(ir_op(written.op), left.expr, right.expr), TermKind::Integer};
 }
 
 }  // namespace grafverif

@@ -15,15 +15,15 @@
 namespace grafverif {
 
 /// Wrong: an error about the term or a subterm has been reported.
-enum class Kind { Wrong, Boolean, Integer, Duration, Clock };
+enum class TermKind { Wrong, Boolean, Integer, Duration, Clock };
 
 struct Term {
     Id<Expr> expr = {};
-    Kind kind = Kind::Wrong;
+    TermKind kind = TermKind::Wrong;
 };
 
 /// `an integer`, `a condition`, ...
-std::string_view described(Kind kind);
+std::string_view described(TermKind kind);
 
 class Terms {
 public:
@@ -39,9 +39,9 @@ public:
 
     Term resolve(Id<tree::Expr> node);
     /// Resolves to a term of type `kind`. Invalid after an error; the message names `user`.
-    Id<Expr> resolve(Id<tree::Expr> node, Kind kind, std::string_view user);
+    Id<Expr> resolve(Id<tree::Expr> node, TermKind kind, std::string_view user);
     /// Value of a term without variables.
-    std::optional<std::int64_t> constant(Id<tree::Expr> node, Kind kind, std::string_view user);
+    std::optional<std::int64_t> constant(Id<tree::Expr> node, TermKind kind, std::string_view user);
 
     const tree::Expr& node(Id<tree::Expr> id) const { return file_->exprs[id]; }
     Exprs& exprs() { return *exprs_; }
@@ -54,8 +54,8 @@ private:
     Term comparison(const tree::Expr& node);
     Term arithmetic(const tree::Expr& node);
     Term boolean_operand(const tree::Expr& node, Op op);
-    Term mismatch(const tree::Expr& operand, Kind found, std::string_view user, std::string_view expected);
-    bool is(const tree::Expr& operand, const Term& term, Kind kind, std::string_view user);
+    Term mismatch(const tree::Expr& operand, TermKind found, std::string_view user, std::string_view expected);
+    bool is(const tree::Expr& operand, const Term& term, TermKind kind, std::string_view user);
 
     const tree::File* file_;
     Exprs* exprs_;

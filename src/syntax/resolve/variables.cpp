@@ -42,7 +42,7 @@ Type type_of(ChartScope& scope, const tree::Variable& written) {
         if (!written.value.valid()) return {};
         const std::size_t errors = scope.diagnostics.errors();
         const Term value = terms.resolve(written.value);
-        if (scope.diagnostics.errors() == errors && value.kind == Kind::Integer)
+        if (scope.diagnostics.errors() == errors && value.kind == TermKind::Integer)
             scope.diagnostics.add(messages::unbounded_integer(written.where, scope.text(written.name)));
         return {};
     }
@@ -51,8 +51,8 @@ Type type_of(ChartScope& scope, const tree::Variable& written) {
             scope.diagnostics.add(messages::unbounded_integer(written.where, scope.text(written.name)));
             return {};
         }
-        const auto low = terms.constant(written.range->low, Kind::Integer, "a range");
-        const auto high = terms.constant(written.range->high, Kind::Integer, "a range");
+        const auto low = terms.constant(written.range->low, TermKind::Integer, "a range");
+        const auto high = terms.constant(written.range->high, TermKind::Integer, "a range");
         if (!low || !high) return {};
         if (*low > *high || *low < least_integer || *high > greatest_integer) {
             scope.diagnostics.add(messages::bad_range(written.where, scope.text(written.name), *low, *high));
@@ -72,7 +72,8 @@ std::int64_t initial_of(ChartScope& scope, const tree::Variable& written, tree::
         return type.low;
     }
     Terms terms = constants(scope);
-    const auto value = terms.constant(written.value, type.boolean ? Kind::Boolean : Kind::Integer, "this variable");
+    const auto value =
+        terms.constant(written.value, type.boolean ? TermKind::Boolean : TermKind::Integer, "this variable");
     if (!value) return type.low;
     if (*value < type.low || *value > type.high) {
         scope.diagnostics.add(messages::initial_out_of_range(scope.file.exprs[written.value].where,

@@ -481,7 +481,7 @@ TEST(Analyse, ResultOfOnePartDoesNotWaitForOthers) {
 }
 
 TEST(Analyse, RepeatedAnalysisGivesTheSameResult) {
-    Reading oven = read_file(GRAFVERIF_SOURCE_DIR "/samples/oven_door/oven_door.grafcet");
+    ParseResult oven = read_file(GRAFVERIF_SOURCE_DIR "/samples/oven_door/oven_door.grafcet");
     ASSERT_TRUE(oven.model);
     std::optional<Analysis> first;
     for (int k = 0; k < 20; ++k) {

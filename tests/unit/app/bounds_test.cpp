@@ -16,8 +16,8 @@
 #include <thread>
 #include <vector>
 
-#include "app/system/guard.hpp"
-#include "support/law_size.hpp"
+#include "app/system/watchdog.hpp"
+#include "support/test_size.hpp"
 #include "unit/app/run_program.hpp"
 
 namespace grafverif::app {
@@ -80,11 +80,11 @@ Ended run_bounded(const Folder& folder, std::vector<std::string> arguments, cons
     }
     int status = 0;
     rusage used = {};
-    bool asked = false;
+    bool requested = false;
     const auto patience = std::chrono::steady_clock::now() + 120s;
     while (::wait4(child, &status, WNOHANG, &used) == 0) {
-        if (setting.interrupt_after && !asked && processor_seconds(child) >= *setting.interrupt_after)
-            asked = ::kill(child, SIGINT) == 0;
+        if (setting.interrupt_after && !requested && processor_seconds(child) >= *setting.interrupt_after)
+            requested = ::kill(child, SIGINT) == 0;
         if (std::chrono::steady_clock::now() > patience) ::kill(child, SIGKILL);
         std::this_thread::sleep_for(5ms);
     }
@@ -157,7 +157,7 @@ struct Inputs {
     /// Every `nth` command; all of them if larger randomized tests are requested.
     std::vector<std::vector<std::string>> some_commands(std::size_t nth, std::size_t from) const {
         std::vector<std::vector<std::string>> some, all = commands();
-        for (std::size_t i = law_size(1) > 1 ? 0 : from; i<all.size(); i += law_size(1)> 1 ? 1 : nth)
+        for (std::size_t i = test_size(1) > 1 ? 0 : from; i<all.size(); i += test_size(1)> 1 ? 1 : nth)
             some.push_back(all[i]);
         return some;
     }
@@ -269,7 +269,7 @@ TEST(Bounds, EndlessPrintingEndsAfterTheTimeLimit) {
     const pid_t child = ::fork();
     if (child == 0) {
         ::dup2(written[1], STDERR_FILENO);
-        const Guard guard({.timeout = 100ms, .timed_out = "too late\n"});
+        const Watchdog guard({.timeout = 100ms, .timed_out = "too late\n"});
         work_is_done();
         volatile std::uint64_t printed = 0;
         for (;;) printed = printed + 1;

@@ -104,7 +104,7 @@ TEST(Check, DecidesAFragmentOfALineAndNamesTheOmittedParts) {
         "check", (root / "samples/transfer_line/transfer_line.grafcet").string(), "--property", "held_2", "--format",
         "json"};
     const Result ran = grafverif(command);
-    EXPECT_EQ(ran.code, ExitCode::Done) << "that nobody asked whether time is locked changes nothing";
+    EXPECT_EQ(ran.code, ExitCode::Done) << "the result is the same without the query of timelocks";
     const Json properties = Json::parse(ran.out)["properties"];
     EXPECT_EQ(properties[0]["verdict"], "holds");
     EXPECT_EQ(properties[0]["cells"],
@@ -222,12 +222,12 @@ TEST(Check, FirstInterruptRequestsAnOrderlyEnd) {
     void (*const before)(int) = std::signal(SIGINT, SIG_DFL);
     {
         const Interrupt interrupt;
-        EXPECT_FALSE(interrupt.asked());
+        EXPECT_FALSE(interrupt.requested());
         std::raise(SIGINT);
-        EXPECT_TRUE(interrupt.asked());
+        EXPECT_TRUE(interrupt.requested());
     }
     EXPECT_EQ(std::signal(SIGINT, before), SIG_DFL) << "what was there before is back";
-    EXPECT_FALSE(Interrupt().asked());
+    EXPECT_FALSE(Interrupt().requested());
 }
 
 TEST(Check, RepeatedRunsPrintTheSame) {

@@ -31,7 +31,7 @@ TEST(Draw, ElementsDoNotOverlapInAnySampleOrElementOfTheStandard) {
     for (const fs::path& folder : {root / "samples", root / "bench/stations", root / "tests/unit/app/elements"})
         for (const auto& entry : fs::recursive_directory_iterator(folder)) {
             if (entry.path().extension() != ".grafcet") continue;
-            const Reading reading = read_file(entry.path().string());
+            const ParseResult reading = read_file(entry.path().string());
             ASSERT_TRUE(reading.model) << reading.complaints();
             for (const Id<Chart> chart : reading.model->charts.ids())
                 for (const Notation notation : {Notation::Iec, Notation::Text}) {
@@ -173,7 +173,7 @@ TEST(Draw, FramesOfPartialChartsFillThePage) {
     };
     part("Long", 9);
     for (int k = 0; k < 30; ++k) part("P" + std::to_string(k), 2);
-    const Reading reading = read_string(text + "}\n", "parts.grafcet");
+    const ParseResult reading = read_string(text + "}\n", "parts.grafcet");
     ASSERT_TRUE(reading.model) << reading.complaints();
     const Drawing drawing = drawing_of(*reading.model, Id<Chart>{0});
     EXPECT_EQ(faults(drawing), std::vector<std::string>());

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/options.hpp"
-#include "app/stop_words.hpp"
+#include "app/stop_text.hpp"
 #include "run_program.hpp"
 
 namespace grafverif::app {

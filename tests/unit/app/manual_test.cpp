@@ -21,8 +21,8 @@ std::string with_escaped_dashes(std::string text) {
 
 TEST(Manual, HasAPageForEachCommandWithAllItsOptions) {
     const std::string overview = grafverif({"manual"}).out;
-    ASSERT_GT(all_verbs().size(), 20U);
-    for (const Verb& verb : all_verbs()) {
+    ASSERT_GT(all_commands().size(), 20U);
+    for (const CliCommand& verb : all_commands()) {
         SCOPED_TRACE(verb.name);
         EXPECT_NE(overview.find("grafverif\\-" + verb.name + "\\fR(1)"), std::string::npos);
         const Result page = grafverif({"manual", verb.name});
@@ -35,7 +35,7 @@ TEST(Manual, HasAPageForEachCommandWithAllItsOptions) {
 
 TEST(Manual, HasNoLineThatIsARequestByChance) {
     const std::set<std::string> requests = {".TH", ".nh", ".ad", ".SH", ".TP", ".PP", ".B", ".I", ".BR", ".nf", ".fi"};
-    for (const Verb& verb : all_verbs()) {
+    for (const CliCommand& verb : all_commands()) {
         std::istringstream page(grafverif({"manual", verb.name}).out);
         for (std::string line; std::getline(page, line);) {
             EXPECT_FALSE(line.starts_with('\'')) << verb.name << ": " << line;
@@ -49,7 +49,7 @@ TEST(Manual, HasNoLineThatIsARequestByChance) {
 TEST(Completion, ContainsEachCommandAndOptionForEachShell) {
     for (const char* shell : {"bash", "zsh", "fish"}) {
         const std::string script = grafverif({"completion", shell}).out;
-        for (const Verb& verb : all_verbs()) {
+        for (const CliCommand& verb : all_commands()) {
             SCOPED_TRACE(shell + (" " + verb.name));
             EXPECT_NE(script.find(verb.name), std::string::npos);
             for (const OptionText& option : option_texts(verb)) {

@@ -163,7 +163,7 @@ TEST(Mutate, StateFileIsUsedForTheSameQueryOnly) {
     EXPECT_EQ(lines(), 4) << "what the file includes belongs to the question";
     arguments.insert(arguments.end(), {"--mode", "every-cycle"});
     grafverif(arguments);
-    EXPECT_EQ(lines(), 6) << "and how it is asked";
+    EXPECT_EQ(lines(), 6) << "and how it is requested";
     arguments.insert(arguments.end(), {"--mutant-timeout", "30s"});
     grafverif(arguments);
     EXPECT_EQ(lines(), 6) << "a verdict does not depend on the time there was";

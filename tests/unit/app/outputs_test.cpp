@@ -275,7 +275,7 @@ TEST(Build, AcceptsSeveralFilesWithAllTheirLoops) {
     EXPECT_NE(twice.err.find("[output-twice]"), std::string::npos) << twice.err;
 }
 
-TEST(Build, NamesItsFilesAsAsked) {
+TEST(Build, NamesItsFilesAsRequested) {
     const Folder folder;
     const std::string one = folder.write("one.grafcet", chart("c") + loop("first", "c"));
     EXPECT_EQ(grafverif({"build", one, "-o", folder.file(""), "--name", "press"}).code, ExitCode::Done);
@@ -351,22 +351,22 @@ const std::string violated =
     "closed_loop l {\n    controller c;\n    environment E = push_button(OUT = x);\n    property p: never X1;\n}\n";
 
 /// A terminating call of the command on `file`.
-Words call(const Verb& verb, const std::string& file, const Folder& folder) {
+Words call(const CliCommand& verb, const std::string& file, const Folder& folder) {
     Words words = {verb.name};
-    if (accepts(verb, Accepts::File)) words.push_back(file);
+    if (accepts(verb, OptionGroup::File)) words.push_back(file);
     if (verb.name == "completion") words.emplace_back("bash");
     if (verb.least_operands > 1) words.push_back(folder.write("other.grafcet", violated));
-    if (accepts(verb, Accepts::Bench)) words.insert(words.end(), {"--against", "cat", "--timeout", "1s"});
-    if (accepts(verb, Accepts::Walk)) words.insert(words.end(), {"--random", "1"});
-    if (accepts(verb, Accepts::OutputDirectory)) words.insert(words.end(), {"-o", folder.file("")});
-    if (accepts(verb, Accepts::Mutants)) words.insert(words.end(), {"--limit", "1"});
+    if (accepts(verb, OptionGroup::Bench)) words.insert(words.end(), {"--against", "cat", "--timeout", "1s"});
+    if (accepts(verb, OptionGroup::Walk)) words.insert(words.end(), {"--random", "1"});
+    if (accepts(verb, OptionGroup::OutputDirectory)) words.insert(words.end(), {"-o", folder.file("")});
+    if (accepts(verb, OptionGroup::Mutants)) words.insert(words.end(), {"--limit", "1"});
     return words;
 }
 
 TEST(StandardInput, IsReadOrRejectedByNameInEveryCommandThatReadsAFile) {
     std::size_t reading = 0;
-    for (const Verb& verb : all_verbs()) {
-        if (!accepts(verb, Accepts::File)) continue;
+    for (const CliCommand& verb : all_commands()) {
+        if (!accepts(verb, OptionGroup::File)) continue;
         for (const char* name : {"-", "/dev/stdin"}) {
             SCOPED_TRACE(verb.name + " " + name);
             const Folder folder;
@@ -415,18 +415,19 @@ std::string beginning_of(const std::string& option) {
 /// the call without the value, which is its last word.
 template <class Look>
 void with_each_path_option(const Folder& folder, const std::string& file, const Look& look) {
-    for (const Verb& verb : all_verbs())
+    for (const CliCommand& verb : all_commands())
         for (const OptionText& option : option_texts(verb)) {
             if ((option.value != "FILE" && option.value != "DIR") || option.name == "include") continue;
             SCOPED_TRACE(verb.name + " --" + option.name);
             const auto listed = std::ranges::find(path_options, option.name, &PathOption::name);
             ASSERT_NE(listed, path_options.end()) << "docs/reference/files.md has rules for every path";
             Words words = call(verb, file, folder);
-            if (accepts(verb, Accepts::Walk) && (option.name == "script" || option.name == "junit")) words.resize(2);
-            if (accepts(verb, Accepts::Walk) && option.name == "junit")
+            if (accepts(verb, OptionGroup::Walk) && (option.name == "script" || option.name == "junit"))
+                words.resize(2);
+            if (accepts(verb, OptionGroup::Walk) && option.name == "junit")
                 words.insert(words.end(), {"--script", folder.write("s.txt", "expect X0\n")});
             if (option.name == "depfile") words.insert(words.end(), {"--depfile-target", "x"});
-            if (option.name == "output" && accepts(verb, Accepts::OutputDirectory)) words.resize(2);
+            if (option.name == "output" && accepts(verb, OptionGroup::OutputDirectory)) words.resize(2);
             words.push_back("--" + option.name);
             look(verb, listed->use, words);
         }
@@ -436,7 +437,7 @@ TEST(StandardOutput, ReceivesTheDocumentOfEveryFileOptionOrTheOptionIsRejected) 
     const Folder folder;
     const std::string file = folder.write("one.grafcet", violated);
     std::size_t documents = 0;
-    with_each_path_option(folder, file, [&](const Verb&, PathUse, Words words) {
+    with_each_path_option(folder, file, [&](const CliCommand&, PathUse, Words words) {
         const std::string option = words.back().substr(2);
         words.emplace_back("-");
         const Result result = grafverif(words, option == "script" ? "wait 1s\n" : "nothing\n");
@@ -462,7 +463,7 @@ TEST(Paths, InputsAreRegularFilesAndPipesNeverBlock) {
     const std::string file = folder.write("one.grafcet", violated), pipe = folder.file("pipe");
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     std::size_t refused = 0;
-    with_each_path_option(folder, file, [&](const Verb&, PathUse use, Words words) {
+    with_each_path_option(folder, file, [&](const CliCommand&, PathUse use, Words words) {
         if (use != PathUse::Read && use != PathUse::Updated) return;
         words.push_back(pipe);
         const Result result = grafverif(words);
@@ -477,8 +478,8 @@ TEST(Paths, NoOptionReplacesTheFileThatIsRead) {
     const Folder folder;
     const std::string file = folder.write("one.grafcet", violated);
     std::size_t refused = 0;
-    with_each_path_option(folder, file, [&](const Verb& verb, PathUse use, Words words) {
-        if (use == PathUse::Read || !accepts(verb, Accepts::File)) return;
+    with_each_path_option(folder, file, [&](const CliCommand& verb, PathUse use, Words words) {
+        if (use == PathUse::Read || !accepts(verb, OptionGroup::File)) return;
         words.push_back(file);
         EXPECT_EQ(grafverif(words).code, ExitCode::Input);
         EXPECT_EQ(folder.read("one.grafcet"), violated);

@@ -177,7 +177,7 @@ TEST(Include, ReachesBelowTheMainFileOnly) {
     EXPECT_NE(result.err.find("outside the directory of the main file"), std::string::npos) << result.err;
 }
 
-TEST(Diagnostics, ComeAsJsonWhenAsked) {
+TEST(Diagnostics, ComeAsJsonOnRequest) {
     const Folder folder;
     const std::string broken = folder.write("broken.grafcet", "grafcet a { input x; step 1; }\n");
     const Result result = grafverif({"build", broken, "--diagnostics", "json"});

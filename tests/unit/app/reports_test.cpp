@@ -46,7 +46,7 @@ TEST(Reports, OfJunitHaveTheLocationAndTheBeginningOfTheTrace) {
     EXPECT_NE(std::string(p.child("failure").text().get()).find("t        1"), std::string::npos);
     EXPECT_EQ(suite.find_child_by_attribute("testcase", "name", "q").attribute("line").as_int(), 6);
     EXPECT_EQ(suite.find_child_by_attribute("testcase", "name", "no_timelock").attribute("line").as_int(), 4)
-        << "what nobody asked for stands where its loop does";
+        << "an unselected result has the place of its loop";
 }
 
 TEST(Reports, OfJsonHaveTheLocationOfAProperty) {
@@ -227,8 +227,8 @@ TEST(Reports, StateThatTheirRunDidNotFinish) {
     const std::string file = folder.write("lamp.grafcet", lamp_loop("l"));
     grafverif({"check", file, "--junit", folder.file("r.xml"), "--sarif", folder.file("r.sarif")});
     Reports reports;
-    Job job{.options = {.operands = {file}, .junit = folder.file("r.xml"), .sarif = folder.file("r.sarif")},
-            .reports = &reports};
+    CommandContext job{.options = {.operands = {file}, .junit = folder.file("r.xml"), .sarif = folder.file("r.sarif")},
+                       .reports = &reports};
     begin_reports(false, job);  // here the machine stops
     EXPECT_NE(folder.read("r.xml").find("the command did not complete"), std::string::npos);
     EXPECT_EQ(checked(folder.read("r.sarif")).size(), 0u);
@@ -251,7 +251,7 @@ TEST(Reports, TakeTheirPlaceFromNoOtherFile) {
     folder.write("notes.txt", "mine");
     folder.write("main.grafcet", part);
     EXPECT_EQ(grafverif({"check", main, "--junit", folder.file("notes.txt")}).code, ExitCode::Verdict);
-    EXPECT_TRUE(folder.read("notes.txt").starts_with("<?xml")) << "it was asked for";
+    EXPECT_TRUE(folder.read("notes.txt").starts_with("<?xml")) << "it was requested";
 }
 
 TEST(List, NamesTheAvailableChecks) {

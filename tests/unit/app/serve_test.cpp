@@ -10,9 +10,9 @@
 #include <random>
 #include <thread>
 
-#include "app/serve/bench.hpp"
+#include "app/serve/file_checker.hpp"
 #include "app/serve/play.hpp"
-#include "pipeline/watch.hpp"
+#include "pipeline/file_watcher.hpp"
 #include "run_program.hpp"
 
 namespace grafverif::app {
@@ -30,10 +30,10 @@ const std::string lamp_in_a_loop =
     "environment Off = free(OUT = OFF); property LIT \"it can be lit\": reachable LAMP; property NEVER: never LAMP; "
     "}\n";
 
-TEST(Watch, DetectsChangesByAnEditor) {
+TEST(FileWatcher, DetectsChangesByAnEditor) {
     const Folder folder;
     const std::string file = folder.write("a.grafcet", "one"), other = folder.file("b.grafcet");
-    Watch watch;
+    FileWatcher watch;
     const auto look_again = [&] {
         watch.clear();
         watch.note(file);
@@ -58,10 +58,10 @@ TEST(Watch, DetectsChangesByAnEditor) {
     EXPECT_TRUE(watch.changed());
 }
 
-TEST(Watch, DetectsATextOfTheSameLengthWithATimeSetBack) {
+TEST(FileWatcher, DetectsATextOfTheSameLengthWithATimeSetBack) {
     const Folder folder;
     const std::string file = folder.write("a.grafcet", "one");
-    Watch watch;
+    FileWatcher watch;
     watch.note(file);
     const fs::file_time_type written = fs::last_write_time(file);
     folder.write("a.grafcet", "two");
@@ -69,10 +69,10 @@ TEST(Watch, DetectsATextOfTheSameLengthWithATimeSetBack) {
     EXPECT_TRUE(watch.changed());
 }
 
-TEST(Watch, NoticesAChangeBetweenTwoReadings) {
+TEST(FileWatcher, NoticesAChangeBetweenTwoReadings) {
     const Folder folder;
     const std::string file = folder.write("a.grafcet", "one");
-    Watch watch;
+    FileWatcher watch;
     watch.note(file);
     folder.write("a.grafcet", "longer");
     watch.note(file);
@@ -82,9 +82,9 @@ TEST(Watch, NoticesAChangeBetweenTwoReadings) {
 /// A bench on `file`, with its states in order of arrival.
 class Bystander {
 public:
-    explicit Bystander(const std::string& file, std::optional<std::uint64_t> patience_ms = {}) {
+    explicit Bystander(const std::string& file, std::optional<std::uint64_t> response_timeout_ms = {}) {
         options_.operands = {file};
-        options_.patience_ms = patience_ms;
+        options_.response_timeout_ms = response_timeout_ms;
         bench_.emplace(options_, [] {});
     }
 
@@ -111,12 +111,12 @@ public:
 
 private:
     Options options_ = {};
-    std::optional<Bench> bench_ = {};
+    std::optional<FileChecker> bench_ = {};
     Json state_ = {};
     std::uint64_t known_ = 0;
 };
 
-TEST(ServeBench, ATimeoutEndsTheCheckAndNotTheBench) {
+TEST(ServeFileChecker, ATimeoutEndsTheCheckAndNotTheBench) {
     const Folder folder;
     const std::string file = folder.write("lamp.grafcet", lamp_in_a_loop);
     Bystander bystander(file, 0);
@@ -135,7 +135,7 @@ TEST(ServeBench, ATimeoutEndsTheCheckAndNotTheBench) {
     EXPECT_GE(undecided(bystander.wait_for_verdicts()), 2U);
 }
 
-TEST(ServeBench, ReportsVerdictsAndErrorsAndFollowsTheFile) {
+TEST(ServeFileChecker, ReportsVerdictsAndErrorsAndFollowsTheFile) {
     const Folder folder;
     const std::string file = folder.write("lamp.grafcet", lamp_in_a_loop);
     Bystander bystander(file);
@@ -166,7 +166,7 @@ TEST(ServeBench, ReportsVerdictsAndErrorsAndFollowsTheFile) {
     EXPECT_EQ(back["diagnostics"], "");
 }
 
-TEST(ServeBench, ReportsRejectedModelsAndUndecidedProperties) {
+TEST(ServeFileChecker, ReportsRejectedModelsAndUndecidedProperties) {
     const Folder folder;
     const std::string refused =
         "grafcet bad { input A, B; output L; initial step 0; step 1 { L; } transition on: 0 -> 1 when rise(rise(A) && "
@@ -199,7 +199,7 @@ TEST(ServeBench, ReportsRejectedModelsAndUndecidedProperties) {
     EXPECT_EQ(property("DARK")["vacuous"], true);
 }
 
-TEST(ServeBench, RemovesTextDirectionControls) {
+TEST(ServeFileChecker, RemovesTextDirectionControls) {
     const Folder folder;
     std::string text = lamp_in_a_loop;
     text.insert(text.find("it can be lit"), "\u202Edlo");
@@ -207,7 +207,7 @@ TEST(ServeBench, RemovesTextDirectionControls) {
     EXPECT_EQ(bystander.wait_for_verdicts()["models"][0]["properties"][0]["text"], "?dloit can be lit");
 }
 
-TEST(ServeBench, FollowsIncludedFilesEvenBeforeTheyExist) {
+TEST(ServeFileChecker, FollowsIncludedFilesEvenBeforeTheyExist) {
     const Folder folder;
     Bystander bystander(folder.write("main.grafcet", "include \"parts/lamp.grafcet\";\n"));
     bystander.wait_for([](const Json& state) { return state["readable"] == false; });
@@ -218,7 +218,7 @@ TEST(ServeBench, FollowsIncludedFilesEvenBeforeTheyExist) {
     bystander.wait_for([](const Json& state) { return state["readable"] == false; });
 }
 
-TEST(ServeBench, CancelsTheChecksOfAnEarlierSave) {
+TEST(ServeFileChecker, CancelsTheChecksOfAnEarlierSave) {
     const Folder folder;
     // Six buttons, each with a clock, with incommensurable times: too many states to wait for.
     std::string hard =
@@ -407,7 +407,7 @@ TEST(Play, AnswersAnyRequest) {
     EXPECT_EQ(stopped["moves"], Json({"ON = true", "ON = 7"}));
     EXPECT_EQ(stopped["problem"], "`ON` is Boolean and cannot be 7; use true or false");
     EXPECT_EQ(bystander.play({{"chart", "lamp"}, {"moves", {"back"}}})["problem"], "`back` is not a valid move");
-    EXPECT_NE(Json::parse(play(Workpiece(), Options(), std::string(100'000, '['))).value("complaint", ""), "");
+    EXPECT_NE(Json::parse(play(CheckedFile(), Options(), std::string(100'000, '['))).value("complaint", ""), "");
 }
 
 }  // namespace

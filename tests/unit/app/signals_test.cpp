@@ -171,7 +171,7 @@ TEST(Signals, ThatAreIgnoredStayIgnored) {
             std::signal(SIGHUP, SIG_IGN);
             const Interrupt interrupt;
             std::raise(SIGHUP);
-            std::_Exit(interrupt.asked() ? 1 : 0);
+            std::_Exit(interrupt.requested() ? 1 : 0);
         },
         testing::ExitedWithCode(0), "");
 }
@@ -181,16 +181,16 @@ TEST(Signals, TheSecondOneEndsTheProgram) {
         {
             const Interrupt interrupt;
             std::raise(SIGTERM);
-            if (interrupt.asked()) std::cerr << "asked";
+            if (interrupt.requested()) std::cerr << "requested";
             std::raise(SIGHUP);
         },
-        testing::KilledBySignal(SIGHUP), "asked");
+        testing::KilledBySignal(SIGHUP), "requested");
 }
 
 TEST(Signals, WaitForUninterruptibleSections) {
     EXPECT_EXIT(
         {
-            const Uninterrupted whole;
+            const SignalBlocker whole;
             std::raise(SIGTERM);
             std::cerr << "done";
         },
@@ -212,15 +212,15 @@ TEST(Process, ChildOutsideItsGroupEndsWithItToo) {
 }
 
 TEST(Process, ChildrenThatWereThereBeforeAreLeftAlone) {
-    const pid_t stranger = ::fork();
-    if (stranger == 0) {
+    const pid_t new_state = ::fork();
+    if (new_state == 0) {
         ::pause();
         std::_Exit(0);
     }
     EXPECT_EQ(run_program({"/bin/echo", "hello"}, "", {}).out, "hello\n");
-    EXPECT_EQ(::waitpid(stranger, nullptr, WNOHANG), 0);
-    ::kill(stranger, SIGKILL);
-    ::waitpid(stranger, nullptr, 0);
+    EXPECT_EQ(::waitpid(new_state, nullptr, WNOHANG), 0);
+    ::kill(new_state, SIGKILL);
+    ::waitpid(new_state, nullptr, 0);
 }
 
 TEST(TemporaryFolder, ThoseOfKilledRunsAreRemovedAndNoOthers) {

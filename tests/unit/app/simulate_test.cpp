@@ -21,7 +21,7 @@ std::string squeezed(const std::string& text) {
 }
 
 TEST(Commands, AreReadLineByLine) {
-    using Relation = Claim::Relation;
+    using Relation = Expectation::Relation;
     struct Case {
         const char* line;
         Command command;

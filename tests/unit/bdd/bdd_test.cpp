@@ -148,7 +148,7 @@ TEST(Bdd, CubesAreDisjointAndMakeUpTheFunction) {
     }
 }
 
-TEST(Bdd, VisitingCubesStopsWhenAsked) {
+TEST(Bdd, VisitingCubesStopsOnRequest) {
     BddSpace space;
     space.add_variables(2);
     int visits = 0;
@@ -190,7 +190,7 @@ TEST(Bdd, SupportAndSizeReferToTheReducedDiagram) {
 }
 
 /// A function with an exponential diagram: pairs of variables that are distant in the order.
-Bdd far_apart(const BddSpace& space, std::uint32_t pairs) {
+Bdd widely_separated(const BddSpace& space, std::uint32_t pairs) {
     Bdd result = Bdd::constant(true);
     for (std::uint32_t i = 0; i < pairs; ++i) result &= iff(space.variable(i), space.variable(i + pairs));
     return result;
@@ -199,35 +199,35 @@ Bdd far_apart(const BddSpace& space, std::uint32_t pairs) {
 TEST(Bdd, MemoryBoundIsKeptAndAllFunctionsRemain) {
     BddSpace space({.memory = 8U << 20U});
     space.add_variables(60);
-    const Bdd before = far_apart(space, 8);
+    const Bdd before = widely_separated(space, 8);
     const std::string counted = count(before, all_variables(60));
     try {
-        far_apart(space, 30);
+        widely_separated(space, 30);
         FAIL() << "2 to the 30 nodes do not fit";
     } catch (const BddExhausted& exhausted) {
         EXPECT_EQ(exhausted.cause(), BddExhausted::Cause::Memory);
     }
     EXPECT_LE(space.bytes(), 8U << 20U);
     EXPECT_EQ(count(before, all_variables(60)), counted);
-    EXPECT_EQ(far_apart(space, 8), before) << "the space goes on, and no wrong result was kept";
+    EXPECT_EQ(widely_separated(space, 8), before) << "the space goes on, and no wrong result was kept";
 }
 
 TEST(Bdd, StoppingEndsALongOperation) {
     std::atomic<bool> stop = false;
     BddSpace space({.stop = &stop});
     space.add_variables(40);
-    const Bdd before = far_apart(space, 4);
+    const Bdd before = widely_separated(space, 4);
     stop = true;
-    EXPECT_THROW(far_apart(space, 20), BddExhausted);
+    EXPECT_THROW(widely_separated(space, 20), BddExhausted);
     stop = false;
-    EXPECT_EQ(far_apart(space, 4), before);
+    EXPECT_EQ(widely_separated(space, 4), before);
 }
 
 TEST(Bdd, ADeadlineEndsALongOperation) {
     BddSpace space({.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(50)});
     space.add_variables(60);
     try {
-        far_apart(space, 30);
+        widely_separated(space, 30);
         FAIL();
     } catch (const BddExhausted& exhausted) {
         EXPECT_EQ(exhausted.cause(), BddExhausted::Cause::Stopped);

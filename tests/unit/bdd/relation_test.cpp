@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "bdd/rings.hpp"
-#include "support/law_size.hpp"
 #include "support/random_chart.hpp"
+#include "support/test_size.hpp"
 
 namespace grafverif::bdd {
 namespace {
@@ -62,7 +62,7 @@ struct RandomSteps {
 };
 
 TEST(Relation, ImagesAgreeWithSingleSteps) {
-    for (int seed = 1; seed <= law_size(200); ++seed) {
+    for (int seed = 1; seed <= test_size(200); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         RandomSteps steps(random);
         const Relation relation(steps.space, steps.next, {steps.offered}, steps.choosing);
@@ -105,7 +105,7 @@ std::vector<int> distances(const RandomSteps& steps, std::uint32_t first) {
 }
 
 TEST(Rings, HoldTheStatesByTheirDistanceAndShortestPathsLeadBackThroughThem) {
-    for (int seed = 1; seed <= law_size(200); ++seed) {
+    for (int seed = 1; seed <= test_size(200); ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
         RandomSteps steps(random);

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/law_size.hpp"
 #include "support/random_chart.hpp"
+#include "support/test_size.hpp"
 
 namespace grafverif::bdd {
 namespace {
@@ -71,12 +71,12 @@ std::vector<bool> reached(const std::vector<Kind>& kinds, std::uint32_t first) {
 
 TEST(Saturation, AgreesWithSingleSteps) {
     std::size_t states = 0;
-    for (int seed = 1; seed <= law_size(200); ++seed) {
+    for (int seed = 1; seed <= test_size(200); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         BddSpace space;
         space.add_variables(2 * bits + 1);
         std::vector<Kind> kinds;
-        std::deque<Steps> steps;
+        std::deque<ClusterSteps> steps;
         for (std::int64_t count = random_number(random, 1, 6); count > 0; --count) {
             kinds.push_back(random_kind(random, space));
             steps.emplace_back(space, kinds.back().next, std::vector{kinds.back().condition},

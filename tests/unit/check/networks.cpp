@@ -101,7 +101,7 @@ TimedResult checked(const Network& network, const TimedOptions& options) {
     TimedResult result = check_timed(network, options);
     for (const Verdict& verdict : result.verdicts) {
         SCOPED_TRACE(verdict.property);
-        EXPECT_EQ(verdict.outcome == Outcome::Unknown, verdict.obstacle != Obstacle::None);
+        EXPECT_EQ(verdict.outcome == Outcome::Unknown, verdict.obstacle != UnknownReason::None);
         EXPECT_EQ(verdict.outcome == Outcome::Unknown, !verdict.reason.empty());
         EXPECT_EQ(verdict.about.valid(), verdict.declared);
         if (verdict.about.valid()) {
@@ -125,7 +125,7 @@ const Verdict& verdict(const TimedResult& result, const std::string& property) {
 std::string told(const TimedResult& result, const std::string& property) {
     const Verdict& found = verdict(result, property);
     std::string text(word(found.outcome));
-    if (found.obstacle != Obstacle::None) text += " (" + std::string(word(found.obstacle)) + ")";
+    if (found.obstacle != UnknownReason::None) text += " (" + std::string(word(found.obstacle)) + ")";
     return found.vacuous ? text + ", vacuous" : text;
 }
 

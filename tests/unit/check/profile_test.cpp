@@ -8,8 +8,8 @@
 #include <set>
 
 #include "check/timed/explore.hpp"
-#include "support/law_size.hpp"
 #include "support/random_network.hpp"
+#include "support/test_size.hpp"
 #include "unit/check/networks.hpp"
 
 namespace grafverif {
@@ -92,7 +92,7 @@ TEST(StateProfile, OfManyStatesIsEqualByClassesAndReportsProgress) {
     ASSERT_TRUE(result.profile);
     ASSERT_EQ(result.states, std::uint64_t{128} * 128 * 65);
     ASSERT_EQ(result.profile->sampled, result.states) << "the product is whole";
-    for (const StateProfile::Part& part : result.profile->parts) {
+    for (const StateProfile::Component& part : result.profile->parts) {
         EXPECT_LT(part.factor.states, result.states) << "not every rest was kept";
         EXPECT_DOUBLE_EQ(part.factor.value(), part.name == "three" ? 65 : 128);
     }
@@ -146,14 +146,14 @@ std::uint64_t different(const std::vector<Values>& states, const std::vector<Pla
     return kept.size();
 }
 
-TEST(StateProfileLaw, AgreesWithSetsOfCompleteStates) {
+TEST(RandomizedStateProfile, AgreesWithSetsOfCompleteStates) {
     Random random(41);
-    const int cases = law_size(60);
+    const int cases = test_size(60);
     std::size_t compared = 0;
     for (int i = 0; i < cases; ++i) {
         const Network network = expand(random_network(random));
         timed::Machine machine(network);
-        timed::Watch watch;
+        timed::PropertyMonitor watch;
         const TimedOptions options{.max_states = 2'000};
         timed::Limits limits(options);
         timed::Graph graph(machine);
@@ -167,7 +167,7 @@ TEST(StateProfileLaw, AgreesWithSetsOfCompleteStates) {
             for (const Place& place : places) values.push_back(place.field.get(graph.load(state)));
             states.push_back(std::move(values));
         }
-        for (const StateProfile::Part& part : found.parts) {
+        for (const StateProfile::Component& part : found.parts) {
             EXPECT_EQ(part.combinations,
                       different(states, places, [&](const Place& at) { return at.part == part.name; }));
             EXPECT_EQ(part.factor.merged,

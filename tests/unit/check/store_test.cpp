@@ -43,7 +43,7 @@ TEST(Pairs, AppendedAreFoundOnceTheyAreIndexed) {
     std::uint64_t made = 0;
     for (const std::uint32_t more : {1U, 700U, 3U, 30'000U, 5'000U}) {
         const auto first = static_cast<std::uint32_t>(pairs.size());
-        for (unsigned member = 0; member < 3; ++member) pairs.make_room(more / 2, {member, 3});  // less than needed
+        for (unsigned member = 0; member < 3; ++member) pairs.free_memory(more / 2, {member, 3});  // less than needed
         for (std::uint32_t i = 0; i < more; ++i) ASSERT_EQ(pairs.append(made++ * 0x10001), first + i);
         ASSERT_EQ(pairs.find((made - 1) * 0x10001), Pairs::none);
         for (unsigned member = 0; member < 3; ++member)  // each those of its shards, in reverse order

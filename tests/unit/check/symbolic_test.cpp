@@ -75,7 +75,7 @@ TEST(Symbolic, StoppedSearchReportsOnlyWhatItHasFound) {
             EXPECT_EQ(result.runs.front()->states.size(), 4u);
         } else {
             EXPECT_EQ(verdict.outcome, Outcome::Unknown);
-            EXPECT_EQ(verdict.obstacle, Obstacle::Stopped);
+            EXPECT_EQ(verdict.obstacle, UnknownReason::Stopped);
         }
     }
 }

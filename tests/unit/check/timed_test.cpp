@@ -65,7 +65,7 @@ TEST(TimedEngine, RejectsStatesOfTooManyWords) {
         s.property("first_changes", Pattern::Reachable, {s.op(Op::Equal, s.is({0}), s.number(7))});
         const Verdict found = verdict(checked(s.network), "first_changes");
         EXPECT_EQ(found.outcome, too_wide ? Outcome::Unknown : Outcome::Violated);
-        EXPECT_EQ(found.obstacle, too_wide ? Obstacle::Unsupported : Obstacle::None);
+        EXPECT_EQ(found.obstacle, too_wide ? UnknownReason::Unsupported : UnknownReason::None);
     }
 }
 

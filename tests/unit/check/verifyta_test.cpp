@@ -22,31 +22,34 @@ TEST(Verifyta, ReadsTheDocumentedLines) {
     struct Case {
         const char* out;
         Outcome outcome;
-        Obstacle obstacle;
+        UnknownReason obstacle;
     };
     for (const Case& c : {
              Case{"Options for the verification:\n  Generating no trace\n\nVerifying formula 1 at line 1\n -- Formula "
                   "is satisfied.\n",
-                  Outcome::Holds, Obstacle::None},
-             Case{"Verifying formula 1 at line 1\n -- Formula is NOT satisfied.\n", Outcome::Violated, Obstacle::None},
-             Case{"-- Formula is satisfied.", Outcome::Holds, Obstacle::None},
-             Case{"\r\n -- Formula is satisfied.\r\n", Outcome::Holds, Obstacle::None},
-             Case{"\033[2K\033[1;32m -- Formula is satisfied.\033[0m\n", Outcome::Holds, Obstacle::None},
-             Case{" -- Formula MAY be satisfied.\n", Outcome::Unknown, Obstacle::Inexact},
-             Case{" -- Formula MAY NOT be satisfied.\n", Outcome::Unknown, Obstacle::Inexact},
-             Case{" -- Formula MAY be satisfied.\n -- Formula is satisfied.\n", Outcome::Unknown, Obstacle::Disagrees},
-             Case{" -- Formula is satisfied.\n -- Formula is NOT satisfied.\n", Outcome::Unknown, Obstacle::Disagrees},
-             Case{" -- Formula is satisfied.\n -- Formula is satisfied.\n", Outcome::Unknown, Obstacle::Disagrees},
-             Case{"I wonder whether -- Formula is satisfied.\n", Outcome::Unknown, Obstacle::Failed},
-             Case{" -- Formula is satisfied. Or is it?\n", Outcome::Unknown, Obstacle::Failed},
-             Case{" -- Formula is s\033[2Katisfied.\n", Outcome::Unknown, Obstacle::Failed},
-             Case{" -- Formula is\033satisfied.\n", Outcome::Unknown, Obstacle::Failed},
-             Case{"", Outcome::Unknown, Obstacle::Failed},
-             Case{"\033", Outcome::Unknown, Obstacle::Failed},
-             Case{"\033[", Outcome::Unknown, Obstacle::Failed},
+                  Outcome::Holds, UnknownReason::None},
+             Case{"Verifying formula 1 at line 1\n -- Formula is NOT satisfied.\n", Outcome::Violated,
+                  UnknownReason::None},
+             Case{"-- Formula is satisfied.", Outcome::Holds, UnknownReason::None},
+             Case{"\r\n -- Formula is satisfied.\r\n", Outcome::Holds, UnknownReason::None},
+             Case{"\033[2K\033[1;32m -- Formula is satisfied.\033[0m\n", Outcome::Holds, UnknownReason::None},
+             Case{" -- Formula MAY be satisfied.\n", Outcome::Unknown, UnknownReason::Inexact},
+             Case{" -- Formula MAY NOT be satisfied.\n", Outcome::Unknown, UnknownReason::Inexact},
+             Case{" -- Formula MAY be satisfied.\n -- Formula is satisfied.\n", Outcome::Unknown,
+                  UnknownReason::Disagrees},
+             Case{" -- Formula is satisfied.\n -- Formula is NOT satisfied.\n", Outcome::Unknown,
+                  UnknownReason::Disagrees},
+             Case{" -- Formula is satisfied.\n -- Formula is satisfied.\n", Outcome::Unknown, UnknownReason::Disagrees},
+             Case{"I wonder whether -- Formula is satisfied.\n", Outcome::Unknown, UnknownReason::Failed},
+             Case{" -- Formula is satisfied. Or is it?\n", Outcome::Unknown, UnknownReason::Failed},
+             Case{" -- Formula is s\033[2Katisfied.\n", Outcome::Unknown, UnknownReason::Failed},
+             Case{" -- Formula is\033satisfied.\n", Outcome::Unknown, UnknownReason::Failed},
+             Case{"", Outcome::Unknown, UnknownReason::Failed},
+             Case{"\033", Outcome::Unknown, UnknownReason::Failed},
+             Case{"\033[", Outcome::Unknown, UnknownReason::Failed},
          }) {
         SCOPED_TRACE(c.out);
-        const ExternalAnswer answer = read_verifyta(printed(c.out));
+        const ExternalResult answer = read_verifyta(printed(c.out));
         EXPECT_EQ(answer.outcome, c.outcome);
         EXPECT_EQ(answer.obstacle, c.obstacle);
         EXPECT_EQ(answer.reason.empty(), c.outcome != Outcome::Unknown) << answer.reason;
@@ -75,9 +78,9 @@ TEST(Verifyta, AProgramThatWasEndedGaveNoVerdict) {
 }
 
 /// A network with three properties, and the output of a stand-in for verifyta for each formula.
-struct Asked {
+struct Requested {
     Sketch s = {};
-    std::vector<ExternalQuestion> questions = {};
+    std::vector<ExternalQuery> questions = {};
     std::map<std::string, std::string> says = {};
     std::vector<std::string> runs = {};  // the formulas it was run on
 
@@ -102,43 +105,43 @@ struct Asked {
 };
 
 TEST(Verifyta, ChecksOneFormulaAtATime) {
-    Asked asked;
-    asked.ask("a", Pattern::Always, {asked.s.yes()}, "A[] true", "");
-    asked.ask("b", Pattern::Never, {asked.s.yes()}, "A[] not true", "NOT ");
-    asked.ask("c", Pattern::AlwaysPossible, {asked.s.yes()}, "", "");
-    EXPECT_EQ(asked.told(), "a holds\nb violated\nc unknown\nno_timelock unknown, undeclared\n");
-    EXPECT_EQ(asked.runs, (std::vector<std::string>{"A[] true", "A[] not true"}));
-    EXPECT_EQ(asked.told({"b"}), "b violated\nno_timelock unknown, undeclared\n");
+    Requested requested;
+    requested.ask("a", Pattern::Always, {requested.s.yes()}, "A[] true", "");
+    requested.ask("b", Pattern::Never, {requested.s.yes()}, "A[] not true", "NOT ");
+    requested.ask("c", Pattern::AlwaysPossible, {requested.s.yes()}, "", "");
+    EXPECT_EQ(requested.told(), "a holds\nb violated\nc unknown\nno_timelock unknown, undeclared\n");
+    EXPECT_EQ(requested.runs, (std::vector<std::string>{"A[] true", "A[] not true"}));
+    EXPECT_EQ(requested.told({"b"}), "b violated\nno_timelock unknown, undeclared\n");
 }
 
 TEST(Verifyta, ProvesNothingIfStoredActionsMayRace) {
-    Asked asked;
-    asked.s.network.race = asked.s.boolean("race");
+    Requested requested;
+    requested.s.network.race = requested.s.boolean("race");
     const auto add = [&](const std::string& race) {
-        asked.questions.clear();
-        asked.s.network.properties = {};
-        asked.ask("a", Pattern::Always, {asked.s.yes()}, "A[] true", "");
-        asked.ask("no_race", Pattern::Never, {asked.s.is(asked.s.network.race)}, "A[] not race", race);
+        requested.questions.clear();
+        requested.s.network.properties = {};
+        requested.ask("a", Pattern::Always, {requested.s.yes()}, "A[] true", "");
+        requested.ask("no_race", Pattern::Never, {requested.s.is(requested.s.network.race)}, "A[] not race", race);
     };
     add("");
-    EXPECT_EQ(asked.told({"a"}), "a holds\nno_race holds\nno_timelock unknown, undeclared\n");
+    EXPECT_EQ(requested.told({"a"}), "a holds\nno_race holds\nno_timelock unknown, undeclared\n");
     add("NOT ");
-    EXPECT_EQ(asked.told(), "a unknown\nno_race violated\nno_timelock unknown, undeclared\n");
+    EXPECT_EQ(requested.told(), "a unknown\nno_race violated\nno_timelock unknown, undeclared\n");
 }
 
 TEST(Verifyta, ChecksNoFurtherFormulaAfterAnInterrupt) {
-    Asked asked;
-    asked.ask("a", Pattern::Always, {asked.s.yes()}, "A[] true", "");
-    asked.ask("b", Pattern::Always, {asked.s.yes()}, "A[] 1", "");
+    Requested requested;
+    requested.ask("a", Pattern::Always, {requested.s.yes()}, "A[] true", "");
+    requested.ask("b", Pattern::Always, {requested.s.yes()}, "A[] 1", "");
     int runs = 0;
-    const auto verdicts = check_verifyta(asked.s.network, asked.questions,
+    const auto verdicts = check_verifyta(requested.s.network, requested.questions,
                                          {{}, [&](const std::string&) {
                                               ++runs;
                                               return ProgramResult{End::Stopped, 0, " -- Formula is satisfied.\n", ""};
                                           }});
     EXPECT_EQ(runs, 1);
     ASSERT_EQ(verdicts.size(), 3u);
-    EXPECT_EQ(verdicts[1].obstacle, Obstacle::Stopped);
+    EXPECT_EQ(verdicts[1].obstacle, UnknownReason::Stopped);
 }
 
 }  // namespace

@@ -162,7 +162,7 @@ TEST(Cycle, AStoredActionReadsTheInputAsTheTransitionSawIt) {
     EXPECT_EQ(tadd.variable(state, "memory"), 1);
 }
 
-TEST(Cycle, ARaceIsFlaggedAndAskedFor) {
+TEST(Cycle, ARaceIsFlaggedAndRequested) {
     HandChart hand = small_chart();
     const auto c = hand.variable("C", Chart::VariableKind::Internal, integer_type(0, 3));
     hand.on_activation({1}, c, hand.chart.exprs.integer(1));

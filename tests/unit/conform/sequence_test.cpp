@@ -98,7 +98,7 @@ TEST(TestSequenceOfTanks, CrossesEveryTransition) {
         }
 }
 
-TEST(TestSequenceOfTanks, CoversLessWhenAskedForLess) {
+TEST(TestSequenceOfTanks, CoversLessOnRequestForLess) {
     const MealyMachine found = machine(automaton(tanks()));
     const TestSequence evolutions = test_of(found, TestCover::Evolutions),
                        locations = test_of(found, TestCover::Locations);

@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-#include "support/law_size.hpp"
+#include "support/test_size.hpp"
 
 namespace grafverif::conform {
 namespace {
@@ -98,7 +98,7 @@ void expect_a_tour(const Tour& tour, const std::vector<TourArc>& arcs) {
 
 TEST(Tour, IsAsShortAsAnExhaustiveSearchFinds) {
     int one = 0, several = 0;
-    for (int seed = 1; seed <= law_size(300); ++seed) {
+    for (int seed = 1; seed <= test_size(300); ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
         std::vector<TourArc> arcs = random_arcs(random, 2 + static_cast<std::uint32_t>(random() % 4));
@@ -132,7 +132,7 @@ TEST(Tour, HasAsFewSequencesAsItsLengthAllows) {
 }
 
 TEST(VisitingTour, SeesEveryNodeThatAnArcEnters) {
-    for (int seed = 1; seed <= law_size(100); ++seed) {
+    for (int seed = 1; seed <= test_size(100); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         std::vector<TourArc> arcs = random_arcs(random, 6);
         const std::uint32_t nodes = renumbered(arcs);

@@ -16,8 +16,9 @@ namespace {
 
 /// The report on a loop of one chart, whose inputs are buttons and whose outputs are lamps.
 Report report_of(const std::string& chart, const std::string& properties, Grain grain = Grain::Phased) {
-    Reading reading = read_string(
-        chart + " closed_loop asked { controller c; environment A = push_button(OUT = a); " + properties + " }\n", "c");
+    ParseResult reading = read_string(
+        chart + " closed_loop requested { controller c; environment A = push_button(OUT = a); " + properties + " }\n",
+        "c");
     EXPECT_TRUE(reading.model) << reading.complaints();
     if (!reading.model) return {};
     const auto report = check(*reading.model, {0}, {{}, grain}, {}, reading.diagnostics);
@@ -28,8 +29,9 @@ Report report_of(const std::string& chart, const std::string& properties, Grain 
 /// The report for the chart with free inputs.
 Report untimed_report_of(const std::string& chart, const std::string& properties,
                          PlantApproach plant = PlantApproach::None) {
-    Reading reading = read_string(
-        chart + " closed_loop asked { controller c; environment A = push_button(OUT = a); " + properties + " }\n", "c");
+    ParseResult reading = read_string(
+        chart + " closed_loop requested { controller c; environment A = push_button(OUT = a); " + properties + " }\n",
+        "c");
     EXPECT_TRUE(reading.model) << reading.complaints();
     if (!reading.model) return {};
     ModelOptions how;
@@ -39,9 +41,9 @@ Report untimed_report_of(const std::string& chart, const std::string& properties
     return report.value_or(Report{});
 }
 
-const Answer& answer(const Report& report, std::string_view property) {
-    const auto found = std::ranges::find(report.answers, property,
-                                         [](const Answer& each) -> std::string_view { return each.verdict.property; });
+const PropertyResult& answer(const Report& report, std::string_view property) {
+    const auto found = std::ranges::find(
+        report.answers, property, [](const PropertyResult& each) -> std::string_view { return each.verdict.property; });
     EXPECT_NE(found, report.answers.end()) << property;
     return *found;
 }
@@ -112,7 +114,7 @@ grafcet c {
     transition t0: 0 -> 1 when a;
     transition t1: 1 -> 2 when AT && 1s/X1;
 }
-closed_loop asked {
+closed_loop requested {
     controller c;
     plant Belt = belt(GO = M, AT = AT);
     plant Other = belt(GO = M, AT = BT);
@@ -127,7 +129,7 @@ const std::string blocked_belts =
     "add an edge that can leave the location by then, or relax the invariant\n";
 
 TEST(Explain, TimelockNamesEveryInstanceAndInvariantThatBlockTime) {
-    Reading reading = read_string(stuck_belts, "c");
+    ParseResult reading = read_string(stuck_belts, "c");
     ASSERT_TRUE(reading.model) << reading.complaints();
     const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
     ASSERT_TRUE(report) << reading.complaints();
@@ -140,7 +142,7 @@ TEST(Explain, TimelockNamesEveryInstanceAndInvariantThatBlockTime) {
 }
 
 TEST(Explain, TimelockInDiscreteTimeNamesTheBlockingInvariants) {
-    Reading reading = read_string(stuck_belts, "c");
+    ParseResult reading = read_string(stuck_belts, "c");
     ASSERT_TRUE(reading.model) << reading.complaints();
     ModelOptions how;
     how.untimed.plant = PlantApproach::Automata;
@@ -153,7 +155,7 @@ TEST(Explain, TimelockInDiscreteTimeNamesTheBlockingInvariants) {
 }
 
 TEST(Explain, InstancesThatNeverLetTimePassAreNamed) {
-    Reading reading = read_string(R"(component flicker(input IN; output OUT) {
+    ParseResult reading = read_string(R"(component flicker(input IN; output OUT) {
     initial location off;
     location on with OUT := true;
     urgent off -> on when IN do OUT := true;
@@ -161,13 +163,13 @@ TEST(Explain, InstancesThatNeverLetTimePassAreNamed) {
 }
 grafcet c { input a, b; output M; initial step 0; step 1 { M; } transition t0: 0 -> 1 when a;
             transition t1: 1 -> 0 when !a; }
-closed_loop asked {
+closed_loop requested {
     controller c;
     environment A = push_button(OUT = a);
     plant Flicker = flicker(IN = M, OUT = b);
     property time: no timelock;
 })",
-                                  "c");
+                                      "c");
     ASSERT_TRUE(reading.model) << reading.complaints();
     const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
     ASSERT_TRUE(report) << reading.complaints();
@@ -218,9 +220,9 @@ TEST(Explain, PropertiesLeftOpenByAModelErrorNameItsPlaceInTheChart) {
     transition t1: 1 -> 0 when !a;
 })",
                                     "property small: always N < 4;");
-    ASSERT_EQ(report.breakdowns.size(), 1U);
-    EXPECT_EQ(answer(report, "small").verdict.reason, "model error: " + report.breakdowns[0].message);
-    EXPECT_EQ(report.breakdowns[0].message, "`N` would leave its range 0..1, in an evolution of `c`");
+    ASSERT_EQ(report.error_traces.size(), 1U);
+    EXPECT_EQ(answer(report, "small").verdict.reason, "model error: " + report.error_traces[0].message);
+    EXPECT_EQ(report.error_traces[0].message, "`N` would leave its range 0..1, in an evolution of `c`");
 }
 
 TEST(Explain, TheValuesThatMakeAPropertyFailAreMarkedWithTheMoveThatCouldHaveBeenLeftOut) {
@@ -299,8 +301,8 @@ TEST(Explain, FreeInputChangesOfTheShortestChangeAreNamedOneByOne) {
     EXPECT_NE(text.find("* causes: at 2: red, X1\n"), std::string::npos) << text;
     const ChartRun& run = answer(report, "dark").trace.value();
     EXPECT_EQ(verify(run), std::vector<std::string>{});
-    ASSERT_EQ(run.left_out_values.size(), 1U);
-    EXPECT_EQ(run.left_out_values[0].moment, 0U);
+    ASSERT_EQ(run.counterfactual_values.size(), 1U);
+    EXPECT_EQ(run.counterfactual_values[0].moment, 0U);
     EXPECT_NE(
         text.find(
             "    without b at 0 the property holds along the run, and on from its end as long as nothing changes\n"),
@@ -309,8 +311,8 @@ TEST(Explain, FreeInputChangesOfTheShortestChangeAreNamedOneByOne) {
     EXPECT_NE(json_of(report).find(R"("left_out_values": [)"), std::string::npos);
     // A timer expiry is shown when it has occurred.
     const ChartRun& late = answer(report, "short").trace.value();
-    ASSERT_EQ(late.left_out_values.size(), 1U);
-    EXPECT_TRUE(late.left_out_values[0].timer.valid());
+    ASSERT_EQ(late.counterfactual_values.size(), 1U);
+    EXPECT_TRUE(late.counterfactual_values[0].timer.valid());
     EXPECT_NE(text.find("    without 3s/X1 at 1 the property holds"), std::string::npos) << text;
 }
 
@@ -325,8 +327,8 @@ TEST(Explain, ShortestChangeKeepsTheOrderOfTimersOfOneStep) {
 })",
                                             "property dark: never red;");
     const ChartRun& run = answer(report, "dark").trace.value();
-    ASSERT_EQ(run.left_out_values.size(), 1U);
-    const ChartRun::LeftOut& left_out = run.left_out_values[0];
+    ASSERT_EQ(run.counterfactual_values.size(), 1U);
+    const ChartRun::Counterfactual& left_out = run.counterfactual_values[0];
     EXPECT_TRUE(!left_out.timer.valid() || run.timers[left_out.timer].rise_ms == 5000) << text_of(report);
 }
 
@@ -377,14 +379,14 @@ TEST(Explain, FreeMovesOfInterleavedPlantAutomataAreThoseOfTheLoop) {
 }
 
 TEST(Explain, TheChangeThatAChartAloneBecomesStableWithoutIsNamed) {
-    Reading reading = read_string(R"(grafcet c {
+    ParseResult reading = read_string(R"(grafcet c {
     input a, b;
     initial step 0;
     step 1;
     transition t0: 0 -> 1 when a;
     transition t1: 1 -> 0 when a && b;
 })",
-                                  "c");
+                                      "c");
     ASSERT_TRUE(reading.model) << reading.complaints();
     CheckOptions options;
     options.properties = {"stabilises"};
@@ -392,41 +394,43 @@ TEST(Explain, TheChangeThatAChartAloneBecomesStableWithoutIsNamed) {
     ASSERT_TRUE(report) << reading.complaints();
     const ChartRun& run = report->answers.at(0).trace.value();
     EXPECT_EQ(verify(run), std::vector<std::string>{});
-    EXPECT_EQ(run.left_out_values.size(), 1U);
+    EXPECT_EQ(run.counterfactual_values.size(), 1U);
     EXPECT_NE(text_of(*report).find("the property holds along the run\n"), std::string::npos) << text_of(*report);
 }
 
 /// Omitted moves without which the property holds.
-std::string needing(const Why& why, const std::string& property) {
+std::string needing(const ProofExplanation& why, const std::string& property) {
     std::string text;
-    for (const Why::Thing& thing : why.things)
+    for (const ProofExplanation::ModelElement& thing : why.things)
         if (std::ranges::find(thing.needed_by, property) != thing.needed_by.end())
             text += fmt::format("{} {}{}; ", word(thing.kind), thing.name, thing.of.empty() ? "" : " of " + thing.of);
     return text;
 }
 
 TEST(Explain, ProofWithoutAssumptionsHasAnEmptyCore) {
-    Reading reading = read_string(std::string(lamps) +
-                                      " closed_loop asked { controller c; environment A = push_button(OUT = a);"
-                                      "property apart: never X0 && X1; property idle: always X0 && X1 => red && green;"
-                                      "property on: reachable red; }",
-                                  "c");
+    ParseResult reading =
+        read_string(std::string(lamps) +
+                        " closed_loop requested { controller c; environment A = push_button(OUT = a);"
+                        "property apart: never X0 && X1; property idle: always X0 && X1 => red && green;"
+                        "property on: reachable red; }",
+                    "c");
     ASSERT_TRUE(reading.model) << reading.complaints();
     const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
-    const Why why = why_it_holds(*reading.model, {0}, {}, {}, report.value());
+    const ProofExplanation why = why_it_holds(*reading.model, {0}, {}, {}, report.value());
     ASSERT_EQ(why.grounds.size(), 3U);
-    EXPECT_EQ(why.grounds[0], (Why::Ground{.property = "apart", .about_states = true}));
-    EXPECT_EQ(why.grounds[1], (Why::Ground{.property = "idle", .about_states = true, .never_asked = true}));
-    EXPECT_EQ(why.grounds[2], (Why::Ground{.property = "on"}));
+    EXPECT_EQ(why.grounds[0], (ProofExplanation::ProofCore{.property = "apart", .about_states = true}));
+    EXPECT_EQ(why.grounds[1], (ProofExplanation::ProofCore{.property = "idle", .about_states = true, .vacuous = true}));
+    EXPECT_EQ(why.grounds[2], (ProofExplanation::ProofCore{.property = "on"}));
     EXPECT_EQ(why.unneeded_parts, std::vector<std::string>{"A"});
     EXPECT_EQ(why.ended, "");
     EXPECT_EQ(needing(why, "apart"), "");
     EXPECT_EQ(needing(why, "on"), "transition t0; step 1; term a of t0; term !a of t1; edge idle -> idle of A; ");
-    EXPECT_TRUE(std::ranges::all_of(why.things, [](const Why::Thing& thing) { return thing.open.empty(); }));
+    EXPECT_TRUE(std::ranges::all_of(why.things,
+                                    [](const ProofExplanation::ModelElement& thing) { return thing.open.empty(); }));
 }
 
 /// The explanations for a chart with a button and a lift, whose door is monitored.
-Why why_of_lift(const std::string& chart, const std::string& properties, Reading& reading) {
+ProofExplanation why_of_lift(const std::string& chart, const std::string& properties, ParseResult& reading) {
     reading = read_string(chart + R"(
 component lift(input UP; output TOP; TRAVEL = 2s) {
     clock t;
@@ -437,7 +441,7 @@ component lift(input UP; output TOP; TRAVEL = 2s) {
     timed rising -> up when t == TRAVEL do TOP := true;
     urgent up -> down when !UP do TOP := false;
 }
-closed_loop asked { controller c; environment A = push_button(OUT = a); plant Lift = lift(UP = up, TOP = top); )" +
+closed_loop requested { controller c; environment A = push_button(OUT = a); plant Lift = lift(UP = up, TOP = top); )" +
                               properties + " }",
                           "c");
     EXPECT_TRUE(reading.model) << reading.complaints();
@@ -459,14 +463,14 @@ constexpr const char* lifted = R"(grafcet c {
 })";
 
 TEST(Explain, UncoveredStepsTermsGuardsAndEdgesAreListed) {
-    Reading reading;
-    const Why why = why_of_lift(lifted,
-                                "property served: reachable X2; property calls: reachable called;"
-                                "property calm: never Lift.rising && X0 at stable;",
-                                reading);
+    ParseResult reading;
+    const ProofExplanation why = why_of_lift(lifted,
+                                             "property served: reachable X2; property calls: reachable called;"
+                                             "property calm: never Lift.rising && X0 at stable;",
+                                             reading);
     ASSERT_EQ(why.grounds.size(), 4U);
     std::string all;
-    for (const Why::Thing& thing : why.things)
+    for (const ProofExplanation::ModelElement& thing : why.things)
         all += fmt::format("{} {} {}{}; ", word(thing.kind), thing.name, thing.nth > 1 ? "again " : "", thing.of);
     EXPECT_EQ(all,
               "transition t0 ; transition t1 ; transition t2 ; step 1 ; step 2 ; "
@@ -483,21 +487,21 @@ TEST(Explain, UncoveredStepsTermsGuardsAndEdgesAreListed) {
 }
 
 TEST(Explain, AblationOfOneInstanceKeepsTheRangesOfOthers) {
-    Reading reading = read_string(std::string(lamps) + R"(
+    ParseResult reading = read_string(std::string(lamps) + R"(
 component level(output X: int 0..MOST; MOST) {
     clock t;
     initial location here;
     timed here -> here when X < 3 && t >= 1s do X := X + 1, t := 0;
 }
-closed_loop asked {
+closed_loop requested {
     controller c; environment A = push_button(OUT = a);
     plant Low = level(X = low, MOST = 2); plant High = level(X = high, MOST = 4);
     property full: reachable low == 3; property filled: never low == 4;
 })",
-                                  "c");
+                                      "c");
     ASSERT_TRUE(reading.model) << reading.complaints();
     const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
-    const Why why = why_it_holds(*reading.model, {0}, {}, {}, report.value());
+    const ProofExplanation why = why_it_holds(*reading.model, {0}, {}, {}, report.value());
     ASSERT_EQ(why.grounds.size(), 2U);
     EXPECT_EQ(needing(why, "full"), "term a of t0; edge here -> here of Low; ");  // without it the chart never
                                                                                   // stabilizes
@@ -505,21 +509,21 @@ closed_loop asked {
 }
 
 TEST(Explain, UntriedElementsAreOmittedAtTheTimeLimit) {
-    Reading reading = read_string(std::string(lamps) +
-                                      " closed_loop asked { controller c; environment A = push_button(OUT = a);"
-                                      "property apart: never X0 && X1; }",
-                                  "c");
+    ParseResult reading = read_string(std::string(lamps) +
+                                          " closed_loop requested { controller c; environment A = push_button(OUT = a);"
+                                          "property apart: never X0 && X1; }",
+                                      "c");
     ASSERT_TRUE(reading.model) << reading.complaints();
     const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
     CheckOptions options;
     options.limits.deadline = std::chrono::steady_clock::now();
-    const Why why = why_it_holds(*reading.model, {0}, {}, options, report.value());
+    const ProofExplanation why = why_it_holds(*reading.model, {0}, {}, options, report.value());
     ASSERT_EQ(why.grounds.size(), 1U);
     EXPECT_EQ(why.grounds[0].open, std::vector<std::string>{"all other parts"});
     EXPECT_FALSE(why.things.empty());
-    for (const Why::Thing& thing : why.things) {
+    for (const ProofExplanation::ModelElement& thing : why.things) {
         // Without an edge that is not forced there is no new behaviour, so no search is needed.
-        if (thing.kind == Why::Kind::Edge) EXPECT_EQ(thing.open, std::vector<std::string>{}) << thing.name;
+        if (thing.kind == ProofExplanation::Kind::Edge) EXPECT_EQ(thing.open, std::vector<std::string>{}) << thing.name;
         else EXPECT_EQ(thing.open, std::vector<std::string>{"apart"}) << thing.name;
     }
     EXPECT_TRUE(why.unneeded_parts.empty());

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "support/law_size.hpp"
 #include "support/random_chart.hpp"
+#include "support/test_size.hpp"
 
 namespace grafverif {
 namespace {
@@ -66,7 +66,7 @@ std::int64_t computed_with_32_bits(const Exprs& exprs, Id<Expr> term, const std:
 
 TEST(Interval, TermsThatAreNotWideAreTheSameWith32Bits) {
     int narrow = 0, wide_and_other = 0;
-    for (int seed = 1; seed <= law_size(2000); ++seed) {
+    for (int seed = 1; seed <= test_size(2000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         IntegerTerms terms;
         for (int k = 0; k < 3; ++k) {
@@ -90,8 +90,8 @@ TEST(Interval, TermsThatAreNotWideAreTheSameWith32Bits) {
         }
         wide_and_other += wide && other ? 1 : 0;
     }
-    EXPECT_GT(narrow, law_size(400));
-    EXPECT_GT(wide_and_other, law_size(400));
+    EXPECT_GT(narrow, test_size(400));
+    EXPECT_GT(wide_and_other, test_size(400));
 }
 
 }  // namespace

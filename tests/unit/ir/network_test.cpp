@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <functional>
 
-#include "support/law_size.hpp"
 #include "support/naive_tadd.hpp"
 #include "support/print_network.hpp"
 #include "support/random_network.hpp"
+#include "support/test_size.hpp"
 
 namespace grafverif {
 namespace {
@@ -156,8 +156,8 @@ TEST(Network, ExpandWritesArgumentsInPlaceOfParameters) {
               "plant Mover = Mover() initially still\n");
 }
 
-TEST(NetworkLaw, RandomNetworksAreWellFormedAndExpandToTheSameStates) {
-    for (int seed = 1; seed <= law_size(300); ++seed) {
+TEST(RandomizedNetwork, RandomNetworksAreWellFormedAndExpandToTheSameStates) {
+    for (int seed = 1; seed <= test_size(300); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const Network network = random_network(random);
         ASSERT_EQ(verify(network), std::vector<std::string>{}) << "seed " << seed << '\n' << network_text(network);
@@ -179,8 +179,8 @@ TEST(NetworkLaw, RandomNetworksAreWellFormedAndExpandToTheSameStates) {
     }
 }
 
-TEST(NetworkLaw, ExpandingTwiceChangesNothing) {
-    for (int seed = 1; seed <= law_size(100); ++seed) {
+TEST(RandomizedNetwork, ExpandingTwiceChangesNothing) {
+    for (int seed = 1; seed <= test_size(100); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const Network once = expand(random_network(random));
         ASSERT_EQ(network_text(expand(once)), network_text(once)) << "seed " << seed;

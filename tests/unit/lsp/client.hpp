@@ -27,7 +27,7 @@ inline constexpr const char* address = "file:///nowhere/a.grafcet";
 
 class Client {
 public:
-    explicit Client(Surroundings surroundings = {}) : surroundings_(std::move(surroundings)) {
+    explicit Client(ServerEnvironment surroundings = {}) : surroundings_(std::move(surroundings)) {
         surroundings_.hang_up = [this] { hang_up(); };
         server_ = std::thread([this] {
             const Ending ending = converse([this](std::span<char> room) { return give(room); },
@@ -157,7 +157,7 @@ private:
         return message;
     }
 
-    Surroundings surroundings_;
+    ServerEnvironment surroundings_;
     std::mutex door_ = {};
     std::condition_variable wake_ = {};
     std::string to_server_ = {};

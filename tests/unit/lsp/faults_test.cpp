@@ -56,7 +56,7 @@ TEST(LspFaults, AWorkspaceOfTheKernelIsLeftOut) {
         client.open(address, wrong);
         EXPECT_EQ(client.diagnostics(address)[0]["code"], "unknown-variable");
         client.notify("exit", nullptr);
-        EXPECT_EQ(client.ending(), Ending::Unasked);
+        EXPECT_EQ(client.ending(), Ending::Unrequested);
     }
 }
 

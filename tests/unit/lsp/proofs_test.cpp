@@ -67,7 +67,7 @@ TEST(LspProofs, ReportViolationsWithTheirSteps) {
 }
 
 TEST(LspProofs, AgreeWithCheck) {
-    const Reading reading = read_string(blinking, "blinking");
+    const ParseResult reading = read_string(blinking, "blinking");
     ASSERT_TRUE(reading.model);
     Diagnostics diagnostics;
     const auto report = check(*reading.model, Id<ClosedLoop>{0}, {}, {}, diagnostics);
@@ -77,7 +77,7 @@ TEST(LspProofs, AgreeWithCheck) {
     client.open(address, blinking);
     client.result("workspace/executeCommand", {{"command", "grafverif.check"}, {"arguments", {address}}});
     client.next("textDocument/publishDiagnostics", [](const Json& params) { return !params["diagnostics"].empty(); });
-    for (const Answer& answer : report->answers) {
+    for (const PropertyResult& answer : report->answers) {
         const Json shown = client.result(
             "workspace/executeCommand",
             {{"command", "grafverif.showVerdict"}, {"arguments", {address, "all", answer.verdict.property}}});
@@ -107,7 +107,7 @@ TEST(LspProofs, ReportErrorsOfTheDerivedModels) {
                 "grafcet a {\n    input A;\n    internal N: int 0..3;\n    initial step 0;\n    transition t: 0 -> 0 "
                 "when A do N := 9;\n}\n");
     const Json told = client.next("textDocument/publishDiagnostics", [](const Json&) { return true; })["diagnostics"];
-    Reading reading = read_string(
+    ParseResult reading = read_string(
         "grafcet a {\n    input A;\n    internal N: int 0..3;\n    initial step 0;\n    transition t: 0 -> 0 when A do "
         "N := 9;\n}\n",
         "a");

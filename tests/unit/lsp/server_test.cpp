@@ -20,14 +20,14 @@ TEST(LspServer, ListsItsCapabilitiesAndEndsOnRequest) {
     EXPECT_TRUE(client.result("shutdown", nullptr).is_null());
     EXPECT_EQ(code_of(client.answer(client.ask("textDocument/hover", Json::object()))), -32600);
     client.notify("exit", nullptr);
-    EXPECT_EQ(client.ending(), Ending::Asked);
+    EXPECT_EQ(client.ending(), Ending::Requested);
 }
 
 TEST(LspServer, EndsWithoutShutdownAndReportsIt) {
     Client client;
     client.begin();
     client.notify("exit", nullptr);
-    EXPECT_EQ(client.ending(), Ending::Unasked);
+    EXPECT_EQ(client.ending(), Ending::Unrequested);
 }
 
 TEST(LspServer, EndsWithTheClientEvenDuringAMessage) {

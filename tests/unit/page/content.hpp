@@ -16,7 +16,7 @@ namespace grafverif {
 
 /// The parse result outlives the page.
 struct Made {
-    Reading reading = {};
+    ParseResult reading = {};
     std::string page = {};
     nlohmann::json data = {};
 };

@@ -145,7 +145,7 @@ TEST(Page, OfAChartAloneStatesThatItsInputsAreFree) {
 }
 
 TEST(Page, StatesTheLengthOfARunThatIsTooLongToPlay) {
-    const Reading reading = read_string(press, "test.grafcet");
+    const ParseResult reading = read_string(press, "test.grafcet");
     const Model& model = *reading.model;
     Diagnostics diagnostics;
     PageContent content{.model = model, .sources = reading.sources, .loop = {0}};
@@ -157,16 +157,16 @@ TEST(Page, StatesTheLengthOfARunThatIsTooLongToPlay) {
     EXPECT_NE(page.find("The counterexample has 1000000 steps"), std::string::npos);
     EXPECT_EQ(page.find("data-run=\"idle\""), std::string::npos);
     EXPECT_LT(page.size(), 1'000'000U);
-    for (Answer& answer : content.report.answers)
+    for (PropertyResult& answer : content.report.answers)
         if (answer.trace) answer.trace->moments.resize(60'000, answer.trace->moments.back());
     EXPECT_EQ(count_of(page_of(content), "\"loop_from\":"), 1U) << "two would be too long together";
 }
 
 TEST(Page, SummaryIsPositiveOnlyIfTheChartHasNoErrors) {
-    const Reading reading = read_string(press, "test.grafcet");
+    const ParseResult reading = read_string(press, "test.grafcet");
     const Model& model = *reading.model;
     Diagnostics diagnostics;
-    PageContent content{.model = model, .sources = reading.sources, .asked = {"sound"}, .loop = {0}};
+    PageContent content{.model = model, .sources = reading.sources, .requested = {"sound"}, .loop = {0}};
     content.report = *check(model, {0}, {}, {.properties = {"sound"}}, diagnostics);
     content.charts.push_back({.chart = {0}, .equations = *equations_of(model, {0}, diagnostics)});
     const auto glance = [&] { return between(page_of(content), "<p class=\"glance ", "</strong>"); };

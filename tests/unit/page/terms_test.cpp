@@ -11,7 +11,7 @@ using Json = nlohmann::ordered_json;
 const Json& node(const Json& chart, const Json& place) { return chart["terms"][place.get<std::size_t>()]; }
 
 TEST(Terms, OfAConditionUnfoldIntoLeavesWithTheirPlaces) {
-    const Reading reading = read_string(press, "test.grafcet");
+    const ParseResult reading = read_string(press, "test.grafcet");
     const Json chart = chart_json(reading.model->charts[{0}]);
     const Json& t1 = node(chart, chart["transitions"][1]["condition"]);
     EXPECT_EQ(t1["op"], "and");
@@ -29,7 +29,7 @@ TEST(Terms, OfAConditionUnfoldIntoLeavesWithTheirPlaces) {
 }
 
 TEST(Terms, OfAChartRequireTheExitStepAfterAMacroStep) {
-    const Reading reading = read_string(R"(
+    const ParseResult reading = read_string(R"(
 grafcet line {
     input A, B;
     initial step 0;
@@ -43,7 +43,7 @@ grafcet line {
     }
 }
 )",
-                                        "test.grafcet");
+                                            "test.grafcet");
     ASSERT_TRUE(reading.model) << reading.complaints();
     const Json chart = chart_json(reading.model->charts[{0}]);
     std::vector<std::string> from;
@@ -52,7 +52,7 @@ grafcet line {
 }
 
 TEST(Terms, ClaimsAreThoseOfTheFile) {
-    const Reading reading = read_string(R"(
+    const ParseResult reading = read_string(R"(
 grafcet lamp {
     input ON;
     output LAMP;
@@ -70,21 +70,21 @@ closed_loop room {
     property all: reachable all steps;
 }
 )",
-                                        "test.grafcet");
+                                            "test.grafcet");
     ASSERT_TRUE(reading.model) << reading.complaints();
     const auto claim = [&](const std::string& name) {
-        return claim_text(*reading.model, Id<ClosedLoop>{0}, name, reading.sources);
+        return expectation_text(*reading.model, Id<ClosedLoop>{0}, name, reading.sources);
     };
     EXPECT_EQ(claim("p"), "always ON => LAMP at stable");
     EXPECT_EQ(claim("q"), "never !ON || 3s/X0 || LAMP");
     EXPECT_EQ(claim("all.X0"), "reachable all steps");
     EXPECT_EQ(claim("no_race"), "");
     const Sources none;
-    EXPECT_EQ(claim_text(*reading.model, Id<ClosedLoop>{0}, "p", none), "always !ON || LAMP at stable");
+    EXPECT_EQ(expectation_text(*reading.model, Id<ClosedLoop>{0}, "p", none), "always !ON || LAMP at stable");
 }
 
 TEST(Terms, FollowTheirOperands) {
-    const Reading reading = read_string(press, "test.grafcet");
+    const ParseResult reading = read_string(press, "test.grafcet");
     const Json chart = chart_json(reading.model->charts[{0}]);
     for (std::size_t k = 0; k < chart["terms"].size(); ++k)
         for (const Json& operand : chart["terms"][k].value("args", Json::array()))
@@ -101,7 +101,7 @@ closed_loop moving {
     property p: never MOTOR && PLACE >= 2 && Arm.still && X1;
 }
 )";
-    const Reading reading = read_string(text, "test.grafcet");
+    const ParseResult reading = read_string(text, "test.grafcet");
     ASSERT_TRUE(reading.model) << reading.complaints();
     const ClosedLoop& loop = reading.model->loops[{1}];
     const Json property = property_json(*reading.model, loop, loop.properties[{0}]);
@@ -119,7 +119,7 @@ closed_loop moving {
 }
 
 TEST(Terms, ReplaceAContinuousOutputByItsActions) {
-    const Reading reading = read_string(R"(
+    const ParseResult reading = read_string(R"(
 grafcet two {
     input A;
     output LAMP, OTHER;
@@ -129,7 +129,7 @@ grafcet two {
     transition t1: 1 -> 0 when LAMP && !A;
 }
 )",
-                                        "test.grafcet");
+                                            "test.grafcet");
     ASSERT_TRUE(reading.model) << reading.complaints();
     const Json chart = chart_json(reading.model->charts[{0}]);
     const Json& both = node(chart, chart["transitions"][1]["condition"]);

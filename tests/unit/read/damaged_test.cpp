@@ -11,7 +11,7 @@
 #include "read/formats.hpp"
 #include "read/text.hpp"
 #include "support/damage.hpp"
-#include "support/law_size.hpp"
+#include "support/test_size.hpp"
 #include "syntax/language/format.hpp"
 
 namespace grafverif {
@@ -42,7 +42,7 @@ void check_damaged(const std::string& text, bool lossy) {
 
 TEST(DamagedImport, TruncatedAnywhereIsAcceptedOrRejected) {
     std::mt19937 random(1);
-    for (int i = 0; i < law_size(300); ++i) {
+    for (int i = 0; i < test_size(300); ++i) {
         const std::string& text = fixture(random());
         check_damaged(text.substr(0, random() % (text.size() + 1)), i % 2 == 0);
         if (::testing::Test::HasFatalFailure()) return;
@@ -52,7 +52,7 @@ TEST(DamagedImport, TruncatedAnywhereIsAcceptedOrRejected) {
 TEST(DamagedImport, WithChangedBytesIsAcceptedOrRejected) {
     std::mt19937 random(2);
     const std::string likely = "<>/\"=&;:()[] 0123456789ATNR.@#!\x80\xFF";
-    for (int i = 0; i < law_size(1500); ++i) {
+    for (int i = 0; i < test_size(1500); ++i) {
         SCOPED_TRACE(i);
         check_damaged(damaged(fixture(random()), {likely, 3, 60}, random), i % 2 == 0);
         if (::testing::Test::HasFatalFailure()) return;

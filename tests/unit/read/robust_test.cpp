@@ -13,9 +13,9 @@
 
 #include "read/text.hpp"
 #include "support/damage.hpp"
-#include "support/law_size.hpp"
 #include "support/print_model.hpp"
 #include "support/random_chart.hpp"
+#include "support/test_size.hpp"
 #include "syntax/language/format.hpp"
 #include "syntax/language/parse.hpp"
 
@@ -33,7 +33,7 @@ std::string content(const fs::path& path) {
 
 std::vector<std::string> texts() {
     std::vector<fs::path> paths;
-    for (const char* folder : {"samples", "templates", "tests/rejects"})
+    for (const char* folder : {"samples", "templates", "tests/diagnostics"})
         for (const auto& entry : fs::recursive_directory_iterator(fs::path(GRAFVERIF_SOURCE_DIR) / folder))
             if (entry.path().extension() == ".grafcet") paths.push_back(entry.path());
     std::ranges::sort(paths);
@@ -65,7 +65,7 @@ TEST(DamagedText, TruncatedAnywhereIsAcceptedOrRejected) {
     std::mt19937 random(1);
     const std::vector<std::string> all = texts();
     ASSERT_GT(all.size(), 50u);
-    for (int i = 0; i < law_size(1500); ++i) {
+    for (int i = 0; i < test_size(1500); ++i) {
         const std::string& text = all[random() % all.size()];
         const std::size_t length = random() % (text.size() + 1);
         SCOPED_TRACE(length);
@@ -79,7 +79,7 @@ TEST(DamagedText, WithChangedBytesIsAcceptedOrRejected) {
     std::mt19937 random(2);
     const std::vector<std::string> all = texts();
     const std::string likely = "{}();:,.=<>!&|+-*/%\"'_ \n\t0123456789aXs\\#\x80\xE2\xFF";
-    for (int i = 0; i < law_size(2500); ++i) {
+    for (int i = 0; i < test_size(2500); ++i) {
         SCOPED_TRACE(i);
         check(damaged(all[random() % all.size()], {likely, 4, 40}, random));
         if (::testing::Test::HasFatalFailure()) return;
@@ -88,7 +88,7 @@ TEST(DamagedText, WithChangedBytesIsAcceptedOrRejected) {
 
 TEST(PrintModel, PrintsRandomChartsSoThatTheyReadBackAsThemselves) {
     int read = 0;
-    for (int seed = 1; seed <= law_size(300); ++seed) {
+    for (int seed = 1; seed <= test_size(300); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         std::ostringstream once, twice;
         print(once, random_chart(random));

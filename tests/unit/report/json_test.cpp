@@ -108,7 +108,7 @@ TEST(Json, GivesAllInputsAndOutputsInEveryStep) {
 
 TEST(Json, ListsModelErrors) {
     Report report = sample_report();
-    report.breakdowns = {{"action-race", "two actions race", sample_run()}};
+    report.error_traces = {{"action-race", "two actions race", sample_run()}};
     const Json errors = json(report)["errors"];
     ASSERT_EQ(errors.size(), 1u);
     EXPECT_EQ(keys(errors[0]), (std::vector<std::string>{"code", "message", "trace"}));

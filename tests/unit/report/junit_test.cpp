@@ -60,7 +60,7 @@ TEST(Junit, PutsTheTraceIntoTheFailure) {
 
 TEST(Junit, CountsABreakdownAsAFailure) {
     Report report = sample_report();
-    report.breakdowns = {{"out-of-range", "`X` would leave \"its\" range\x01", sample_run()}};
+    report.error_traces = {{"out-of-range", "`X` would leave \"its\" range\x01", sample_run()}};
     Read result;
     read(report, result);
     EXPECT_EQ(result.suite.attribute("failures").as_int(), 2);

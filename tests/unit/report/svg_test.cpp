@@ -151,7 +151,7 @@ TEST(Svg, CutsALongTraceIntoStripsThatNameTheirRows) {
     ChartRun run = sample_run();
     run.loop = run.loop_from = {};
     for (std::size_t k = 0; k < 95; ++k) {
-        ChartRun::Moment moment = run.moments.back();
+        ChartRun::Event moment = run.moments.back();
         moment.after.time_ms += 100;
         moment.after.values[0] = static_cast<std::int64_t>(k % 2);
         run.moments.push_back(moment);

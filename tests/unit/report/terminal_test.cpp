@@ -29,7 +29,7 @@ TEST(Terminal, ReportsOfVeryManyPropertiesArePrinted) {
     constexpr std::size_t many = 100'000;
     Report report{"wide", {}};
     for (std::size_t k = 0; k < many; ++k) {
-        Answer& answer = report.answers.emplace_back();
+        PropertyResult& answer = report.answers.emplace_back();
         answer.verdict.property = "reachable.X" + std::to_string(k);
         answer.verdict.reason = "stopped";
         answer.verdict.notes = {"note " + std::to_string(k)};
@@ -38,7 +38,7 @@ TEST(Terminal, ReportsOfVeryManyPropertiesArePrinted) {
     std::ostringstream out;
     print_report(report, {.failures_only = true}, out);
     EXPECT_NE(out.str().find("note: note 99999"), std::string::npos);
-    for (Answer& answer : report.answers) answer.verdict.notes.clear(), answer.verdict.scope = {};
+    for (PropertyResult& answer : report.answers) answer.verdict.notes.clear(), answer.verdict.scope = {};
     std::ostringstream shared;
     print_report(report, {.failures_only = true}, shared);
     EXPECT_NE(shared.str().find("\nreachable: unknown\n    why: stopped\n"), std::string::npos)
@@ -133,9 +133,10 @@ TEST(Terminal, PrintsSharedAssumptionsOnce) {
 
 TEST(Terminal, PrintsTheSeparateAssumptionsOfEachGroup) {
     Report report{"station", {"timed", "every-cycle", "atomic", 1000}, {}, {}};
-    const Scope alone{{"left"}, {"right"}, "has no say"};
-    const auto answer = [](const char* name, const char* states, const Scope& scope) {
-        return Answer{{.property = name, .outcome = Outcome::Holds, .states = states, .scope = scope}, "", {}, {}, ""};
+    const SearchScope alone{{"left"}, {"right"}, "has no say"};
+    const auto answer = [](const char* name, const char* states, const SearchScope& scope) {
+        return PropertyResult{
+            {.property = name, .outcome = Outcome::Holds, .states = states, .scope = scope}, "", {}, {}, ""};
     };
     report.answers = {answer("A", "7", alone), answer("S.X1", "9", {}), answer("S.X2", "9", {}),
                       answer("B", "7", alone), answer("T.X1", "9", {}), answer("T.X2", "7", alone)};
@@ -195,7 +196,7 @@ TEST(Terminal, PrintsNotesOfHoldingPropertiesWithTheAssumptions) {
     EXPECT_NE(told.find("no_timelock (not declared)  unknown\n"), std::string::npos) << told;
     report.answers[1].verdict.notes = {"of this one"};
     EXPECT_NE(text(report).find("violated\n    note: of this one\ncounterexample:"), std::string::npos) << text(report);
-    for (Answer& answer : report.answers) answer.verdict.notes = {"of all"};
+    for (PropertyResult& answer : report.answers) answer.verdict.notes = {"of all"};
     EXPECT_NE(text(report).find("    note: of all\n"), std::string::npos) << text(report);
     EXPECT_EQ(text(report).find("of all"), text(report).rfind("of all")) << text(report);
 }
@@ -248,7 +249,7 @@ TEST(Terminal, PrintsTheSharedReasonOfUnknownVerdictsOnce) {
     for (const char* name : {"Q1", "Q2"})
         report.answers.push_back({{.property = name,
                                    .outcome = Outcome::Unknown,
-                                   .obstacle = Obstacle::Bound,
+                                   .obstacle = UnknownReason::Bound,
                                    .reason = "state limit reached: 7 states"},
                                   "",
                                   {},
@@ -295,7 +296,7 @@ TEST(Terminal, ShowsWitnessesOnlyOnRequest) {
 
 TEST(Terminal, ShowsModelErrorsFirst) {
     Report report = sample_report();
-    report.breakdowns = {{"out-of-range", "`X` would leave its range 0..20", sample_run()}};
+    report.error_traces = {{"out-of-range", "`X` would leave its range 0..20", sample_run()}};
     EXPECT_TRUE(text(report).starts_with("model error: `X` would leave its range 0..20 [out-of-range]\n"))
         << text(report);
     EXPECT_NE(text(report).find("1 model error"), std::string::npos);

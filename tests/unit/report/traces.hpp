@@ -45,10 +45,10 @@ inline Report sample_report() {
                      .transitions = 20,
                      .seconds = 0.25};
     Verdict unknown{
-        .property = "P3", .obstacle = Obstacle::Bound, .reason = "12 states are not enough", .states = "12"};
+        .property = "P3", .obstacle = UnknownReason::Bound, .reason = "12 states are not enough", .states = "12"};
     Verdict timelock{.property = "no_timelock",
                      .pattern = Pattern::NoTimelock,
-                     .obstacle = Obstacle::Inexact,
+                     .obstacle = UnknownReason::Inexact,
                      .reason = "`Slide` may be stuck between two ticks",
                      .declared = false};
     Verdict expected{.property = "P4", .outcome = Outcome::Violated, .expected_violated = true};

@@ -102,7 +102,7 @@ TEST(Vcd, GivesEverySignalAValueAtTheStart) {
 TEST(Vcd, HasCodesForMoreSignalsThanCharacters) {
     ChartRun run = sample_run();
     for (int i = 0; i < 20'000; ++i) run.signals.add({ChartRun::Role::Plant, "p" + std::to_string(i), {}});
-    for (ChartRun::Moment& moment : run.moments) moment.after.values.resize(run.signals.size());
+    for (ChartRun::Event& moment : run.moments) moment.after.values.resize(run.signals.size());
     const Waves waves = read(dump(run));
     std::set<std::string> codes;
     for (const auto& [name, code] : waves.codes) codes.insert(code);

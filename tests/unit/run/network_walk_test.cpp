@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "support/law_size.hpp"
 #include "support/random_walk.hpp"
 #include "support/read_loop.hpp"
+#include "support/test_size.hpp"
 
 namespace grafverif {
 namespace {
@@ -50,12 +50,12 @@ TEST(NetworkWalk, AnInvariantLimitsHowFarTimeGoes) {
     EXPECT_EQ(leeway(loop.network, rested(loop.network, state)), (Leeway{true, {}, {}}));
 }
 
-TEST(NetworkWalkLaw, LeewayIsExactlyTheTimeThatMayPass) {
+TEST(RandomizedNetworkWalk, LeewayIsExactlyTheTimeThatMayPass) {
     for (const char* sample :
          {"oven_door/oven_door.grafcet", "tanks/tanks.grafcet", "testing_station/testing_station.grafcet"}) {
         const Network network = read_sample(sample).network;
         Random random(7);
-        const auto run = random_walk(network, random, law_size(300));
+        const auto run = random_walk(network, random, test_size(300));
         NetworkState state = initial_state(network);
         for (const Move& move : run.moves) {
             perform(network, state, move);

@@ -6,11 +6,11 @@
 #include "derive/derive.hpp"
 #include "ir/network_run.hpp"
 #include "run/project.hpp"
-#include "support/law_size.hpp"
 #include "support/print_network.hpp"
 #include "support/random_loop.hpp"
 #include "support/random_walk.hpp"
 #include "support/read_loop.hpp"
+#include "support/test_size.hpp"
 
 namespace grafverif {
 namespace {
@@ -35,7 +35,7 @@ TEST(Replay, EveryWalkThroughTheSamplesReplays) {
                                "testing_station/testing_station.grafcet", "testing_station/faulty.grafcet"}) {
         for (const ComposeOptions& options : all_options()) {
             const LoopUnderTest loop = read_sample(sample, options);
-            for (int seed = 1; seed <= law_size(2); ++seed) {
+            for (int seed = 1; seed <= test_size(2); ++seed) {
                 SCOPED_TRACE(std::string(sample) + ", seed " + std::to_string(seed));
                 Random random(static_cast<std::uint64_t>(seed));
                 const auto run = random_walk(loop.network, random, 300);
@@ -68,9 +68,9 @@ void meet(const Network& network, const Run& run, Met& met) {
     if (network.race.valid() && state.variables[network.race.index] != 0) ++met.races;
 }
 
-TEST(ReplayLaw, EveryWalkThroughARandomLoopReplays) {
+TEST(RandomizedReplay, EveryWalkThroughARandomLoopReplays) {
     Met met;
-    for (int seed = 1; seed <= law_size(60); ++seed) {
+    for (int seed = 1; seed <= test_size(60); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         const Model model = random_loop(random);
@@ -85,13 +85,13 @@ TEST(ReplayLaw, EveryWalkThroughARandomLoopReplays) {
         }
         ++met.loops;
     }
-    EXPECT_GT(met.loops, law_size(30));
-    EXPECT_GT(met.evolutions, law_size(400));
-    EXPECT_GT(met.timers, law_size(4));
+    EXPECT_GT(met.loops, test_size(30));
+    EXPECT_GT(met.evolutions, test_size(400));
+    EXPECT_GT(met.timers, test_size(4));
     EXPECT_GT(met.races, 0);
 }
 
-TEST(ReplayLaw, ADelayMayEndInTheVeryInstantThatItsTermFalls) {
+TEST(RandomizedReplay, ADelayMayEndInTheVeryInstantThatItsTermFalls) {
     // After the inputs were sampled and before the evolution; for the second one an older fall still counts then.
     constexpr const char* text = R"(
         grafcet light {
@@ -107,7 +107,7 @@ TEST(ReplayLaw, ADelayMayEndInTheVeryInstantThatItsTermFalls) {
         })";
     for (const ComposeOptions& options : all_options()) {
         const LoopUnderTest loop = read_loop(text, options);
-        for (int seed = 1; seed <= law_size(5); ++seed) {
+        for (int seed = 1; seed <= test_size(5); ++seed) {
             Random random(static_cast<std::uint64_t>(seed));
             ASSERT_EQ(complaint(loop, random_walk(loop.network, random, 1000)), "") << "seed " << seed;
         }

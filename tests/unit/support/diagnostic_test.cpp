@@ -131,7 +131,7 @@ TEST(RenderText, OrdersByPlaceAndKeepsNotesWithTheirError) {
     EXPECT_LT(shown.find(":2:1: error"), shown.find(":1:1: note: first declared here"));
 }
 
-TEST(RenderText, ColoursOnlyWhenAsked) {
+TEST(RenderText, ColoursOnlyOnRequest) {
     const Sources sources = one("abc");
     EXPECT_EQ(text({error_at(0, 1)}, sources).find('\x1b'), std::string::npos);
     EXPECT_NE(text({error_at(0, 1)}, sources, Colour::Ansi).find("\x1b[1;31merror"), std::string::npos);

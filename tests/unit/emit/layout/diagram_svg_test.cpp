@@ -11,7 +11,7 @@
 #include "emit/layout/diagram.hpp"
 #include "grafverif/grafverif.hpp"
 #include "scene.hpp"
-#include "support/law_size.hpp"
+#include "support/test_size.hpp"
 
 namespace grafverif {
 namespace {
@@ -112,8 +112,8 @@ Diagram random_diagram(std::mt19937& random, std::size_t most) {
     return diagram;
 }
 
-TEST(DiagramSvgLaw, AllOfADiagramIsOnThePageAndNothingOverlaps) {
-    for (int seed = 1; seed <= law_size(60); ++seed) {
+TEST(RandomizedDiagramSvg, AllOfADiagramIsOnThePageAndNothingOverlaps) {
+    for (int seed = 1; seed <= test_size(60); ++seed) {
         SCOPED_TRACE(seed);
         std::mt19937 random(static_cast<unsigned>(seed));
         const Diagram diagram = random_diagram(random, 30);
@@ -126,7 +126,7 @@ TEST(DiagramSvg, AutomataAndMachinesOfTheSamplesAreDrawn) {
     int drawn = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(GRAFVERIF_SOURCE_DIR "/samples")) {
         if (entry.path().extension() != ".grafcet") continue;
-        Reading reading = read_file(entry.path().string());
+        ParseResult reading = read_file(entry.path().string());
         ASSERT_TRUE(reading.model) << entry.path();
         for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
             SCOPED_TRACE(entry.path());
@@ -146,7 +146,7 @@ TEST(DiagramSvg, ComponentsOfTheLibraryAreDrawn) {
     std::size_t drawn = 0;
     for (const auto& entry : std::filesystem::directory_iterator(GRAFVERIF_SOURCE_DIR "/templates")) {
         if (entry.path().extension() != ".grafcet") continue;
-        const Reading reading = read_file(entry.path().string());
+        const ParseResult reading = read_file(entry.path().string());
         ASSERT_TRUE(reading.model) << entry.path();
         for (const Component& component : reading.model->components) {
             SCOPED_TRACE(component.name);
@@ -159,7 +159,7 @@ TEST(DiagramSvg, ComponentsOfTheLibraryAreDrawn) {
 }
 
 TEST(DiagramSvg, AComponentShowsItsInvariantsGuardsAndAssignments) {
-    const Reading reading = read_string(
+    const ParseResult reading = read_string(
         "component door(input OPEN; output WIDE: int 0..3; WIDE_max = 3, STEP = 2s) { clock t;\n"
         "initial location shut; location moves invariant t <= STEP; location lost;\n"
         "urgent shut -> moves when OPEN do t := 0;\n"

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "scene.hpp"
-#include "support/law_size.hpp"
+#include "support/test_size.hpp"
 
 namespace grafverif {
 namespace {
@@ -55,8 +55,8 @@ Scene scene_of(const States& states, const Layered& drawing) {
     return scene;
 }
 
-TEST(LayeredLaw, NothingOverlapsAndEveryArrowJoinsItsNodes) {
-    for (int seed = 1; seed <= law_size(400); ++seed) {
+TEST(RandomizedLayered, NothingOverlapsAndEveryArrowJoinsItsNodes) {
+    for (int seed = 1; seed <= test_size(400); ++seed) {
         std::mt19937 random(static_cast<unsigned>(seed));
         const States states = random_states(random);
         for (const Direction direction : {Direction::Across, Direction::Down}) {
@@ -79,8 +79,8 @@ TEST(LayeredLaw, NothingOverlapsAndEveryArrowJoinsItsNodes) {
 }
 
 /// Each label is next to the first stretch of its line, closer to it than to any other line.
-TEST(LayeredLaw, LabelsAreNextToTheirLines) {
-    for (int seed = 1; seed <= law_size(100); ++seed) {
+TEST(RandomizedLayered, LabelsAreNextToTheirLines) {
+    for (int seed = 1; seed <= test_size(100); ++seed) {
         SCOPED_TRACE(seed);
         std::mt19937 random(static_cast<unsigned>(seed));
         const States states = random_states(random);

@@ -14,10 +14,10 @@
 #include <sstream>
 
 #include "check/timed/timed.hpp"
-#include "support/law_size.hpp"
 #include "support/random_loop.hpp"
 #include "support/random_network.hpp"
 #include "support/read_loop.hpp"
+#include "support/test_size.hpp"
 
 namespace grafverif {
 namespace {
@@ -117,7 +117,7 @@ TEST_F(Pins, EverySampleHasTheStatesOfTheTimedEngine) {
 
 TEST_F(Pins, RandomClosedLoopsHaveTheStatesOfTheTimedEngine) {
     int compared = 0;
-    for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(law_size(6)); ++seed) {
+    for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(test_size(6)); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const Model model = random_loop(random);
@@ -133,7 +133,7 @@ TEST_F(Pins, RandomClosedLoopsHaveTheStatesOfTheTimedEngine) {
 
 TEST_F(Pins, RandomNetworksHaveTheStatesOfTheTimedEngine) {
     Random random(11);
-    const int cases = law_size(25);
+    const int cases = test_size(25);
     int compared = 0;
     for (int i = 0; i < cases; ++i) {
         SCOPED_TRACE(i);

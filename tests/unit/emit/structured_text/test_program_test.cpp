@@ -7,9 +7,9 @@
 #include "derive/derive.hpp"
 #include "emit/structured_text/structured_text.hpp"
 #include "run/interpreter.hpp"
-#include "support/law_size.hpp"
 #include "support/random_chart.hpp"
 #include "support/run_structured_text.hpp"
+#include "support/test_size.hpp"
 
 namespace grafverif {
 namespace {
@@ -81,7 +81,7 @@ void run(SmallPlc& plc) {
 
 TEST(StructuredTextTest, FindsTheRowThatDiffersAndNoOther) {
     int tests = 0, waits = 0, differences = 0, several = 0;
-    for (int seed = 1; seed <= law_size(120); ++seed) {
+    for (int seed = 1; seed <= test_size(120); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const Chart chart = random_chart(random);
         Diagnostics diagnostics;

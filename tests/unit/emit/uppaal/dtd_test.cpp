@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "emit/uppaal/uppaal.hpp"
-#include "support/law_size.hpp"
 #include "support/random_network.hpp"
+#include "support/test_size.hpp"
 #include "unit/emit/uppaal/hand_networks.hpp"
 #include "unit/emit/uppaal/project_text.hpp"
 
@@ -22,7 +22,7 @@ TEST(UppaalDtd, HoldsForProjects) {
     EXPECT_TRUE(is_valid(test::project(test::station())));
     EXPECT_TRUE(is_valid(test::project(test::awkward_names())));
     EXPECT_TRUE(is_valid(test::project(test::crowded())));
-    for (int seed = 0; seed < law_size(20); ++seed) {
+    for (int seed = 0; seed < test_size(20); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         EXPECT_TRUE(is_valid(test::project(random_network(random)))) << "seed " << seed;
     }

@@ -128,19 +128,20 @@ Template timer(Hand& h) {
     automaton.locations.add({"done", {}, {}});
     const Id<Expr> start = h.all({h.p(pending), h.p(step)}), stop = h.all({h.p(pending), h.neither(h.p(step))});
     const Network::Assignment taken{h.p(pending), h.no()}, over{h.p(end), h.yes()}, reset{h.p(end), h.no()},
-        tell{h.p(evol), h.yes()};
+        announce{h.p(evol), h.yes()};
     add_edge(automaton, {.from = 0, .to = 1, .urgent = true, .guard = start, .assignments = {taken}, .resets = {t}});
     add_edge(automaton, {.from = 0, .to = 0, .urgent = true, .guard = stop, .assignments = {taken}});
     add_edge(automaton, {.from = 1,
                          .to = 2,
                          .guard = h.neither(h.p(pending)),
                          .constraint = {{t, Op::Equal, h.p(duration)}},
-                         .assignments = {over, tell}});
+                         .assignments = {over, announce}});
     add_edge(automaton, {.from = 1, .to = 1, .urgent = true, .guard = start, .assignments = {taken}, .resets = {t}});
     add_edge(automaton, {.from = 1, .to = 0, .urgent = true, .guard = stop, .assignments = {taken}});
-    add_edge(automaton,
-             {.from = 2, .to = 1, .urgent = true, .guard = start, .assignments = {taken, reset, tell}, .resets = {t}});
-    add_edge(automaton, {.from = 2, .to = 0, .urgent = true, .guard = stop, .assignments = {taken, reset, tell}});
+    add_edge(
+        automaton,
+        {.from = 2, .to = 1, .urgent = true, .guard = start, .assignments = {taken, reset, announce}, .resets = {t}});
+    add_edge(automaton, {.from = 2, .to = 0, .urgent = true, .guard = stop, .assignments = {taken, reset, announce}});
     return automaton;
 }
 

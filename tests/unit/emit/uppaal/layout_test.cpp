@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "emit/uppaal/uppaal.hpp"
-#include "support/law_size.hpp"
 #include "support/random_network.hpp"
+#include "support/test_size.hpp"
 #include "unit/emit/uppaal/drawings.hpp"
 #include "unit/emit/uppaal/hand_networks.hpp"
 #include "unit/emit/uppaal/project_text.hpp"
@@ -25,7 +25,7 @@ TEST(UppaalLayout, ElementsDoNotOverlap) {
 }
 
 TEST(UppaalLayout, ElementsDoNotOverlapInAnyNetwork) {
-    for (int seed = 0; seed < law_size(150); ++seed) {
+    for (int seed = 0; seed < test_size(150); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         EXPECT_EQ(overlaps(test::project(random_network(random))), "") << "seed " << seed;
     }

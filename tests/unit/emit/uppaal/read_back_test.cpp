@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "emit/uppaal/uppaal.hpp"
-#include "support/law_size.hpp"
 #include "support/random_network.hpp"
+#include "support/test_size.hpp"
 #include "support/uppaal_reader.hpp"
 #include "unit/emit/uppaal/hand_networks.hpp"
 
@@ -39,7 +39,7 @@ TEST(UppaalProject, IsReadBackWithSeveralControllers) {
 }
 
 TEST(UppaalProject, OfAnyNetworkIsReadBack) {
-    for (int seed = 0; seed < law_size(300); ++seed) {
+    for (int seed = 0; seed < test_size(300); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         expect_read_back(random_network(random));

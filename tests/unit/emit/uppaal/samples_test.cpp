@@ -8,7 +8,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "app/job.hpp"
+#include "app/command_context.hpp"
 #include "emit/uppaal/uppaal.hpp"
 #include "support/uppaal_reader.hpp"
 #include "unit/emit/uppaal/drawings.hpp"
@@ -36,13 +36,13 @@ std::vector<std::string> samples() {
 /// The networks of the loops of a file, ready to emit.
 std::vector<Network> networks(const std::string& file) {
     std::vector<Network> list;
-    app::Job reading;
+    app::CommandContext reading;
     const auto model = app::read_model(file, reading);
     if (!model) return {};
     for (const Id<ClosedLoop> loop : model->loops.ids()) {
         for (const Grain grain : {Grain::Phased, Grain::Atomic}) {
             for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
-                app::Job job;
+                app::CommandContext job;
                 job.options.grain = grain;
                 job.options.mode = mode;
                 const auto network = app::network_of(*model, loop, job);

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// Queries about events that never happen again, by absorbing regions ("traps"). All points are known here, so an event
+// to which no path leads back never happens again. The graph of the points contains every run of the chart, and more:
+// timers may expire in orders that no times realize. So the result holds for all times. A region that is absorbing only
+// because of durations is not found.
+//
+// The successors of an evolution that aborts, or of an instant that does not end, are unknown and may lead back.
+// Nothing is reported for points from which these can be reached.
+//
+// A step, transition or value is dead in the absorbing regions that do not contain it. One region, or several in which
+// the same elements are dead, is one trap. It is reported by a path to a point from which none of these elements occurs
+// again. An element that is dead for a separate reason (of two elements, neither is always dead with the other) has a
+// separate path. An element that occurs only once in a run is part of a start-up or an end: a note.
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "analyse/chart_analyzer.hpp"
+
+namespace grafverif::analysis {
+
+namespace {
+
+constexpr std::size_t most_regions = 16;
+constexpr std::size_t most_named = 8;
+
+/// `` `X1`, `X2` and `X3` ``; names beyond the eighth are counted.
+std::string listed(const std::vector<std::string>& names) {
+    const std::size_t told = std::min(names.size(), most_named);
+    std::string text;
+    for (std::size_t k = 0; k < told; ++k) {
+        if (k > 0) text += k + 1 == names.size() ? " and " : ", ";
+        text += "`" + names[k] + "`";
+    }
+    return names.size() > told ? text + " and " + std::to_string(names.size() - told) + " more" : text;
+}
+
+}  // namespace
+
+std::vector<ChartAnalyzer::Passing> ChartAnalyzer::passing() {
+    std::vector<Passing> all;
+    const auto add = [&](Passing::Kind kind, std::string_view code, std::size_t index, Span origin, const auto& comes) {
+        if (Query* const question = questions_.open(code, index)) all.push_back({kind, question, origin, comes()});
+    };
+    for (const Step step : chart_.steps.ids())
+        if (machine_.covers_step(step.index))
+            add(Passing::Kind::Step, "step-never-again", step.index, chart_.steps[step].origin,
+                [&] { return machine_.active(step.index); });
+    for (const Transition id : chart_.transitions.ids())
+        if (machine_.covers_firing(id.index))
+            add(Passing::Kind::Transition, "transition-never-again", id.index, chart_.transitions[id].origin,
+                [&] { return machine_.unbroken(machine_.fires(id.index)); });
+    for (const Equations::Stored& stored : equations_.stored)
+        if (machine_.covers(stored.variable) && machine_.matters(stored.variable))
+            add(Passing::Kind::Value, "value-sticks", stored.variable.index,
+                equations_.variables[stored.variable].origin,
+                [&] { return machine_.unbroken(machine_.changes(stored.variable)); });
+    return all;
+}
+
+void ChartAnalyzer::find_traps() {
+    std::vector<Passing> all = passing();
+    Query* const region = questions_.open("region-never-left", 0);
+    if (all.empty() && region == nullptr) return;
+    const TerminalRegions ways(machine_, options_.mode, search_);
+    Bdd unknown = ways.reached() & ~machine_.unbroken(ways.reached());
+    if (searching()) unknown |= search_.endless(machine_.going_on(ways.reached()));
+    const Bdd sound = ways.reached() & ~ways.to(unknown);
+    const std::vector<Bdd> regions = ways.regions(sound, most_regions);
+    std::erase_if(all, [&](Passing& each) {
+        if (find_gone(each, ways, sound, regions)) return false;
+        not_dead(*each.question);
+        return true;
+    });
+    report_never_again(all, ways, regions);
+    if (region != nullptr) report_regions(all, ways, sound, ways.reached() & ~unknown, regions.size());
+}
+
+/// A part in which the event recurs may have runs that the chart does not have: the complete chart decides, or the
+/// proof that there are no such runs.
+void ChartAnalyzer::not_dead(Query& question) const {
+    (machine_.whole() ? question.decided : question.seen_in_part) = true;
+}
+
+/// True if there is a point from which the event never occurs again, although it occurs somewhere.
+bool ChartAnalyzer::find_gone(Passing& each, const TerminalRegions& ways, const Bdd& sound,
+                              const std::vector<Bdd>& regions) const {
+    each.comes &= ways.reached();
+    if (each.comes.is_false()) return false;
+    for (const Bdd& region : regions) each.dead_in.push_back((region & each.comes).is_false());
+    const bool in_all = std::ranges::find(each.dead_in, true) == each.dead_in.end();
+    if (in_all && regions.size() < most_regions) return false;
+    const Bdd back = ways.to(each.comes);
+    each.gone = sound & ~back;
+    const Bdd next = ways.after(each.comes) & back;
+    each.again = !(each.kind == Passing::Kind::Step ? next & ~each.comes : next).is_false();
+    return !each.gone.is_false();
+}
+
+/// Regions with the same dead elements form one trap.
+void ChartAnalyzer::report_never_again(const std::vector<Passing>& lost, const TerminalRegions& ways,
+                                       const std::vector<Bdd>& regions) {
+    std::map<std::vector<const Passing*>, Bdd> traps;
+    std::set<const Passing*> told;
+    for (std::size_t region = 0; region < regions.size(); ++region) {
+        std::vector<const Passing*> here;
+        for (const Passing& each : lost)
+            if (each.dead_in[region]) here.push_back(&each);
+        traps[std::move(here)] |= regions[region];
+    }
+    for (const auto& [here, region] : traps)
+        if (std::ranges::any_of(here, &Passing::again))
+            report_trap(here, traps.size() > 1 ? ways.to(region) : ways.reached(), ways, told);
+    std::vector<const Passing*> left;
+    for (const Passing& each : lost)
+        if (!told.contains(&each)) left.push_back(&each);
+    if (std::ranges::any_of(left, &Passing::again)) report_trap(left, ways.reached(), ways, told);
+    std::erase_if(left, [&](const Passing* each) { return told.contains(each); });
+    if (!left.empty()) report_once(left, ways);
+}
+
+/// Reports the elements that are dead `within` a trap, in groups: elements that die with the first one or after it, and
+/// elements that are dead at the point shown.
+void ChartAnalyzer::report_trap(const std::vector<const Passing*>& lost, const Bdd& within, const TerminalRegions& ways,
+                                std::set<const Passing*>& told) {
+    std::vector<const Passing*> left = lost;
+    while (true) {
+        const auto leader = std::ranges::find_if(left, &Passing::again);
+        if (leader == left.end()) return;
+        const Bdd first = (*leader)->gone & within;
+        Bdd goal = first & ways.ends();
+        if (goal.is_false()) {
+            uncertain_.push_back((*leader)->question);
+            told.insert(*leader);
+            left.erase(leader);
+            continue;
+        }
+        std::set<const Passing*> group;
+        for (const bool shown : {false, true}) {
+            if (shown) goal = search_.nearest(goal);
+            for (const Passing* each : left) {
+                const Bdd both = first & each->gone;
+                const bool nested = both == first || both == (each->gone & within);
+                // An element that dies with the first one need not die with another such element.
+                if ((!shown && !nested) || (goal & each->gone).is_false()) continue;
+                goal &= each->gone;
+                group.insert(each);
+            }
+        }
+        told.insert(group.begin(), group.end());
+        std::vector<const Passing*> of;
+        std::ranges::copy_if(left, std::back_inserter(of), [&](const Passing* each) { return group.contains(each); });
+        std::erase_if(left, [&](const Passing* each) { return group.contains(each); });
+        report_group(of, ways, goal);
+    }
+}
+
+void ChartAnalyzer::report_group(const std::vector<const Passing*>& group, const TerminalRegions& ways,
+                                 const Bdd& goal) {
+    std::array<std::vector<std::string>, 3> names;
+    for (const Passing* each : group) {
+        names[static_cast<std::size_t>(each->kind)].push_back(each->question->subject);
+    }
+    std::string lost;
+    for (const auto& [which, never] : {std::pair(names[0], "active"), {names[1], "cleared"}, {names[2], "changed"}})
+        if (!which.empty())
+            lost += (lost.empty() ? "" : ", ") + listed(which) + (which.size() == 1 ? " is" : " are") + " never " +
+                    never + " again";
+    Finding made = finding(group.front()->question->code, group.front()->question->subject,
+                           "the chart can reach a situation from which " + lost + stays_active(group, goal),
+                           group.front()->origin);
+    keep_trap(std::move(made), group, ways, goal);
+}
+
+/// `; X99 stays active`: the steps that are active in `goal` and that no transition deactivates from there on.
+std::string ChartAnalyzer::stays_active(const std::vector<const Passing*>& lost, const Bdd& goal) {
+    const auto is_governed = [](const Chart::PartialChart& partial) { return partial.owner.valid(); };
+    if (!chart_.forcing.empty() || std::ranges::any_of(chart_.partial_charts, is_governed)) return {};
+    const auto never = [&](Transition id) {
+        if (!machine_.covers_firing(id.index)) return false;
+        return !seen(machine_.fires(id.index)) || std::ranges::any_of(lost, [&](const Passing* each) {
+            return each->kind == Passing::Kind::Transition && each->question->index == id.index;
+        });
+    };
+    std::set<Step> left;
+    for (const Transition id : chart_.transitions.ids())
+        if (!never(id)) left.insert(chart_.transitions[id].from.begin(), chart_.transitions[id].from.end());
+    std::vector<std::string> names;
+    for (const Step step : chart_.steps.ids()) {
+        if (left.contains(step) || !machine_.covers_step(step.index)) continue;
+        const Bdd idle = ~machine_.active(step.index);
+        if ((goal & idle).is_false() && seen(idle)) names.push_back(step_name(step));
+    }
+    return names.empty() ? "" : "; " + listed(names) + (names.size() == 1 ? " stays active" : " stay active");
+}
+
+void ChartAnalyzer::report_once(const std::vector<const Passing*>& once, const TerminalRegions& ways) {
+    std::vector<std::string> names, values;  // the initial value, which the first evolution assigns, is not a change
+    for (const Passing* each : once)
+        (each->kind == Passing::Kind::Value ? values : names).push_back(each->question->subject);
+    std::string words;
+    if (!names.empty()) words = listed(names) + (names.size() == 1 ? " occurs" : " occur") + " at most once in a run";
+    if (!values.empty())
+        words += (words.empty() ? "" : " and ") + listed(values) + (values.size() == 1 ? " changes" : " change") +
+                 " at most once after the first evolution";
+    Finding made = finding("comes-once", once.front()->question->subject, words + ": only in a start-up or final phase",
+                           once.front()->origin);
+    keep_trap(std::move(made), once, ways, once.front()->gone & ways.ends());
+}
+
+void ChartAnalyzer::keep_trap(Finding made, const std::vector<const Passing*>& of, const TerminalRegions& ways,
+                              const Bdd& goal) {
+    for (const Passing* each : of) made.lost.push_back(each->question->subject);
+    const bool several = made.code == "comes-once" && of.size() > 1;
+    const std::string shows =
+        several ? "after this, `" + made.lost.front() + "` never occurs again" : "no path leads back from here";
+    const std::optional<Path> path = search_.path_to(goal & ways.ends());
+    const bool shown = path && show(made, path, {.settles = true}, shows, certain());
+    for (const Passing* each : of) {
+        if (shown) each->question->decided = true;
+        else uncertain_.push_back(each->question);
+    }
+    if (shown) keep(std::move(made));
+}
+
+/// Reports regions without dead elements: several, or one if the chart can also run forever outside it.
+void ChartAnalyzer::report_regions(const std::vector<Passing>& lost, const TerminalRegions& ways, const Bdd& sound,
+                                   const Bdd& known, std::size_t regions) {
+    Query& question = *questions_.open("region-never-left", 0);
+    Bdd gone;
+    for (const Passing& each : lost) gone |= each.gone;
+    const std::vector<Bdd> quiet = ways.regions(sound & ~ways.to(gone), most_regions);
+    if (quiet.empty()) return not_dead(question);
+    if (regions == 1) {
+        Bdd cleared;
+        for (const Transition id : chart_.transitions.ids())
+            if (machine_.covers_firing(id.index)) cleared |= machine_.fires(id.index);
+        if (ways.recurring(known & ~quiet.front(), cleared).is_false()) return not_dead(question);
+    }
+    Finding made =
+        finding("region-never-left", "", "the chart can reach a set of situations that it never leaves", chart_.origin);
+    Bdd all;
+    for (const Bdd& region : quiet) all |= region;
+    const std::optional<Path> path = search_.path_to(all & ways.ends());
+    if (path && show(made, path, {.settles = true}, "no path leads back from here", certain()))
+        question.decided = keep(std::move(made));
+    else uncertain_.push_back(&question);
+}
+
+}  // namespace grafverif::analysis

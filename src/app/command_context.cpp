@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "app/command_context.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/outputs.hpp"
+#include "pipeline/check.hpp"
+#include "pipeline/file_watcher.hpp"
+#include "pipeline/files.hpp"
+#include "pipeline/models.hpp"
+#include "read/test_csv.hpp"
+#include "read/text.hpp"
+#include "support/messages.hpp"
+#include "support/messages_choice.hpp"
+#include "syntax/resolve/nearest_of.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+std::optional<std::string> read_named(const std::string& path, const CommandContext& job, std::string& why) {
+    const auto own = path == "-" ? std::optional(STDIN_FILENO) : own_descriptor(path);
+    if (own == STDIN_FILENO && job.in != nullptr) return read_stream(*job.in, why);
+    return own ? read_descriptor(*own, why) : content_of_file(path, why);
+}
+
+}  // namespace
+
+std::optional<Id<Source>> read_source(const std::string& path, CommandContext& job) {
+    std::string why;
+    if (job.watch != nullptr) job.watch->note(path);
+    auto text = read_named(path, job, why);
+    if (!text) {
+        job.diagnostics.add(messages::cannot_read(path, why));
+        return {};
+    }
+    if (!note_input(path, job)) return {};
+    return job.sources.add({path == "-" ? "<standard input>" : path, std::move(*text)});
+}
+
+std::optional<Model> read_model(const std::string& path, CommandContext& job) {
+    for (const std::string& folder : job.options.include_folders) {
+        if (std::filesystem::is_directory(folder)) continue;
+        job.diagnostics.add(messages::cannot_read(folder, "the directory does not exist"));
+        return {};
+    }
+    const auto file = read_source(path, job);
+    if (!file) return {};
+    const Reach reach(path == "-" ? "./-" : path,
+                      job.options.include_folders);  // standard input counts as a file in the current folder
+    const auto load = [&](const std::string& included, std::string& why) -> std::optional<std::string> {
+        if (job.watch != nullptr) job.watch->note(included);
+        auto text = reach.read(included, why);
+        if (text && !note_input(included, job)) return why = "it is also an output", std::nullopt;
+        return text;
+    };
+    ReadContext context = context_of(reach, job.options.include_folders, job.options.lossy);
+    context.load = load;
+    context.constants.insert(job.options.constants.begin(), job.options.constants.end());
+    return read_text(*file, job.sources, context, job.diagnostics);
+}
+
+namespace {
+
+/// The entity called `wanted`, or the only one; otherwise an error that names the candidates.
+template <class T>
+std::optional<Id<T>> chosen(const Table<T>& table, const std::optional<std::string>& wanted, std::string_view kind,
+                            std::string_view option, CommandContext& job) {
+    std::vector<std::string> names;
+    for (const Id<T> id : table.ids()) {
+        if (wanted && table[id].name == *wanted) return id;
+        names.push_back(table[id].name);
+    }
+    if (!wanted && table.size() == 1) return *table.ids().begin();
+    if (wanted) job.diagnostics.add(messages::no_such_choice(kind, *wanted, names, nearest_of(*wanted, names)));
+    else job.diagnostics.add(messages::ambiguous_choice(kind, option, names));
+    return {};
+}
+
+/// True if the loop has all constants that are set; with `--all` it is enough that some loop has each (see read_text).
+bool has_constants_set(const ClosedLoop& loop, CommandContext& job) {
+    if (job.options.all) return true;
+    std::vector<std::string> known;
+    for (const NamedConstant& constant : loop.constants) known.push_back(constant.name);
+    for (const auto& [name, value] : job.options.constants)
+        if (std::ranges::find(known, name) == known.end()) {
+            job.diagnostics.add(messages::no_such_constant(loop.origin, loop.name, name, nearest_of(name, known)));
+            return false;
+        }
+    return true;
+}
+
+}  // namespace
+
+bool is_of_a_chart(const Model& model, const Options& options) {
+    return options.chart || (!options.loop && model.loops.empty());
+}
+
+std::optional<Id<ClosedLoop>> chosen_loop(const Model& model, CommandContext& job) {
+    if (model.loops.empty() && !job.options.loop) {
+        job.diagnostics.add(messages::no_closed_loop());
+        return {};
+    }
+    const auto loop = chosen(model.loops, job.options.loop, "closed loop", "--loop", job);
+    return loop && has_constants_set(model.loops[*loop], job) ? loop : std::nullopt;
+}
+
+bool keep_requested(ClosedLoop& loop, CommandContext& job) {
+    const std::vector<std::string>& requested = job.options.properties;
+    if (requested.empty()) return true;
+    std::vector<std::string> known;
+    Table<Property> kept;
+    for (const Property& property : loop.properties) {
+        known.push_back(property.name);
+        if (std::ranges::find(requested, property.name) != requested.end()) kept.add(property);
+    }
+    loop.properties = std::move(kept);
+    return all_known(requested, known, job.diagnostics);
+}
+
+std::optional<Id<Chart>> chosen_chart(const Model& model, CommandContext& job) {
+    return chosen(model.charts, job.options.chart, "chart", "--chart", job);
+}
+
+namespace {
+
+/// `3` or `G1.3`, with or without the X of the step variable.
+bool is_called(const Chart& chart, Id<Chart::Step> step, std::string_view name) {
+    const std::string& partial = chart.partial_charts[chart.steps[step].chart].name;
+    const std::string& own = chart.steps[step].name;
+    return name == own || name == "X" + own || name == partial + '.' + own || name == partial + ".X" + own;
+}
+
+}  // namespace
+
+std::vector<Id<Chart::Step>> named_steps(const Chart& chart, std::string_view rest, std::string_view option,
+                                         CommandContext& job) {
+    std::vector<Id<Chart::Step>> steps;
+    while (!rest.empty()) {
+        const std::string_view name = rest.substr(0, rest.find(','));
+        rest.remove_prefix(std::min(name.size() + 1, rest.size()));
+        std::vector<Id<Chart::Step>> meant;
+        for (const Id<Chart::Step> step : chart.steps.ids())
+            if (is_called(chart, step, name)) meant.push_back(step);
+        if (meant.size() == 1) {
+            steps.push_back(meant.front());
+            continue;
+        }
+        std::vector<std::string> known;
+        for (const Id<Chart::Step> step : chart.steps.ids())
+            if (meant.empty() || std::ranges::find(meant, step) != meant.end())
+                known.push_back(step_variable(chart, step));
+        job.diagnostics.add(meant.empty() ? messages::no_such_choice("step", name, known, nearest_of(name, known))
+                                          : messages::ambiguous_choice("step", option, known));
+    }
+    return steps;
+}
+
+ExecutionMode execution_mode(const Model& model, Id<Chart> chart, const CommandContext& job) {
+    return grafverif::execution_mode(model, chart, job.options.mode);
+}
+
+ModelOptions model_options(const Options& options) { return {options.mode, options.grain, options.untimed}; }
+
+structured_text::Form structured_text_form(const Options& options) {
+    return options.format == Format::Text ? structured_text::Form::Text : structured_text::Form::PlcopenXml;
+}
+
+ConformOptions conform_options(const Options& options, const Limits& limits) {
+    return {options.mode, false, options.minimise, options.cover, options.one_cycle_each, limits};
+}
+
+std::optional<Equations> equations_of(const Model& model, Id<Chart> chart, CommandContext& job) {
+    return grafverif::equations_of(model, chart, job.diagnostics);
+}
+
+std::optional<TestSequence> test_sequence(const Model& model, Id<Chart> chart, CommandContext& job) {
+    const Chart& tested = model.charts[chart];
+    for (const auto& [kind, what] :
+         {std::pair(Chart::VariableKind::Input, "inputs"), std::pair(Chart::VariableKind::Output, "outputs")})
+        if (std::ranges::none_of(tested.variables,
+                                 [kind = kind](const auto& variable) { return variable.kind == kind; }))
+            job.diagnostics.add(messages::nothing_to_test(tested.origin, tested.name, what));
+    const auto file = job.diagnostics.has_errors() ? std::nullopt : read_source(*job.options.sequence, job);
+    if (!file) return {};
+    return read_test_csv(*file, job.sources, tested, execution_mode(model, chart, job), job.diagnostics);
+}
+
+std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, CommandContext& job) {
+    for (const std::string& cure : job.options.disabled_corrections)
+        job.diagnostics.add(messages::ablation_active(cure));
+    return grafverif::network_of(model, loop, ComposeOptions{job.options.grain, job.options.mode, job.options.without},
+                                 job.diagnostics);
+}
+
+std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop, CommandContext& job) {
+    return grafverif::transition_system_of(model, loop, model_options(job.options), job.diagnostics);
+}
+
+Colour colour_on(const Screen& screen, const Options& options) {
+    const bool automatic = options.colour == ColourChoice::Auto && screen.colours;
+    return automatic || options.colour == ColourChoice::Always ? Colour::Ansi : Colour::Plain;
+}
+
+ResourceLimits::ResourceLimits(const Options& options, const Streams& streams)
+    : line_(streams.err, streams.err_screen.rewrites && !options.quiet),
+      limits_{options.max_states, options.max_memory, options.deadline, &interrupt_.requested(),
+              [this](const Progress& now) { line_.show(now.words); }} {}
+
+}  // namespace grafverif::app

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// `analyse`: finds possible faults of a chart, and elements that are never used, for all inputs.
+#include <ostream>
+#include <sstream>
+
+#include "app/commands.hpp"
+#include "app/reports.hpp"
+#include "app/stop_text.hpp"
+#include "app/system/watchdog.hpp"
+#include "pipeline/check.hpp"
+#include "read/exclusions.hpp"
+#include "report/findings.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+std::string printed(const Analysis& analysis, const CommandContext& job, const Streams& streams) {
+    std::ostringstream out;
+    const bool to_file = job.options.output && *job.options.output != "-";
+    const Colour colour = colour_on(to_file ? Screen{} : streams.out_screen, job.options);
+    switch (job.options.format) {
+    case Format::Json: print_findings_json(analysis, job.sources, out); break;
+    case Format::Sarif: break;  // written with the other reports
+    case Format::Text:
+    case Format::JsonLines:
+    case Format::Latex:
+    case Format::Xml:
+    case Format::Dot:
+    case Format::Svg:
+    case Format::Csv: print_findings(analysis, job.sources, colour, out); break;
+    }
+    return std::move(out).str();
+}
+
+std::optional<std::vector<Exclusion>> exclusions_of(const Chart& chart, CommandContext& job) {
+    if (!job.options.exclusions) return std::vector<Exclusion>{};
+    const auto table = read_source(*job.options.exclusions, job);
+    if (!table) return {};
+    const auto pairs = read_exclusions(*table, job.sources, chart, job.diagnostics);
+    if (!pairs) return {};
+    std::vector<Exclusion> exclusions;
+    for (const ExclusionRow& row : *pairs) exclusions.push_back({row.first, row.second, row.reason, row.origin});
+    return exclusions;
+}
+
+ExitCode exit_code(const Analysis& analysis) {
+    if (!analysis.failures.empty()) return ExitCode::Failure;
+    for (const Finding& finding : analysis.findings)
+        if (is_open(finding)) return ExitCode::Verdict;
+    return analysis.open.empty() ? ExitCode::Done : ExitCode::Unknown;
+}
+
+}  // namespace
+
+namespace {
+
+ExitCode analyse_one(const Model& model, Id<Chart> chart, CommandContext& job, const Streams& streams) {
+    const auto equations = equations_of(model, chart, job);
+    if (!equations) return ExitCode::Input;
+    auto exclusions = exclusions_of(model.charts[chart], job);
+    if (!exclusions) return ExitCode::Input;
+
+    const ResourceLimits bounds(job.options, streams);
+    AnalyseOptions options;
+    options.mode = execution_mode(model, chart, job);
+    options.exclusions = std::move(*exclusions);
+    Analysis analysis = analysis_of(model.charts[chart], *equations, std::move(options), bounds.limits());
+    analysis.obstacle = with_who_stopped(std::move(analysis.obstacle), bounds.interrupted(), job.options);
+    const std::string text = printed(analysis, job, streams);
+    work_is_done();
+    if (job.options.output) deliver(text, job, streams);
+    else streams.out << text;  // text without control characters, except for the colour codes
+    if (job.options.sarif) add_findings(analysis, job.sources, job.reports->sarif);
+    for (const std::string& failure : analysis.failures)
+        streams.err << "grafverif: internal error: " << failure << '\n';
+    return exit_code(analysis);
+}
+
+}  // namespace
+
+ExitCode analyse(CommandContext& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    if (!model) return ExitCode::Input;
+    if (!job.options.all) {
+        const auto chart = chosen_chart(*model, job);
+        return chart ? analyse_one(*model, *chart, job, streams) : ExitCode::Input;
+    }
+    ExitCode code = ExitCode::Done;
+    for (const Id<Chart> chart : model->charts.ids()) code = worse(code, analyse_one(*model, chart, job, streams));
+    return code;
+}
+
+CliCommand analyse_usage() {
+    return {
+        "analyse",
+        "FILE...",
+        1,
+        any_number,
+        "find defects of a chart: instability, races, dead transitions, unused variables",
+        "Explores all input sequences of a chart and reports, each with a shortest input sequence: total instability; "
+        "races\n"
+        "and conflicts of stored actions; branches cleared together; steps activated while active; partial charts "
+        "forced\n"
+        "twice or forced while enclosed; steps that are never active; transitions that are never or always cleared;\n"
+        "outputs that are never set; inputs that are never read. A `constraint` in the chart and a table of input "
+        "pairs that\n"
+        "are never true together (`variable1,variable2,reason`) exclude impossible inputs. `accept CODE \"reason\";` "
+        "in the\n"
+        "chart accepts a finding. Exit code 1: a finding is not accepted; 3: no finding, but the analysis is "
+        "incomplete\n"
+        "(--timeout, --max-memory, Ctrl-C); the output states how far it got.",
+        {"grafverif analyse samples/oven_door/oven_door.grafcet",
+         "grafverif analyse station.grafcet --chart press --exclusions wiring.csv",
+         "grafverif analyse charts/*.grafcet --all --sarif findings.sarif"},
+        {OptionGroup::Output, OptionGroup::All, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Analysis}};
+}
+
+}  // namespace grafverif::app

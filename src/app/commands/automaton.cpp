@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// `automaton` and `mealy`: the behaviour of a controller as a location automaton and as a Mealy machine.
+#include "syntax/print/automaton.hpp"
+
+#include <fmt/format.h>
+
+#include <ostream>
+#include <sstream>
+
+#include "app/commands.hpp"
+#include "emit/layout/diagram.hpp"
+#include "support/messages.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+/// To the file of `-o`, otherwise directly to standard output: an automaton may be large.
+template <class Print>
+void print_to_output(CommandContext& job, const Streams& streams, Print print) {
+    if (!job.options.output) return print(streams.out);
+    std::ostringstream text;
+    print(text);
+    deliver(std::move(text).str(), job, streams);
+}
+
+/// False after an error.
+bool draw(const Diagram& drawn, CommandContext& job, const Streams& streams) {
+    const std::size_t nodes = job.options.format == Format::Svg ? drawn.nodes.size() : 0;
+    if (nodes > largest_table) {
+        job.diagnostics.add(messages::too_many_nodes(nodes, largest_table));
+        return false;
+    }
+    if (nodes > largest_drawing && !job.options.quiet)
+        streams.err << fmt::format("note: {} locations exceed the limit of a drawing, {}; a table is written instead\n",
+                                   nodes, largest_drawing);
+    print_to_output(job, streams, [&](std::ostream& out) {
+        job.options.format == Format::Svg ? emit_svg(drawn, out) : emit_dot(drawn, out);
+    });
+    return true;
+}
+
+bool is_drawing(Format format) { return format == Format::Dot || format == Format::Svg; }
+
+}  // namespace
+
+ExitCode automaton(CommandContext& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
+    const ResourceLimits bounds(job.options, streams);
+    ConformOptions options = conform_options(job.options, bounds.limits());
+    options.partial = job.options.counts && !is_drawing(job.options.format);
+    const auto found = chart ? automaton_of(*model, *chart, options, job.diagnostics) : std::nullopt;
+    if (!found) return bounds.interrupted() ? ExitCode::Unknown : ExitCode::Input;
+    if (is_drawing(job.options.format)) return draw(diagram(*found), job, streams) ? ExitCode::Done : ExitCode::Input;
+    print_to_output(job, streams, [&](std::ostream& out) {
+        if (job.options.format == Format::Json) print_automaton_json(out, *found, !job.options.counts);
+        else print_automaton(out, *found, !job.options.counts);
+    });
+    return found->complete ? ExitCode::Done : ExitCode::Unknown;
+}
+
+ExitCode mealy(CommandContext& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
+    const ResourceLimits bounds(job.options, streams);
+    const auto found =
+        chart ? mealy_of(*model, *chart, conform_options(job.options, bounds.limits()), job.diagnostics) : std::nullopt;
+    if (!found) return bounds.interrupted() ? ExitCode::Unknown : ExitCode::Input;
+    if (is_drawing(job.options.format)) return draw(diagram(*found), job, streams) ? ExitCode::Done : ExitCode::Input;
+    print_to_output(job, streams, [&](std::ostream& out) {
+        if (job.options.format == Format::Json) print_mealy_json(out, *found, !job.options.counts);
+        else print_mealy(out, *found, !job.options.counts);
+    });
+    return ExitCode::Done;
+}
+
+CliCommand automaton_usage() {
+    return {
+        "automaton",
+        "FILE",
+        1,
+        1,
+        "print the location automaton of a chart",
+        "Prints the location automaton: a location per situation and values of stored variables, an evolution per "
+        "set of\n"
+        "inputs, and the inputs that never stabilise. Constraints of the chart restrict the inputs. The default "
+        "mode is that of\n"
+        "the closed loop with this chart, otherwise stability-search.\n"
+        "Formats: text, JSON, DOT (Graphviz), SVG.",
+        {"grafverif automaton samples/tanks/tanks.grafcet --mode every-cycle",
+         "grafverif automaton samples/tanks/tanks.grafcet --format svg -o tanks.svg",
+         "grafverif automaton samples/tanks/tanks.grafcet --format json --counts"},
+        {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::FormatDiagram, OptionGroup::Limits}};
+}
+
+CliCommand mealy_usage() {
+    return {
+        "mealy",
+        "FILE",
+        1,
+        1,
+        "print the Mealy machine of a chart",
+        "Prints the Mealy machine: the location automaton with INIT merged into the location of the initial situation, "
+        "and an\n"
+        "output for every combination of inputs in every state. Sets of inputs are conditions, not lists. A chart with "
+        "timers\n"
+        "has additional transitions that wait.\n"
+        "Formats: text, JSON, DOT (Graphviz), SVG.",
+        {"grafverif mealy samples/tanks/tanks.grafcet",
+         "grafverif mealy samples/tanks/tanks.grafcet --minimise --format json"},
+        {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::FormatDiagram, OptionGroup::Minimise,
+         OptionGroup::Limits}};
+}
+
+}  // namespace grafverif::app

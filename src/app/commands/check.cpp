@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// `check`: decides every property of a closed loop with the built-in or external engines.
+#include "pipeline/program/check.hpp"
+
+#include <fmt/format.h>
+
+#include <ostream>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/decide.hpp"
+#include "app/list_properties.hpp"
+#include "app/reports.hpp"
+#include "app/system/watchdog.hpp"
+#include "app/traces.hpp"
+#include "report/json.hpp"
+#include "report/settings_text.hpp"
+#include "report/terminal.hpp"
+#include "report/why.hpp"
+#include "support/overloaded.hpp"
+#include "support/printable.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+/// The trace written to files: of the first model error; without one, of the first unexpected verdict; without one, of
+/// the first verdict that has a trace.
+struct Chosen {
+    const ChartRun* trace = nullptr;
+    std::string title = {};
+};
+Chosen first_trace(const Report& report) {
+    if (!report.error_traces.empty() && !report.error_traces.front().trace.rows.empty())
+        return {&report.error_traces.front().trace, report.model + ": " + report.error_traces.front().code};
+    for (const bool unexpected : {true, false})
+        for (const PropertyResult& answer : report.answers)
+            if (answer.trace && (!unexpected || !as_expected(answer.verdict)))
+                return {&*answer.trace,
+                        fmt::format("{}: {} {}", report.model, answer.verdict.property, word(answer.verdict.outcome))};
+    return {};
+}
+
+void note_trace(const Report& report, CommandContext& job, const Streams& streams) {
+    const Options& options = job.options;
+    const Chosen chosen = first_trace(report);
+    if (chosen.trace) job.reports->files = trace_files(*chosen.trace, chosen.title, options);
+    else if ((options.trace_vcd || options.trace_svg) && !options.quiet)
+        streams.err << "note: no verdict has a trace, so no trace file was written\n";
+}
+
+/// The expected verdicts of a loop may refer to its schedule, which timed models do not have.
+void point_to_schedule(const ClosedLoop& loop, const CommandContext& job, const Streams& streams) {
+    if (!loop.schedule || job.options.quiet) return;
+    streams.err << fmt::format(
+        "note: `{}` declares a `schedule`, which applies only to untimed models; to check one, run `grafverif check {} "
+        "--untimed --plant automata`\n",
+        loop.name, printable(job.options.operands[0]));
+}
+
+/// The models to check in a file, one by one: each loop, and each chart that belongs to none.
+struct ModelSelection {
+    std::optional<std::string> loop = {}, chart = {};
+};
+
+std::vector<ModelSelection> aims(const Model& model, bool all, const Options& requested) {
+    if (!all) return {{requested.loop, requested.chart}};
+    std::vector<ModelSelection> list;
+    for (const ClosedLoop& loop : model.loops) list.push_back({loop.name, {}});
+    if (list.empty())
+        for (const Chart& chart : model.charts) list.push_back({{}, chart.name});
+    return list;
+}
+
+/// Prints the verdicts in the selected form, and adds them to the requested reports.
+ExitCode show(const Decided& decided, const Model& model, CommandContext& job, ResourceLimits& bounds,
+              const Streams& streams) {
+    const Options& requested = job.options;
+    const Report& report = decided.report;
+    work_is_done();
+    if (requested.format == Format::Json)
+        print_json(report, job.sources, streams.out, decided.why ? &*decided.why : nullptr);
+    else if (requested.format == Format::JsonLines)
+        print_json_lines(report, {job.sources, model, decided.loop, decided.chart}, streams.out);
+    else
+        print_report(
+            report,
+            {requested.verbose, requested.quiet, colour_on(streams.out_screen, requested), streams.out_screen.columns},
+            streams.out);
+    if (decided.why && requested.format == Format::Text && !requested.quiet)
+        print_why(*decided.why, requested.verbose, streams.out);
+    streams.out.flush();
+    for (const std::string& failure : report.failures)
+        streams.err << "grafverif: internal error: " << printable(failure) << '\n';
+    note_trace(report, job, streams);
+    note(decided, model, job);
+    const ExitCode code = app::exit_code(report, bounds.interrupted());
+    if (code != ExitCode::Done && decided.timed) point_to_schedule(model.loops[decided.loop], job, streams);
+    return code;
+}
+
+ExitCode check_one(const Model& model, CommandContext& job, ResourceLimits& bounds, const Streams& streams) {
+    const Options& requested = job.options;
+    const bool witnesses =
+        requested.verbose || requested.format == Format::Json || requested.trace_vcd || requested.trace_svg;
+    const auto decided = decide(model, job, bounds, witnesses, streams);
+    return decided ? show(*decided, model, job, bounds, streams) : ExitCode::Input;
+}
+
+/// Checks a PLC program with the properties of a file.
+ExitCode check_program(CommandContext& job, const Streams& streams) {
+    const auto program = read_source(job.options.operands[0], job);
+    const auto properties = program ? read_source(*job.options.property_file, job) : std::nullopt;
+    if (!properties) return ExitCode::Input;
+    ResourceLimits bounds(job.options, streams);
+    const Options& requested = job.options;
+    const bool witnesses =
+        requested.verbose || requested.format == Format::Json || requested.trace_vcd || requested.trace_svg;
+    CheckOptions options{requested.properties, witnesses, requested.verbose, bounds.limits()};
+    options.jobs = requested.jobs;
+    auto report = grafverif::check_program(*program, *properties, job.sources, options, job.diagnostics);
+    if (!report) return ExitCode::Input;
+    Decided decided;
+    decided.report = std::move(*report);
+    name_places(decided.report, job.sources);
+    return show(decided, {}, job, bounds, streams);
+}
+
+}  // namespace
+
+ExitCode check(CommandContext& job, const Streams& streams) {
+    if (job.options.property_file) return check_program(job, streams);
+    const auto model = read_model(job.options.operands[0], job);
+    if (!model) return ExitCode::Input;
+    if (job.options.list) return list_properties(*model, job, streams);
+    ResourceLimits bounds(job.options, streams);
+    ExitCode code = ExitCode::Done;
+    for (const ModelSelection& aim : aims(*model, job.options.all, job.options)) {
+        job.options.loop = aim.loop;
+        job.options.chart = aim.chart;
+        code = worse(code, check_one(*model, job, bounds, streams));
+    }
+    return code;
+}
+
+CliCommand check_usage() {
+    return {
+        "check",
+        "FILE...",
+        1,
+        any_number,
+        "check the properties of a closed loop and print counterexamples",
+        "Check the properties of a closed loop and print a counterexample for each violation.\n"
+        "\n"
+        "By default, the timed engine decides every property of the closed loop in FILE, and whether time can stop. "
+        "Settings\n"
+        "and assumptions are printed once, before the verdicts. Counterexamples are replayed on the rules of IEC 60848 "
+        "before\n"
+        "they are printed.\n"
+        "\n"
+        "Engines for the timed loop (--engine):\n"
+        "  timed              embedded, explicit-state (default)\n"
+        "  verifyta           UPPAAL's model checker, from the PATH; verdicts without traces\n"
+        "\n"
+        "Engines for the untimed model (--untimed; also used for a chart without a closed loop, with free inputs):\n"
+        "  symbolic           embedded, decision diagrams (default)\n"
+        "  pdr                embedded; state properties of models with very many states\n"
+        "  bmc                embedded; shortest counterexamples, up to --max-steps\n"
+        "  auto               embedded; localization first, then symbolic, PDR and BMC in parallel\n"
+        "  NuSMV, nuXmv       external, from the PATH\n"
+        "  abc                external hardware model checker; --engine-command CMD for others\n"
+        "What an untimed verdict implies for the real plant is printed before the verdicts.\n"
+        "\n"
+        "With --properties FILE, each FILE operand is a PLC program in Structured Text (IEC 61131-3). Its properties "
+        "are\n"
+        "decided for all input sequences, and counterexamples are replayed on an interpreter of the program.\n"
+        "\n"
+        "Output: text, JSON (--format json, --json-lines), JUnit XML (--junit), SARIF (--sarif); traces also as VCD\n"
+        "(--trace-vcd) and SVG (--trace-svg). Report files of an earlier run are replaced or removed before the check\n"
+        "starts (docs/how-to/ci.md).\n"
+        "\n"
+        "Exit codes:\n"
+        "  0  all verdicts as expected          3  a verdict is unknown, or the run was stopped\n"
+        "  1  unexpected verdict, model error   4  internal error\n"
+        "  2  invalid input or usage",
+        {"grafverif check samples/testing_station/testing_station.grafcet",
+         "grafverif check station.grafcet --property P15 --grain atomic --trace-svg P15.svg",
+         "grafverif check station.grafcet --format json --timeout 5min --max-memory 8G",
+         "grafverif check charts/*.grafcet --all --junit verdicts.xml --sarif verdicts.sarif",
+         "grafverif check station.grafcet --list", "grafverif check samples/oven_door/oven_door.grafcet --why",
+         "grafverif check samples/tanks/tanks.grafcet --untimed --engine NuSMV",
+         "grafverif check samples/assembly_station/assembly_station.grafcet --untimed --plant automata",
+         "grafverif check samples/programs/drive.st --properties samples/programs/drive.yaml"},
+        {OptionGroup::Search, OptionGroup::Verdicts, OptionGroup::All, OptionGroup::Loop, OptionGroup::Constants,
+         OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Untimed, OptionGroup::Format,
+         OptionGroup::Traces, OptionGroup::Verbose, OptionGroup::Stats, OptionGroup::Ablations}};
+}
+
+}  // namespace grafverif::app

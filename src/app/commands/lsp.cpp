@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// `lsp`: the language server, started by an editor.
+#include <poll.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <istream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/serve/live_page.hpp"
+#include "app/system/interrupt.hpp"
+#include "app/system/process.hpp"
+#include "app/system/watchdog.hpp"
+#include "lsp/server.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+/// Standard input until `end_requested`, with a way to cancel waiting for it.
+class CancellableInput {
+public:
+    explicit CancellableInput(const std::atomic<bool>& end_requested) : end_requested_(end_requested) {
+        if (::pipe(ends_.data()) != 0) throw std::system_error(errno, std::generic_category(), "no pipe");
+    }
+    ~CancellableInput() {
+        ::close(ends_[0]);
+        ::close(ends_[1]);
+    }
+    CancellableInput(const CancellableInput&) = delete;
+    CancellableInput& operator=(const CancellableInput&) = delete;
+
+    std::size_t receive(std::span<char> room) const {
+        constexpr int poll_interval = 200;  // milliseconds: a signal may have come to another thread
+        while (!end_requested_) {
+            std::array<pollfd, 2> waited = {pollfd{STDIN_FILENO, POLLIN, 0}, pollfd{ends_[0], POLLIN, 0}};
+            const int ready = ::poll(waited.data(), waited.size(), poll_interval);
+            if (ready < 0 && errno != EINTR) return 0;
+            if (ready <= 0) continue;
+            if (waited[1].revents != 0) return 0;
+            if (waited[0].revents == 0) continue;
+            const ssize_t count = ::read(STDIN_FILENO, room.data(), room.size());
+            if (count >= 0) return static_cast<std::size_t>(count);
+            if (errno != EINTR && errno != EAGAIN) return 0;
+        }
+        return 0;
+    }
+    void stop() const {
+        const char any = 0;
+        [[maybe_unused]] const ssize_t written = ::write(ends_[1], &any, 1);
+    }
+
+private:
+    const std::atomic<bool>& end_requested_;
+    std::array<int, 2> ends_ = {};
+};
+
+bool is_alive(std::int64_t process) {
+    return process <= 0 || ::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH;
+}
+
+/// Runs `serve` pages, one for each requested file, until the end.
+class Pages {
+public:
+    explicit Pages(const Options& options) : options_(options) {}
+    ~Pages() {
+        stop_ = true;
+        for (std::thread& thread : threads_) thread.join();
+    }
+    Pages(const Pages&) = delete;
+    Pages& operator=(const Pages&) = delete;
+
+    std::string address(const std::string& path) {
+        if (const auto known = pages_.find(path); known != pages_.end()) return known->second->address();
+        Options options = options_;
+        options.operands = {path};
+        auto page = std::make_unique<LivePage>(options);
+        LivePage& shown = *page;
+        const auto kept = pages_.emplace(path, std::move(page)).first;
+        try {
+            threads_.emplace_back([this, &shown] { shown.run(stop_); });
+        } catch (...) {
+            pages_.erase(kept);  // without its thread there is no answer
+            throw;
+        }
+        return shown.address();
+    }
+
+private:
+    const Options& options_;
+    std::atomic<bool> stop_ = false;
+    std::map<std::string, std::unique_ptr<LivePage>> pages_ = {};
+    std::vector<std::thread> threads_ = {};
+};
+
+/// A folder for files that other programs display.
+class DisplayFolder {
+public:
+    std::string keep(const std::string& name, const std::string& text) {
+        if (!folder_) folder_.emplace();
+        folder_->write(name, text);
+        return (folder_->path() / name).string();
+    }
+
+private:
+    std::optional<TemporaryFolder> folder_ = {};
+};
+
+/// LSP 3.17, "Exit Notification": 0 only if `shutdown` came first.
+ExitCode code_of(grafverif::lsp::Ending ending) {
+    return ending == grafverif::lsp::Ending::Requested ? ExitCode::Done : ExitCode::Verdict;
+}
+
+}  // namespace
+
+ExitCode lsp(CommandContext& job, const Streams& streams) {
+    grafverif::lsp::ServerEnvironment surroundings;
+    surroundings.version = GRAFVERIF_VERSION;
+    surroundings.include_folders = job.options.include_folders;
+    if (job.options.response_timeout_ms)
+        surroundings.patience = std::chrono::milliseconds(*job.options.response_timeout_ms);
+    const grafverif::lsp::Send send = [&](std::string_view bytes) { streams.out << bytes << std::flush; };
+    if (!streams.alone) {
+        const auto receive = [&](std::span<char> room) {
+            streams.in.read(room.data(), static_cast<std::streamsize>(room.size()));
+            return static_cast<std::size_t>(streams.in.gcount());
+        };
+        return code_of(grafverif::lsp::converse(receive, send, surroundings));
+    }
+    const Interrupt interrupt;
+    const CancellableInput ear(interrupt.requested());
+    Pages pages(job.options);
+    DisplayFolder shelf;
+    surroundings.is_alive = is_alive;
+    surroundings.simulator = [&](const std::string& path) { return pages.address(path); };
+    surroundings.keep = [&](const std::string& name, const std::string& text) { return shelf.keep(name, text); };
+    surroundings.keep_memory_back = [] { app::keep_memory_back(); };
+    surroundings.hang_up = [&] { ear.stop(); };
+    const auto ending =
+        grafverif::lsp::converse([&](std::span<char> room) { return ear.receive(room); }, send, surroundings);
+    return interrupt.requested() ? ExitCode::Unknown : code_of(ending);
+}
+
+CliCommand lsp_usage() {
+    return {"lsp",
+            "",
+            0,
+            0,
+            "run a language server for editors: diagnostics, navigation, completion, verdicts",
+            "Implements the Language Server Protocol 3.17 on standard input and output, for editors that start it "
+            "(docs/how-to/language-server.md\n"
+            "has the configuration). Documents open in the editor replace the files on disk, also for files that "
+            "include them.\n"
+            "Nothing is written. It exits when the editor requests it or terminates.",
+            {"grafverif lsp"},
+            {OptionGroup::Lsp}};
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// `report`: results of `check` and `analyse`, drawn charts, plant and equations as one page.
+#include "report/report.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "app/commands.hpp"
+#include "app/decide.hpp"
+#include "app/reports.hpp"
+#include "app/stop_text.hpp"
+#include "page/page.hpp"
+#include "run/replay_test.hpp"
+#include "support/messages.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+/// The runs of the charts in the test of `--sequence`; nothing after an error.
+std::optional<std::vector<ChartRun>> tests_of(const Model& model, const std::vector<Id<Chart>>& charts,
+                                              CommandContext& job) {
+    if (charts.size() > 1) {
+        std::vector<std::string> names;
+        for (const Id<Chart> chart : charts) names.push_back(model.charts[chart].name);
+        job.diagnostics.add(messages::ambiguous_choice("chart", "--chart", names));
+        return {};
+    }
+    const auto test = test_sequence(model, charts.front(), job);
+    if (!test || job.diagnostics.has_errors()) return {};
+    return runs_of(model.charts[charts.front()], *test);
+}
+
+std::string warnings_of(const CommandContext& job) {
+    std::vector<Diagnostic> warnings;
+    for (const Diagnostic& diagnostic : job.diagnostics.all())
+        if (diagnostic.severity != Severity::Error) warnings.push_back(diagnostic);
+    std::ostringstream text;
+    render_text(warnings, job.sources, Colour::Plain, text);
+    return std::move(text).str();
+}
+
+}  // namespace
+
+ExitCode report(CommandContext& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    if (!model) return ExitCode::Input;
+    ResourceLimits bounds(job.options, streams);
+    auto decided = decide(*model, job, bounds, true, streams);
+    if (!decided) return ExitCode::Input;
+    auto made = page_content(*model, job.sources, decided->loop, decided->chart, job.options.mode, bounds.limits(),
+                             job.diagnostics);
+    if (!made) return ExitCode::Input;
+    PageContent& content = *made;
+    std::vector<Id<Chart>> charts;
+    for (ChartContent& one : content.charts) {
+        charts.push_back(one.chart);
+        one.analysis.obstacle = with_who_stopped(std::move(one.analysis.obstacle), bounds.interrupted(), job.options);
+    }
+    if (job.options.sequence) {
+        auto tests = tests_of(*model, charts, job);
+        if (!tests) return ExitCode::Input;
+        content.tests = std::move(*tests);
+    }
+    content.file = job.options.operands[0];
+    content.version = GRAFVERIF_VERSION;
+    content.date = job.options.date;
+    content.requested = job.options.properties;
+    note(*decided, *model, job);
+    content.report = std::move(decided->report);
+    content.warnings = warnings_of(job);
+    deliver(page_of(content), job, streams);
+    const bool faulty =
+        std::ranges::any_of(content.charts, [](const ChartContent& chart) { return !chart.analysis.failures.empty(); });
+    return faulty ? ExitCode::Failure : exit_code(content.report, bounds.interrupted());
+}
+
+CliCommand report_usage() {
+    return {"report",
+            "FILE",
+            1,
+            1,
+            "write an HTML report of a loop or chart, with a player for its traces",
+            "Writes a self-contained HTML file with the verdicts of `check`, their assumptions, the findings of "
+            "`analyse`, the\n"
+            "drawn charts, the plant and the equations. A player replays each counterexample, witness and finding on "
+            "the chart,\n"
+            "and the test sequence of --sequence. A step of a trace has an address: report.html#P16/23.\n"
+            "The same input gives the same bytes; the report has a date only with --date. The exit codes are those of "
+            "`check`.",
+            {"grafverif report samples/testing_station/faulty.grafcet -o report.html",
+             "grafverif report station.grafcet --property P15 --date \"$(date -I)\" -o P15.html"},
+            {OptionGroup::Output, OptionGroup::Search, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Chart,
+             OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Untimed, OptionGroup::Sequence, OptionGroup::Date}};
+}
+
+}  // namespace grafverif::app

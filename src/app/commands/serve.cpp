@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// `serve`: a page on this machine that shows the current file, checks it with every save, and simulates it.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <system_error>
+
+#include "app/commands.hpp"
+#include "app/outputs.hpp"
+#include "app/serve/live_page.hpp"
+#include "app/system/interrupt.hpp"
+#include "app/system/process.hpp"
+#include "pipeline/files.hpp"
+#include "support/messages.hpp"
+#include "support/printable.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+/// Opens `page` in the user's browser, which continues after this program ends.
+void open_in_browser(const std::filesystem::path& page, const Streams& streams) {
+    std::string program = "xdg-open", operand = page.string();
+    char* arguments[] = {program.data(), operand.data(), nullptr};
+    posix_spawn_file_actions_t quiet;
+    ::posix_spawn_file_actions_init(&quiet);
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        ::posix_spawn_file_actions_addopen(&quiet, stream, "/dev/null", O_RDWR, 0);
+    posix_spawnattr_t apart;
+    ::posix_spawnattr_init(&apart);
+    ::posix_spawnattr_setflags(&apart, POSIX_SPAWN_SETSID);
+    pid_t child = 0;
+    const int failure = ::posix_spawnp(&child, program.c_str(), &quiet, &apart, arguments, environ);
+    ::posix_spawn_file_actions_destroy(&quiet);
+    ::posix_spawnattr_destroy(&apart);
+    if (failure != 0) streams.err << "note: `xdg-open` is not installed; open the address in a browser\n";
+}
+
+/// A page that redirects to `address`: the browser's command line is readable by other users and must not contain the
+/// token.
+std::string redirect_to(const std::string& address) {
+    return fmt::format(
+        "<!doctype html>\n<meta charset=\"utf-8\">\n"
+        "<meta http-equiv=\"refresh\" content=\"0; url={0}\"><title>grafverif</title>\n<a href=\"{0}\">grafverif</a>\n",
+        address);
+}
+
+bool can_be_served(CommandContext& job) {
+    const std::string& path = job.options.operands[0];
+    std::string why;
+    if (path == "-" || own_descriptor(path)) why = "standard input cannot be watched; pass a file name";
+    else if (content_of_file(path, why)) why.clear();
+    if (!why.empty()) job.diagnostics.add(messages::cannot_read(path, why));
+    const std::uint64_t port = job.options.port;
+    if (port > 65535) job.diagnostics.add(messages::cannot_listen(port, "invalid port; use a number up to 65535"));
+    return !job.diagnostics.has_errors();
+}
+
+}  // namespace
+
+ExitCode serve(CommandContext& job, const Streams& streams) {
+    if (!can_be_served(job)) return ExitCode::Input;
+    const Interrupt interrupt;
+    std::unique_ptr<LivePage> page;
+    try {
+        page = std::make_unique<LivePage>(job.options);
+    } catch (const std::system_error& failure) {
+        if (failure.code() == std::errc::resource_unavailable_try_again) throw;  // a thread could not be started
+        const bool in_use = failure.code() == std::errc::address_in_use;
+        job.diagnostics.add(messages::cannot_listen(
+            job.options.port, in_use ? "another program uses this port" : failure.code().message()));
+        return ExitCode::Input;
+    }
+    const std::string address = page->address();
+    streams.out << fmt::format(
+                       "{}: {}\n"
+                       "Press Ctrl-C to stop.\n",
+                       printable(job.options.operands[0]), address)
+                << std::flush;
+    std::optional<TemporaryFolder> folder;  // readable by this user only, kept until the end: the browser may be slow
+    if (job.options.open) {
+        folder.emplace();
+        folder->write("open.html", redirect_to(address));
+        open_in_browser(folder->path() / "open.html", streams);
+    }
+    page->run(interrupt.requested());
+    return ExitCode::Done;
+}
+
+CliCommand serve_usage() {
+    return {
+        "serve",
+        "FILE",
+        1,
+        1,
+        "show a file in the browser while editing: drawings, verdicts, simulator",
+        "Prints a local address at which the browser shows the current state of FILE: diagnostics, charts, verdicts, "
+        "and an\n"
+        "interactive simulator. The page is updated when FILE or an included file is saved. Only this machine can open "
+        "the page,\n"
+        "and only with the token of the address. Nothing is written, except a temporary file with --open. Ctrl-C stops "
+        "the server.",
+        {"grafverif serve samples/oven_door/oven_door.grafcet", "grafverif serve station.grafcet --port 8060 --open"},
+        {OptionGroup::Serve, OptionGroup::Constants, OptionGroup::Mode, OptionGroup::Grain}};
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: MIT
+// `mutate`: mutation testing of a chart. Finds mutants that are equivalent, that violate a property, and that the test
+// sequence detects. Several threads check mutants; results are stored in a file, so that a stopped run can continue.
+#include "pipeline/variants/mutate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <ostream>
+#include <random>
+#include <sstream>
+#include <system_error>
+#include <thread>
+
+#include "app/commands.hpp"
+#include "app/outputs.hpp"
+#include "app/stop_text.hpp"
+#include "app/system/watchdog.hpp"
+#include "app/system/write_files.hpp"
+#include "compare/mutants.hpp"
+#include "draw/changes.hpp"
+#include "pipeline/files.hpp"
+#include "read/formats.hpp"
+#include "report/charts/mutation.hpp"
+#include "support/json_text.hpp"
+#include "support/messages.hpp"
+#include "support/messages_choice.hpp"
+#include "syntax/language/parse.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+using Kind = MutantFate::Kind;
+
+// -- results of a previous run --
+
+std::uint64_t hashed(std::uint64_t hash, const std::string& text) {
+    for (const char byte : text + '\0') hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211U;
+    return hash;
+}
+
+/// FNV-1a hash of all inputs of a fate besides the mutant: the program, every file that was read, including library
+/// components, and the options. Limits are not included: see StateFile.
+std::uint64_t hash_of_query(const CommandContext& job) {
+    std::uint64_t hash = hashed(14695981039346656037U, GRAFVERIF_VERSION);
+    for (const Source& source : job.sources) hash = hashed(hash, source.text);
+    const std::string mode(job.options.mode ? word(*job.options.mode) : "");
+    for (const std::string& part :
+         {mode, job.options.chart.value_or(""), std::string(job.options.lossy ? "lossy" : "")})
+        hash = hashed(hash, part);
+    for (const auto& [name, value] : job.options.constants) hash = hashed(hash, name + '=' + value);
+    return hash;
+}
+
+nlohmann::ordered_json stored(const std::string& key, const std::string& bounds, const MutantFate& fate) {
+    return {{"key", key},
+            {"bounds", bounds},
+            {"fate", word(fate.kind)},
+            {"reason", fate.reason},
+            {"noticed_by", fate.noticed_by},
+            {"undecided", fate.undecided},
+            {"vacuous", fate.vacuous},
+            {"caught", fate.caught ? nlohmann::ordered_json(*fate.caught) : nlohmann::ordered_json(nullptr)},
+            {"scans", fate.scans}};
+}
+
+/// True if other limits may lead to another fate.
+bool depends_on_bounds(const MutantFate& fate) { return fate.kind == Kind::Unknown || !fate.undecided.empty(); }
+
+/// Nothing if the line is not a stored fate, or if it depends on limits other than `bounds`.
+std::optional<std::pair<std::string, MutantFate>> restored(const std::string& line, const std::string& bounds) {
+    const auto json = nlohmann::json::parse(line, nullptr, false);
+    if (!json.is_object()) return {};
+    try {
+        MutantFate fate;
+        const auto kinds = {Kind::Refused, Kind::Equivalent, Kind::Noticed, Kind::Unnoticed, Kind::Unknown};
+        const auto kind =
+            std::ranges::find(kinds, json.at("fate").get<std::string>(), [](Kind each) { return word(each); });
+        if (kind == kinds.end()) return {};
+        fate.kind = *kind;
+        fate.reason = json.at("reason");
+        fate.noticed_by = json.at("noticed_by");
+        fate.undecided = json.at("undecided");
+        fate.vacuous = json.at("vacuous");
+        if (!json.at("caught").is_null()) fate.caught = json.at("caught").get<bool>();
+        fate.scans = json.at("scans");
+        if (depends_on_bounds(fate) && json.at("bounds") != bounds) return {};
+        return std::pair(json.at("key").get<std::string>(), std::move(fate));
+    } catch (const nlohmann::json::exception&) {
+        return {};
+    }
+}
+
+std::chrono::milliseconds each_of(const Options& options) {
+    return std::chrono::milliseconds(options.mutant_timeout_ms.value_or(60'000));
+}
+
+/// The fates of a previous run and of this one. The file is replaced like every output (see write_files): at the start,
+/// so that an unwritable file is rejected before the work, then at most once a second, and at the end.
+class StateFile {
+public:
+    explicit StateFile(const Options& options)
+        : path_(options.state_file),
+          bounds_(fmt::format("{} ms, {} bytes", each_of(options).count(), options.max_memory.value_or(0))) {}
+
+    /// False after an error: the file cannot be read, or is not a state file. Throws std::system_error.
+    bool open(Diagnostics& diagnostics) {
+        if (!path_) return true;
+        std::string why;
+        const bool is_there = !identity_of_existing(*path_).empty();
+        const auto text = is_there ? content_of_file(*path_, why) : std::optional(std::string());
+        if (!text) return diagnostics.add(messages::cannot_read(*path_, why)), false;
+        std::istringstream lines(*text);
+        for (std::string line; std::getline(lines, line);) {
+            if (line.empty()) continue;
+            if (!std::string_view(line).starts_with(line_begin.substr(0, line.size())))
+                return diagnostics.add(messages::no_state_file(*path_)), false;
+            if (auto known = restored(line, bounds_)) known_.insert_or_assign(known->first, std::move(known->second));
+            text_ += line + '\n';
+        }
+        save();
+        return true;
+    }
+    std::optional<MutantFate> known(const std::string& key) const {
+        const auto found = known_.find(key);
+        return found == known_.end() ? std::nullopt : std::optional(found->second);
+    }
+    void add(const std::string& key, const MutantFate& fate) {
+        if (!path_) return;
+        text_ += json_text(stored(key, bounds_, fate), -1) + '\n';
+        saved_ = false;
+        if (std::chrono::steady_clock::now() < next_save_) return;
+        try {
+            save();
+        } catch (const std::system_error&) {
+            next_save_ = std::chrono::steady_clock::now() + between_saves;  // the final save reports it
+        }
+    }
+    /// Throws std::system_error.
+    void save() {
+        if (!path_ || saved_) return;
+        write_files({{*path_, text_}});
+        saved_ = true;
+        next_save_ = std::chrono::steady_clock::now() + between_saves;
+    }
+
+private:
+    static constexpr std::string_view line_begin = R"({"key":)";
+    static constexpr std::chrono::seconds between_saves{1};
+
+    std::optional<std::string> path_;
+    std::string bounds_;  ///< limits of the work on each mutant
+    std::map<std::string, MutantFate> known_ = {};
+    std::string text_ = {};
+    bool saved_ = false;
+    std::chrono::steady_clock::time_point next_save_ = {};
+};
+
+// -- a run ------------------------------------------------------------------------------------------------------------
+
+/// A random sample of `most` mutants, chosen by `seed`, in their original order.
+void sample(std::vector<Mutant>& all, std::uint64_t most, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::vector<std::size_t> order(all.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    for (std::size_t k = order.size(); k > 1; --k) std::swap(order[k - 1], order[random() % k]);
+    order.resize(std::min<std::size_t>(order.size(), most));
+    std::ranges::sort(order);
+    std::vector<Mutant> chosen;
+    for (const std::size_t k : order) chosen.push_back(std::move(all[k]));
+    all = std::move(chosen);
+}
+
+/// Checks all mutants in parallel. A fate stays empty if the run was stopped before.
+class MutantChecks {
+public:
+    MutantChecks(const MutantChecker& bench, Mutation& mutation, StateFile& state, const CommandContext& job,
+                 const Limits& limits)
+        : bench_(bench),
+          mutation_(mutation),
+          question_(hash_of_query(job)),
+          options_(job.options),
+          limits_(limits),
+          state_(state) {}
+
+    void run() {
+        const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+        const unsigned jobs = options_.jobs == 0 ? cores : options_.jobs;
+        {
+            std::vector<std::jthread> threads;
+            try {
+                for (unsigned k = 0; k < std::min<std::size_t>(jobs, mutation_.mutants.size()); ++k)
+                    threads.emplace_back([this] { work(); });
+            } catch (const std::system_error&) {  // the threads that were started do all the work
+                if (threads.empty()) work();
+            }
+        }
+        if (failure_) std::rethrow_exception(failure_);
+    }
+
+private:
+    bool stopped() const {
+        return (limits_.stop != nullptr && limits_.stop->load()) ||
+               (limits_.deadline && std::chrono::steady_clock::now() >= *limits_.deadline);
+    }
+
+    void work() {
+        try {
+            for (std::size_t k = next_++; k < mutation_.mutants.size() && !stopped(); k = next_++) judge(k);
+        } catch (...) {
+            const std::lock_guard lock(mutex_);
+            failure_ = std::current_exception();
+            next_ = mutation_.mutants.size();
+        }
+    }
+
+    void judge(std::size_t index) {
+        const std::string key = fmt::format("{:016x}", hashed(question_, mutation_.mutants[index].text));
+        std::optional<MutantFate> fate = state_.known(key);
+        if (!fate) {
+            Limits limits = limits_;
+            limits.progress = {};
+            const auto end = std::chrono::steady_clock::now() + each_of(options_);
+            limits.deadline = limits.deadline ? std::min(*limits.deadline, end) : end;
+            fate = bench_.fate_of(mutation_.mutants[index], limits);
+            if (fate->kind == Kind::Unknown && stopped()) return;
+            const std::lock_guard lock(mutex_);
+            if (fate->failures.empty()) state_.add(key, *fate);
+        }
+        const std::lock_guard lock(mutex_);
+        mutation_.fates[index] = std::move(*fate);
+        ++done_;
+        if (limits_.progress)
+            limits_.progress(
+                {[this] { return fmt::format("{} of {} mutants checked", done_, mutation_.mutants.size()); }});
+    }
+
+    const MutantChecker& bench_;
+    Mutation& mutation_;
+    std::uint64_t question_;
+    const Options& options_;
+    const Limits& limits_;
+    StateFile& state_;
+    std::mutex mutex_ = {};
+    std::exception_ptr failure_ = {};
+    std::atomic<std::size_t> next_ = 0;
+    std::size_t done_ = 0;
+};
+
+/// Writes text and drawing of the original and of each mutant that no property detects; both drawings mark the elements
+/// that the other one does not have.
+bool write_survivors(const Mutation& mutation, const Model& model, Id<Chart> chart, const std::string& original,
+                     const ReadOptions& read, CommandContext& job, const Streams& streams) {
+    if (!job.options.survivors) return true;
+    const std::string folder = *job.options.survivors + "/";
+    const Drawing drawn = drawing_of(model, chart);
+    std::vector<OutputFile> files{{folder + "original.grafcet", original}, {folder + "original.svg", svg_of(drawn)}};
+    for (std::size_t k = 0; k < mutation.mutants.size(); ++k) {
+        if (!mutation.fates[k] || mutation.fates[k]->kind != Kind::Unnoticed) continue;
+        const std::string name = fmt::format("{}{:03}-{}", folder, k + 1, mutation.mutants[k].kind);
+        const ParseResult reading = read_string(mutation.mutants[k].text, job.options.operands[0], read);
+        const auto mutated = reading.model ? find_chart(*reading.model, mutation.chart) : std::nullopt;
+        files.push_back({name + ".grafcet", mutation.mutants[k].text});
+        if (!mutated) continue;
+        Drawing before = drawn, after = drawing_of(*reading.model, *mutated);
+        draw::mark_changes(before, after);
+        draw::mark_changes(after, drawn);
+        files.push_back({name + ".before.svg", svg_of(before)});
+        files.push_back({name + ".svg", svg_of(after)});
+    }
+    return write_outputs(files, job, streams);
+}
+
+ExitCode exit_code(const Mutation& mutation, bool stopped) {
+    bool open = stopped, survives = false;
+    for (const auto& fate : mutation.fates) {
+        if (fate && !fate->failures.empty()) return ExitCode::Failure;
+        open = open || !fate || fate->kind == Kind::Unknown;
+        survives = survives || (fate && fate->kind == Kind::Unnoticed);
+    }
+    return survives ? ExitCode::Verdict : open ? ExitCode::Unknown : ExitCode::Done;
+}
+
+}  // namespace
+
+ExitCode mutate(CommandContext& job, const Streams& streams) {
+    const std::string& path = job.options.operands[0];
+    const auto model = read_model(path, job);
+    const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
+    if (!chart || !equations_of(*model, *chart, job)) return ExitCode::Input;
+    const Id<Source> source = *job.sources.ids().begin();
+    const FileFormat format = format_of(job.sources[source].text);
+    const bool ours = format == FileFormat::Grafcet || format == FileFormat::Unknown;
+    const tree::File file = ours ? parse_file(source, job.sources, job.diagnostics)
+                                 : laid_out(read_any(source, job.sources, {job.options.lossy}, job.diagnostics));
+    const std::string original = job.sources[source].text;
+    Mutation mutation{.chart = model->charts[*chart].name};
+    mutation.mutants = mutants(file, mutation.chart);
+    mutation.possible = mutation.mutants.size();
+    sample(mutation.mutants, job.options.limit.value_or(mutation.possible), job.options.seed);
+    mutation.fates.resize(mutation.mutants.size());
+    const ReadOptions read{
+        .include_folders = job.options.include_folders, .lossy = job.options.lossy, .constants = job.options.constants};
+    MutantChecker bench(*model, *chart, path, read, job.options.mode);
+    StateFile state(job.options);
+    if (!state.open(job.diagnostics)) return ExitCode::Input;
+    const ResourceLimits bounds(job.options, streams);
+    bool stopped = !bench.prepare(bounds.limits());
+    if (!stopped) MutantChecks(bench, mutation, state, job, bounds.limits()).run();
+    stopped = stopped || bounds.interrupted();
+    mutation.properties = bench.properties();
+    mutation.vacuous = bench.vacuous();
+    mutation.test_steps = bench.test_steps();
+    mutation.no_test = bench.no_test();
+    work_is_done();
+    try {
+        state.save();
+    } catch (const std::system_error& failure) {
+        job.diagnostics.add(messages::io_error(failure.what()));  // the results are printed anyway
+    }
+    if (!write_survivors(mutation, *model, *chart, original, read, job, streams)) return ExitCode::Input;
+    std::ostringstream out;
+    if (job.options.format == Format::Json) out << mutation_json(mutation, job.sources) << '\n';
+    else print_mutation(mutation, job.sources, out);
+    deliver(std::move(out).str(), job, streams);
+    for (const auto& fate : mutation.fates)
+        for (const std::string& failure : fate ? fate->failures : std::vector<std::string>{})
+            streams.err << "grafverif: internal error: " << failure << '\n';
+    return exit_code(mutation, stopped);
+}
+
+CliCommand mutate_usage() {
+    return {
+        "mutate",
+        "FILE",
+        1,
+        1,
+        "mutate a chart, and report which mutants its properties and tests detect",
+        "Changes a chart of FILE by one plausible mistake at a time, for example a negated term, a wrong successor, "
+        "another\n"
+        "duration or a missing action (docs/how-to/mutate.md lists all). Each mutant is proved equivalent or not (see "
+        "`compare`) and\n"
+        "checked against the properties of the closed loops with the chart (see `check`). It is also run through the "
+        "test\n"
+        "sequence of the chart (see `testgen`). Mutants that no property detects are printed as a difference of the "
+        "text, with\n"
+        "--survivors also as drawings.\n"
+        "Exit code 1: no property detects a mutant; 3: incomplete (--mutant-timeout, --timeout, Ctrl-C).",
+        {"grafverif mutate samples/oven_door/oven_door.grafcet",
+         "grafverif mutate station.grafcet --chart press --limit 50 --seed 7 --state press.mutants --survivors press",
+         "grafverif mutate station.grafcet --mutant-timeout 10s --format json -o mutants.json"},
+        {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Constants, OptionGroup::Mutants, OptionGroup::Mode,
+         OptionGroup::Format}};
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: MIT
+#include "app/serve/file_checker.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
+
+#include "app/stop_text.hpp"
+#include "app/system/watchdog.hpp"
+#include "page/terms.hpp"
+#include "pipeline/check.hpp"
+#include "pipeline/file_watcher.hpp"
+#include "pipeline/models.hpp"
+#include "report/report.hpp"
+#include "support/json_text.hpp"
+#include "support/messages.hpp"
+#include "support/printable.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace std::chrono_literals;
+
+constexpr auto file_poll_interval = 50ms, progress_interval = 250ms;
+/// Programs that replace a file may delete it first.
+constexpr auto absence = 100ms;
+
+bool is_in_a_loop(const Model& model, Id<Chart> chart) {
+    return std::ranges::any_of(model.loops, [&](const ClosedLoop& loop) {
+        return std::ranges::any_of(loop.controllers, [&](const auto& controller) { return controller.chart == chart; });
+    });
+}
+
+/// `text`: the property as the file has it; `claim`: its formula, if known. All of it is untrusted text.
+Json json_of(const PropertyResult& answer, const std::string& claim) {
+    const Verdict& verdict = answer.verdict;
+    Json notes = Json::array();
+    for (const std::string& note : verdict.notes) notes.push_back(printable(note));
+    return {{"name", verdict.property},
+            {"text", printable(answer.text)},
+            {"claim", printable(claim)},
+            {"verdict", word(verdict.outcome)},
+            {"expected", verdict.expected_violated ? "violated" : "holds"},
+            {"as_expected", as_expected(verdict)},
+            {"vacuous", verdict.vacuous},
+            {"declared", verdict.declared},
+            {"reason", printable(verdict.reason)},
+            {"notes", std::move(notes)}};
+}
+
+PropertyResult no_result(const Property& property) {
+    PropertyResult answer{.text = property.text};
+    answer.verdict.property = property.name;
+    answer.verdict.expected_violated = property.expected_violated;
+    answer.verdict.reason = "it is omitted from this model, so its value is unknown";
+    return answer;
+}
+
+}  // namespace
+
+class FileChecker::Work {
+public:
+    Work(const Options& options, std::function<void()> changed) : options_(options), changed_(std::move(changed)) {
+        worker_ = std::jthread([this] { work(); });
+        try {
+            watcher_ = std::jthread([this] { watch(); });
+        } catch (...) {
+            end();
+            throw;
+        }
+    }
+
+    ~Work() { end(); }
+
+    std::optional<std::string> newer(std::uint64_t known) const {
+        const std::lock_guard hold(door_);
+        return version_ == known ? std::nullopt : std::optional(state_);
+    }
+
+    std::shared_ptr<const CheckedFile> workpiece() const {
+        const std::lock_guard hold(door_);
+        return piece_;
+    }
+
+private:
+    /// The check of one model, and the verdicts so far.
+    struct Proof {
+        bool is_loop = false;
+        std::uint32_t place = 0;  ///< among the loops or charts
+        std::string name = {}, state = "waiting", progress = {};
+        Json properties = Json::array(), error_traces = Json::array();
+
+        Json json() const {
+            return {
+                {"kind", is_loop ? "loop" : "chart"}, {"name", name},          {"state", state}, {"progress", progress},
+                {"properties", properties},           {"errors", error_traces}};
+        }
+    };
+
+    void end() {
+        {
+            const std::lock_guard hold(door_);
+            over_ = stale_ = true;
+        }
+        wake_.notify_all();
+    }
+
+    // One thread polls the files for changes ...
+
+    void watch() {
+        while (sleep(file_poll_interval)) {
+            const std::lock_guard hold(watching_);
+            if (!watch_.changed()) continue;
+            const std::lock_guard wake(door_);
+            stale_ = true;
+            wake_.notify_all();
+        }
+    }
+
+    /// False at the end.
+    bool sleep(std::chrono::milliseconds time) {
+        std::unique_lock hold(door_);
+        return !wake_.wait_for(hold, time, [this] { return over_.load(); });
+    }
+
+    // ... and another one reads them and checks until they change.
+
+    void work() {
+        while (!over_) {
+            keep_memory_back();
+            try {
+                read();
+                for (Proof& proof : proofs_)
+                    if (!stale_ && !over_ && proof.state == "waiting") prove(proof);
+            } catch (const std::bad_alloc&) {
+                give_up("out of memory");
+            } catch (const std::system_error& failure) {
+                give_up(failure.what());
+            }
+            std::unique_lock hold(door_);
+            wake_.wait(hold, [this] { return stale_ || over_; });
+        }
+    }
+
+    void read() {
+        auto piece = std::make_shared<CheckedFile>();
+        const std::string& path = options_.operands[0];
+        {
+            const std::lock_guard hold(watching_);
+            watch_.clear();
+            begin();
+            watch_.note(path);
+            std::string why;
+            auto text = content_of_file(path, why);
+            if (!text) std::this_thread::sleep_for(absence);
+            if (!text) text = content_of_file(path, why);
+            if (text) read(path, std::move(*text), *piece);
+            else piece->reading.diagnostics.add(messages::cannot_read(path, why));
+        }
+        if (stale_ && !piece->reading.model) return;  // cut short: what has changed is read next
+        if (piece->reading.model) make_networks(*piece);
+        proofs_ = proofs_of(*piece);
+        take_up(std::move(piece));
+    }
+
+    void begin() {
+        const std::lock_guard hold(door_);
+        stale_ = over_.load();  // the destructor has set both
+    }
+
+    void read(const std::string& path, std::string text, CheckedFile& piece) {
+        ParseResult& reading = piece.reading;
+        const Id<Source> file = reading.sources.add({path, std::move(text)});
+        const Reach reach(path, options_.include_folders);
+        ReadContext context = context_of(reach, options_.include_folders, false);
+        context.constants.insert(options_.constants.begin(), options_.constants.end());
+        context.stop = &stale_;
+        context.identity = [this](const std::string& included) {
+            watch_.note(included);  // a missing file may appear later
+            return identity_of_existing(included);
+        };
+        reading.model = read_text(file, reading.sources, context, reading.diagnostics);
+    }
+
+    void make_networks(CheckedFile& piece) const {
+        const Model& model = *piece.reading.model;
+        for (const Id<ClosedLoop> loop : model.loops.ids())
+            piece.networks.push_back(
+                network_of(model, loop, ModelOptions{options_.mode, options_.grain, {}}, piece.reading.diagnostics));
+        for (const Id<Chart> chart : model.charts.ids()) {
+            Diagnostics already_reported;
+            Diagnostics& diagnostics = is_in_a_loop(model, chart) ? already_reported : piece.reading.diagnostics;
+            piece.runs.push_back(equations_of(model, chart, diagnostics).has_value());
+        }
+    }
+
+    /// Includes rejected models, which are reported.
+    static std::vector<Proof> proofs_of(const CheckedFile& piece) {
+        std::vector<Proof> proofs;
+        if (!piece.reading.model) return proofs;
+        const Model& model = *piece.reading.model;
+        const auto begun = [](bool accepted) { return accepted ? "waiting" : "refused"; };
+        for (const Id<ClosedLoop> loop : model.loops.ids())
+            proofs.push_back({.is_loop = true,
+                              .place = loop.index,
+                              .name = model.loops[loop].name,
+                              .state = begun(piece.networks[loop.index].has_value())});
+        for (const Id<Chart> chart : model.charts.ids())
+            if (!is_in_a_loop(model, chart))
+                proofs.push_back(
+                    {.place = chart.index, .name = model.charts[chart].name, .state = begun(piece.runs[chart.index])});
+        return proofs;
+    }
+
+    void prove(Proof& proof) {
+        proof.state = "running";
+        publish();
+        auto told = std::chrono::steady_clock::now();
+        CheckOptions options{.witnesses = false, .limits = {options_.max_states, options_.max_memory, {}, &stale_, {}}};
+        if (options_.response_timeout_ms)
+            options.limits.deadline = told + std::chrono::milliseconds(*options_.response_timeout_ms);
+        options.limits.progress = [&](const Progress& now) {
+            if (std::chrono::steady_clock::now() - told < progress_interval) return;
+            told = std::chrono::steady_clock::now();
+            proof.progress = now.words();
+            publish();
+        };
+        const std::optional<Report> report = report_on(proof, options);
+        if (stale_) return;
+        proof.state = report ? "done" : "refused";
+        proof.progress.clear();
+        if (report) take_over(*report, proof);
+        publish();
+    }
+
+    std::optional<Report> report_on(const Proof& proof, const CheckOptions& options) const {
+        const Model& model = *piece_of_work_->reading.model;
+        if (proof.is_loop)
+            return check(loop_to_check(model, {proof.place}, *piece_of_work_->networks[proof.place]), options);
+        Diagnostics already_reported;
+        return check_untimed(model, Id<Chart>{proof.place}, {options_.mode, options_.grain, {}}, options,
+                             already_reported);
+    }
+
+    void take_over(const Report& report, Proof& proof) const {
+        const Model& model = *piece_of_work_->reading.model;
+        const Id<ClosedLoop> loop = proof.is_loop ? Id<ClosedLoop>{proof.place} : Id<ClosedLoop>{};
+        const auto add_result = [&](PropertyResult answer) {
+            std::string& reason = answer.verdict.reason;
+            reason = with_who_stopped(std::move(reason), false, {.timeout_ms = options_.response_timeout_ms});
+            proof.properties.push_back(json_of(
+                answer, expectation_text(model, loop, answer.verdict.property, piece_of_work_->reading.sources)));
+        };
+        for (const PropertyResult& answer : report.answers) add_result(answer);
+        if (loop.valid())
+            for (const Property& property : model.loops[loop].properties)
+                if (!has_result(report, property)) add_result(no_result(property));
+        for (const ModelErrorTrace& breakdown : report.error_traces)
+            proof.error_traces.push_back({{"code", breakdown.code}, {"message", printable(breakdown.message)}});
+        for (const std::string& failure : report.failures)
+            proof.error_traces.push_back({{"code", "internal-failure"}, {"message", printable(failure)}});
+    }
+
+    void give_up(const std::string& why) {
+        proofs_.clear();
+        auto piece = std::make_shared<CheckedFile>();
+        piece->reading.diagnostics.add(messages::io_error(why));
+        take_up(std::move(piece));
+    }
+
+    void take_up(std::shared_ptr<CheckedFile> piece) {
+        piece->number = ++readings_;
+        piece_of_work_ = std::move(piece);
+        publish();
+    }
+
+    void publish() {
+        const CheckedFile& piece = *piece_of_work_;
+        Json models = Json::array(), charts = Json::array();
+        for (const Proof& proof : proofs_) models.push_back(proof.json());
+        if (piece.reading.model)
+            for (const Id<Chart> chart : piece.reading.model->charts.ids())
+                charts.push_back({{"name", piece.reading.model->charts[chart].name},
+                                  {"runs", static_cast<bool>(piece.runs[chart.index])}});
+        Json state = {{"version", 0},
+                      {"reading", piece.number},
+                      {"file", options_.operands[0]},
+                      {"readable", piece.reading.model.has_value()},
+                      {"errors", piece.reading.diagnostics.errors()},
+                      {"diagnostics", piece.reading.complaints()},
+                      {"charts", std::move(charts)},
+                      {"models", std::move(models)}};
+        {
+            const std::lock_guard hold(door_);
+            state["version"] = ++version_;
+            state_ = json_text(state, -1);
+            piece_ = piece_of_work_;
+        }
+        changed_();
+    }
+
+    const Options& options_;
+    std::function<void()> changed_;
+
+    std::mutex watching_ = {};  ///< acquired before `door_`
+    FileWatcher watch_ = {};
+
+    mutable std::mutex door_ = {};
+    std::condition_variable wake_ = {};
+    std::atomic<bool> over_ = false, stale_ = false;
+    std::uint64_t version_ = 0;
+    std::string state_ = {};
+    std::shared_ptr<const CheckedFile> piece_ = std::make_shared<CheckedFile>();
+
+    // Used only by the thread that reads and checks.
+    std::shared_ptr<const CheckedFile> piece_of_work_ = piece_;
+    std::vector<Proof> proofs_ = {};
+    std::uint64_t readings_ = 0;
+
+    std::jthread worker_ = {}, watcher_ = {};  ///< last: the threads use all members above
+};
+
+FileChecker::FileChecker(const Options& options, std::function<void()> changed)
+    : work_(std::make_unique<Work>(options, std::move(changed))) {}
+FileChecker::~FileChecker() = default;
+std::optional<std::string> FileChecker::newer(std::uint64_t known) const { return work_->newer(known); }
+std::shared_ptr<const CheckedFile> FileChecker::workpiece() const { return work_->workpiece(); }
+
+}  // namespace grafverif::app

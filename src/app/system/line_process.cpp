@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// Reads and writes all three pipes as they become ready, so that a program that writes before it reads, or never reads,
+// does not block the caller. Output is kept up to a limit; of standard error the end is kept.
+#include "app/system/line_process.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <vector>
+
+#include "app/system/interrupt.hpp"
+#include "app/system/watchdog.hpp"
+#include "syntax/print/scan_line.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+/// Reads available bytes, at most `most`; closes the descriptor at the end of file.
+std::string taken(Descriptor& from, std::size_t most) {
+    std::string text(most, '\0');
+    const ssize_t count = ::read(from.number(), text.data(), text.size());
+    const bool later = count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
+    if (count <= 0 && !later) from.close();
+    text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+    return text;
+}
+
+constexpr std::size_t bytes_at_once = 65'536;  ///< bytes read per call
+constexpr int shell_found_nothing = 127, shell_could_not_run = 126;
+
+}  // namespace
+
+LineProcess::LineProcess(const std::string& command, const LineProcessLimits& limits) : limits_(limits) {
+    const MemoryUnbounded unbounded;  // the memory limit of this process does not apply to the program
+    Pipe in = make_pipe(), out = make_pipe(), err = make_pipe();
+    program_.emplace(std::vector<std::string>{"/bin/sh", "-c", command},
+                     ChildStreams{in.read.number(), out.write.number(), err.write.number()});
+    to_ = std::move(in.write);
+    from_ = std::move(out.read);
+    errors_ = std::move(err.read);
+    for (const Descriptor* ours : {&to_, &from_, &errors_}) set_nonblocking(*ours);
+    pipe_signal_before_ = std::signal(SIGPIPE, SIG_IGN);  // a program that has ended does not read
+}
+
+LineProcess::~LineProcess() {
+    const SignalBlocker whole;
+    to_.close();
+    from_.close();
+    if (!wait_for_end(std::chrono::milliseconds(over_ ? 0 : 500))) {
+        program_->send(SIGTERM);
+        wait_for_end(std::chrono::milliseconds(200));
+    }
+    program_->end();
+    if (stopped()) work_is_done();  // from here on the results are reported
+    std::signal(SIGPIPE, pipe_signal_before_);
+}
+
+Reply LineProcess::ask(const std::string& line) {
+    Reply answer = result_for(line);
+    over_ = answer.kind != Reply::Kind::Line;
+    return answer;
+}
+
+Reply LineProcess::result_for(const std::string& line) {
+    receive();
+    if (const std::size_t end = heard_.find('\n'); end != std::string::npos)  // an unsolicited line
+        return {Reply::Kind::Flood, heard_.substr(0, end)};
+    send(line);
+    const Steady::time_point deadline = Steady::now() + limits_.patience;
+    for (;;) {
+        const bool answered = heard_.find('\n') != std::string::npos;
+        if (answered || heard_.size() > limits_.longest_line || !from_.open()) return result_so_far();
+        if (stopped()) return {Reply::Kind::Stopped, {}};
+        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Steady::now());
+        if (left.count() <= 0) return {Reply::Kind::Silent, {}};
+        wait(left);
+        send();
+        receive();
+        listen();
+    }
+}
+
+/// True if there is a line, more than a line, or the stream has ended.
+Reply LineProcess::result_so_far() {
+    const std::size_t end = heard_.find('\n');
+    if (end == std::string::npos && heard_.size() <= limits_.longest_line) return {Reply::Kind::Ended, heard_};
+    if (end != heard_.size() - 1) return {Reply::Kind::Flood, heard_.substr(0, end)};
+    std::string line = std::exchange(heard_, {});
+    line.pop_back();
+    return {Reply::Kind::Line, std::move(line)};
+}
+
+void LineProcess::send() {
+    if (!to_.open() || unsent_.empty()) return;
+    const ssize_t count = ::write(to_.number(), unsent_.data(), unsent_.size());
+    if (count > 0) unsent_.erase(0, static_cast<std::size_t>(count));
+    else if (count < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR) to_.close();
+}
+
+void LineProcess::receive() {
+    if (from_.open() && heard_.size() <= limits_.longest_line) heard_ += taken(from_, bytes_at_once);
+}
+
+void LineProcess::listen() {
+    constexpr std::size_t kept = 2000;
+    if (!errors_.open()) return;
+    said_ += taken(errors_, bytes_at_once);
+    if (said_.size() > kept) said_.erase(0, said_.size() - kept);
+}
+
+/// Waits until a pipe is ready, but no longer than an acceptable reaction time to a stop request.
+void LineProcess::wait(std::chrono::milliseconds longest) {
+    constexpr std::chrono::milliseconds most{20};
+    const auto writing = static_cast<short>(unsent_.empty() ? 0 : POLLOUT);
+    std::array<pollfd, 3> waited = {pollfd{from_.number(), POLLIN, 0}, pollfd{errors_.number(), POLLIN, 0},
+                                    pollfd{writing != 0 ? to_.number() : -1, writing, 0}};
+    ::poll(waited.data(), waited.size(), static_cast<int>(std::min(longest, most).count()));
+}
+
+/// Reads standard error in the meantime: a program blocked on a full pipe cannot end.
+bool LineProcess::wait_for_end(std::chrono::milliseconds longest) {
+    const Steady::time_point deadline = Steady::now() + longest;
+    while (!program_->ended() && Steady::now() < deadline) {
+        pollfd waited{errors_.number(), POLLIN, 0};
+        ::poll(&waited, 1, 2);
+        listen();
+    }
+    return program_->ended().has_value();
+}
+
+std::string LineProcess::end_text() {
+    std::string text = "the controller closed its output";
+    if (wait_for_end(std::chrono::milliseconds(500))) {
+        const ChildEnd end = *program_->ended();
+        text = end.by_signal
+                   ? fmt::format("the controller was terminated by signal {} ({})", end.status, ::strsignal(end.status))
+                   : fmt::format("the controller exited with code {}", end.status);
+    }
+    if (!heard_.empty()) text += fmt::format(", after the incomplete line `{}`", shown_line(heard_));
+    listen();
+    std::string_view last = said_;
+    while (last.ends_with('\n')) last.remove_suffix(1);
+    last.remove_prefix(last.rfind('\n') + 1);  // npos + 1 is 0
+    if (!last.empty()) text += fmt::format("; its error output: {}", shown_line(last));
+    return text;
+}
+
+bool LineProcess::not_found() {
+    if (!wait_for_end(std::chrono::milliseconds(500))) return false;
+    const ChildEnd end = *program_->ended();
+    return !end.by_signal && (end.status == shell_found_nothing || end.status == shell_could_not_run);
+}
+
+}  // namespace grafverif::app

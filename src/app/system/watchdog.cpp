@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+// The watchdog's thread allocates nothing and acquires only its own lock: the run may hold any other lock, and memory
+// may be exhausted.
+#include "app/system/watchdog.hpp"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <exception>
+#include <limits>
+#include <new>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "app/program.hpp"
+#include "app/system/child.hpp"
+#include "support/memory_reserve.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
+
+constexpr std::uint64_t own_memory = std::uint64_t{32} << 20U;  ///< of the program itself: code, library, buffers
+constexpr std::size_t kept_back = std::size_t{2} << 20U;        ///< reserve for reporting that memory is exhausted
+constexpr std::size_t kept_to_land = std::size_t{1} << 20U;     ///< reserve for allocations that must not fail
+constexpr auto program_timeout = 3s, reader_timeout = 3s;
+constexpr auto grace = 400ms, longest_grace = 60'000ms, poll_interval = 25ms;
+
+std::atomic<std::int64_t> telling = 0;        ///< since when results are printed, on the steady clock; 0: not yet
+std::atomic<std::int64_t> reporting_cpu = 0;  ///< the processor time used until then, in nanoseconds
+std::atomic<void*> reserve = nullptr, landing = nullptr;
+thread_local bool keeping_back = false;
+
+void write_completely(std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t count = ::write(STDERR_FILENO, text.data(), text.size());
+        if (count <= 0) return;
+        text.remove_prefix(static_cast<std::size_t>(count));
+    }
+}
+
+std::uint64_t with_margin(std::uint64_t allowed) {
+    constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
+    return allowed > most / 2 ? most : allowed + allowed / 10 + own_memory;
+}
+
+std::uint64_t number_in(const char* file) {
+    std::array<char, 64> text = {};
+    const int descriptor = ::open(file, O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) return 0;
+    const ssize_t count = ::read(descriptor, text.data(), text.size());
+    ::close(descriptor);
+    std::uint64_t number = 0;
+    if (count > 0) std::from_chars(text.data(), text.data() + count, number);
+    return number;
+}
+
+/// Memory available to this process on the machine or in the container; 0: unknown.
+std::uint64_t memory_of_machine() {
+    const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
+    const std::uint64_t machine =
+        pages > 0 && page > 0 ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page) : 0;
+    const std::uint64_t container = number_in("/sys/fs/cgroup/memory.max");
+    return container != 0 && (machine == 0 || container < machine) ? container : machine;
+}
+
+/// Bytes of this process in memory that no file backs; 0: unknown.
+std::uint64_t resident() {
+    std::array<char, 128> text = {};
+    const int descriptor = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) return 0;
+    const ssize_t count = ::read(descriptor, text.data(), text.size() - 1);
+    ::close(descriptor);
+    std::array<std::uint64_t, 3> pages = {};  // size, resident, shared
+    const char* at = text.data();
+    const char* const end = text.data() + std::max<ssize_t>(count, 0);
+    for (std::uint64_t& each : pages) {
+        while (at != end && *at == ' ') ++at;
+        at = std::from_chars(at, end, each).ptr;
+    }
+    return (pages[1] - std::min(pages[1], pages[2])) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+void allow_memory(std::uint64_t bytes) {
+    rlimit limit = {};
+    if (sanitized || bytes == 0 || ::getrlimit(RLIMIT_DATA, &limit) != 0) return;
+    limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
+    ::setrlimit(RLIMIT_DATA, &limit);
+}
+
+/// Processor time of all threads, in nanoseconds.
+std::int64_t processor_time() {
+    timespec now = {};
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
+/// False if the memory was released before.
+bool give_back(std::atomic<void*>& kept) {
+    void* const memory = kept.exchange(nullptr);
+    ::operator delete(memory);
+    return memory != nullptr;
+}
+
+void no_memory() {
+    if (keeping_back) throw std::bad_alloc();
+    if (must_not_fail() && (give_back(landing) || give_back(reserve))) return;  // the allocation is repeated
+    give_back(reserve);
+    throw std::bad_alloc();
+}
+
+bool keep(std::atomic<void*>& kept, std::size_t size) {
+    if (kept != nullptr) return true;
+    keeping_back = true;
+    void* memory = ::operator new(size, std::nothrow);
+    keeping_back = false;
+    if (memory == nullptr) return false;
+    std::memset(memory, 1, size);
+    memory = kept.exchange(memory);  // another thread may have been as quick
+    ::operator delete(memory);
+    return true;
+}
+
+[[noreturn]] void give_up() {
+    ExitCode code = ExitCode::Failure;
+    std::string_view why = "grafverif: internal error: exception in a context that cannot report it\n";
+    try {
+        if (const std::exception_ptr failure = std::current_exception()) std::rethrow_exception(failure);
+    } catch (const std::bad_alloc&) {
+        code = ExitCode::Unknown;
+        why = "error: out of memory: the system refused an allocation [out-of-memory]\n";
+    } catch (...) {
+    }
+    write_completely(why);
+    ::_exit(static_cast<int>(code));
+}
+
+/// Touches that many stack pages below the caller, page by page: a single large object would skip the guard page of
+/// a small stack.
+[[gnu::noinline]] void touch_stack(std::size_t pages) {  // NOLINT(misc-no-recursion)
+    std::array<volatile char, 4096> page;
+    page[0] = 0;
+    if (pages > 0) touch_stack(pages - 1);
+    page[1] = page[0];  // after the call, to prevent a tail call, which would stay in this frame
+}
+
+/// Allocates stack memory now if that may fail later: a stack that cannot grow raises a signal.
+void grow_stack() {
+    rlimit addresses = {}, stack = {};
+    if (::getrlimit(RLIMIT_AS, &addresses) != 0 || addresses.rlim_cur == RLIM_INFINITY) return;
+    if (::getrlimit(RLIMIT_STACK, &stack) != 0) return;
+    constexpr rlim_t most = rlim_t{2} << 20U;
+    touch_stack(std::min(most, stack.rlim_cur / 2) / 4096);  // arguments and environment take up to a quarter
+}
+
+}  // namespace
+
+void work_is_done() {
+    reporting_cpu = processor_time();
+    telling = std::max<std::int64_t>(1, std::chrono::steady_clock::now().time_since_epoch().count());
+}
+
+void expect_memory_to_end() {
+    grow_stack();
+    keep_memory_back();
+    std::set_new_handler(no_memory);
+    std::set_terminate(give_up);
+}
+
+bool keep_memory_back() {
+    const bool kept = keep(reserve, kept_back);
+    return keep(landing, kept_to_land) && kept;
+}
+
+MemoryUnbounded::MemoryUnbounded() {
+    rlimit limit = {};
+    if (sanitized || ::getrlimit(RLIMIT_DATA, &limit) != 0) return;
+    before_ = std::exchange(limit.rlim_cur, limit.rlim_max);
+    ::setrlimit(RLIMIT_DATA, &limit);
+}
+
+MemoryUnbounded::~MemoryUnbounded() {
+    if (before_) allow_memory(*before_);
+}
+
+Watchdog::Watchdog(WatchdogOptions orders) : orders_(std::move(orders)) {
+    telling = 0;
+    if (orders_.timeout) {
+        margin_ = grace + std::min<std::chrono::milliseconds>(*orders_.timeout / 10, longest_grace);
+        last_moment_ = Steady::now() + *orders_.timeout + margin_;
+    }
+    if (orders_.max_memory) allow_memory(with_margin(*orders_.max_memory));
+    else allow_memory(memory_of_machine() / 10 * 9);
+
+    sigset_t all, before;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before);  // only the threads of the run handle signals
+    pthread_attr_t attributes;
+    ::pthread_attr_init(&attributes);
+    ::pthread_attr_setstacksize(&attributes, std::size_t{256} << 10U);
+    const int failure = ::pthread_create(&thread_, &attributes, watch, this);
+    ::pthread_attr_destroy(&attributes);
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    if (failure != 0) throw std::system_error(failure, std::generic_category(), "cannot start the watchdog thread");
+}
+
+Watchdog::~Watchdog() {
+    {
+        const std::lock_guard lock(mutex_);  // if the run is being ended, wait for that
+        done_ = true;
+    }
+    over_.notify_one();
+    ::pthread_join(thread_, nullptr);
+}
+
+void* Watchdog::watch(void* guard) {
+    static_cast<Watchdog*>(guard)->watch();
+    return nullptr;
+}
+
+void Watchdog::watch() {
+    std::unique_lock lock(mutex_);
+    while (!over_.wait_for(lock, poll_interval, [this] { return done_; }))
+        if (const std::string* const why = reason()) end(*why);
+}
+
+const std::string* Watchdog::reason() {
+    const Steady::time_point now = Steady::now();
+    if (!interrupted_ && interrupt_.requested()) interrupted_ = now;
+    // Results may be printed after the time limit, for the margin in processor time: neither a slow reader nor a loaded
+    // machine truncates them. After Ctrl-C, reader_timeout is the limit for a reader that does not read at all.
+    const std::chrono::nanoseconds used(telling == 0 ? 0 : processor_time() - reporting_cpu);
+    const Steady::time_point told(Steady::duration(telling.load()));
+    const auto waited = interrupted_ ? now - std::max(*interrupted_, told) : Steady::duration(0);
+    if (interrupted_ && waited >= grace && (telling == 0 || used >= grace || waited >= reader_timeout))
+        return &orders_.interrupted;
+    const bool printed = telling == 0 || used >= margin_;
+    if (last_moment_ && now >= *last_moment_ && printed) return &orders_.timed_out;
+    constexpr std::uint64_t times = sanitized ? 4 : 1;
+    if (orders_.max_memory && resident() > times * with_margin(*orders_.max_memory)) return &orders_.out_of_memory;
+    return nullptr;
+}
+
+/// Files that are being written are completed first, and started programs are given time to end: the thread that runs
+/// them observes the same limits and ends their descendants.
+void Watchdog::end(const std::string& why) {
+    if (!ending_) ending_ = Steady::now();
+    if (children_run() && Steady::now() - *ending_ < program_timeout) return;
+    if (!SignalBlocker::none_from_now_on()) return;
+    kill_children_at_once();
+    write_completely(why);
+    ::_exit(static_cast<int>(ExitCode::Unknown));
+}
+
+}  // namespace grafverif::app

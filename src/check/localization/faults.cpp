@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "check/localization/faults.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <vector>
+
+#include "ir/interval.hpp"
+#include "ir/junction.hpp"
+#include "ir/slots.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Variable = Id<Network::Variable>;
+
+constexpr std::int64_t most_tried = 4096;  // values that are enumerated
+
+class Faults {
+public:
+    explicit Faults(const Network& network) : network_(network) {}
+
+    bool has_value(Id<Expr> term) {
+        if (!known_.insert(term).second) return true;
+        const Expr& node = network_.exprs[term];
+        const auto operands = network_.exprs.operands(term);
+        if (node.op == Op::Divide || node.op == Op::Modulo) {
+            const Expr& divisor = network_.exprs[operands[1]];
+            if (divisor.op != Op::Integer || divisor.value == 0 || divisor.value == -1) return false;
+        }
+        if (is_arithmetic(node.op)) {
+            const Interval values = interval_of(term);
+            if (values.low == std::numeric_limits<std::int64_t>::min()) return false;
+            if (values.high == std::numeric_limits<std::int64_t>::max()) return false;
+        }
+        return std::ranges::all_of(operands, [this](Id<Expr> operand) { return has_value(operand); });
+    }
+
+    /// True if the k-th assignment of an edge keeps its target in range in every state. The guard is used if no
+    /// variable that the value reads has been assigned before.
+    bool stays_in_range(const Network::Edge& edge, const std::vector<Network::Assignment>& assignments,
+                        std::size_t k) const {
+        const Type& type = network_.variables[variable_of(assignments[k].target)].type;
+        const Id<Expr> value = assignments[k].value;
+        const Interval values = interval_of(value);
+        if (type.boolean || (type.low <= values.low && values.high <= type.high)) return true;
+        std::map<std::int64_t, std::int64_t> now;  // per variable read
+        std::int64_t combinations = 1;
+        const auto read = [&](Id<Expr> term) {
+            for (const Id<Expr> leaf : leaves(network_.exprs, term)) {
+                const Type& of = network_.variables[variable_of(leaf)].type;
+                if (!now.emplace(network_.exprs[leaf].value, of.low).second) continue;
+                combinations = std::min(combinations * (of.high - of.low + 1), most_tried + 1);
+            }
+        };
+        read(value);
+        bool guarded = true;
+        for (std::size_t before = 0; before < k; ++before)
+            guarded = guarded && !now.contains(network_.exprs[assignments[before].target].value);
+        std::vector<Id<Expr>> guards;
+        if (guarded)
+            for (const Id<Expr> conjunct : operands_of(network_.exprs, edge.guard, Op::And))
+                if (reads_some(conjunct, now)) guards.push_back(conjunct);
+        for (const Id<Expr> guard : guards) read(guard);
+        if (combinations > most_tried) return false;
+        do {
+            const auto of = [&](const Expr& leaf) { return now.at(leaf.value); };
+            const bool enabled = std::ranges::all_of(
+                guards, [&](Id<Expr> guard) { return evaluate(network_.exprs, guard, of).value_or(1) != 0; });
+            if (!enabled) continue;
+            const auto made = evaluate(network_.exprs, value, of);
+            if (!made || *made < type.low || *made > type.high) return false;
+        } while (next(now));
+        return true;
+    }
+
+private:
+    static Variable variable_of(const Expr& leaf) { return {static_cast<std::uint32_t>(leaf.value)}; }
+    Variable variable_of(Id<Expr> leaf) const { return variable_of(network_.exprs[leaf]); }
+    Interval interval_of(Id<Expr> term) const {
+        return interval(network_.exprs, term,
+                        [this](const Expr& leaf) { return network_.variables[variable_of(leaf)].type; });
+    }
+    bool reads_some(Id<Expr> term, const std::map<std::int64_t, std::int64_t>& of) const {
+        return std::ranges::any_of(leaves(network_.exprs, term),
+                                   [&](Id<Expr> leaf) { return of.contains(network_.exprs[leaf].value); });
+    }
+    bool next(std::map<std::int64_t, std::int64_t>& now) const {
+        for (auto& [variable, value] : now) {
+            const Type& type = network_.variables[{static_cast<std::uint32_t>(variable)}].type;
+            if (++value <= type.high) return true;
+            value = type.low;
+        }
+        return false;
+    }
+
+    const Network& network_;
+    std::set<Id<Expr>> known_ = {};  // terms with a value, or being examined
+};
+
+}  // namespace
+
+bool terms_have_values(const Network& network) {
+    Faults faults(network);
+    for (const Id<Network::Process> id : network.processes.ids()) {
+        const Slots slots(network, id);
+        for (const Network::Edge& edge : slots.automaton.edges) {
+            if (!faults.has_value(edge.guard)) return false;
+            for (const Network::Assignment& assignment : slots.assignments(edge))
+                if (!faults.has_value(assignment.value)) return false;
+        }
+    }
+    return true;
+}
+
+std::set<std::uint32_t> cells_that_may_err(const Network& network, const NetworkFragments& cells) {
+    const Faults faults(network);
+    std::set<std::uint32_t> found;
+    const auto cell_of = [&](Id<Expr> leaf) {
+        return cells.of_variable[static_cast<std::size_t>(network.exprs[leaf].value)];
+    };
+    for (const Id<Network::Process> id : network.processes.ids()) {
+        const Slots slots(network, id);
+        for (const Network::Edge& edge : slots.automaton.edges) {
+            const std::vector<Network::Assignment> assignments = slots.assignments(edge);
+            for (std::size_t k = 0; k < assignments.size(); ++k) {
+                const Id<Expr> target = assignments[k].target;
+                if (network.race.valid() && network.exprs[target].value == network.race.index) {
+                    for (const Id<Expr> reason : operands_of(network.exprs, assignments[k].value, Op::Or))
+                        if (reason != target) {
+                            // the abstraction detects the reason if it contains one fragment that the reason reads
+                            std::uint32_t cell = NetworkFragments::none;
+                            for (const Id<Expr> leaf : leaves(network.exprs, reason))
+                                cell = std::min(cell, cell_of(leaf));
+                            if (cell == NetworkFragments::none) cell = cells.of_process[id.index];
+                            found.insert(cell);
+                        }
+                    continue;
+                }
+                if (faults.stays_in_range(edge, assignments, k)) continue;
+                const std::uint32_t process = cells.of_process[id.index];
+                found.insert(process != NetworkFragments::none ? process : cell_of(target));
+            }
+        }
+    }
+    return found;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: MIT
+#include "check/localization/localization.hpp"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "check/localization/faults.hpp"
+#include "check/shares.hpp"
+#include "check/timed/property_queries.hpp"
+#include "ir/patterns.hpp"
+#include "support/element_of.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// Name of the property that the first search of the complete network adds: some state is quiescent.
+constexpr const char* settled_probe = "some state is quiescent";
+
+using Cells = std::vector<std::uint32_t>;
+
+bool wanted(const Property& property) { return property.pattern == Pattern::Reachable; }
+
+/// False if a search of the complete network decided it.
+bool is_decided_separately(const Verdict& verdict) { return verdict.scope.cells || verdict.abstraction; }
+
+/// True if localization may decide something that `options` select.
+bool has_local(const Network& network, const TimedOptions& options) {
+    return terms_have_values(network) && std::ranges::any_of(network.properties, [&](const Property& property) {
+               const Pattern pattern = property.pattern;
+               return timed::is_selected(options, property) &&
+                      (is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps ||
+                       pattern == Pattern::NoDeadlock || pattern == Pattern::NoTimelock);
+           });
+}
+
+}  // namespace
+
+class LocalizationCheck {
+public:
+    LocalizationCheck(Network network, const TimedOptions& options, const LocalizationLimits& limits,
+                      const LocalAblations& ablations, const WholeSearch& whole)
+        : network_(std::move(network)),
+          cells_(cells_of(network_)),
+          options_(options),
+          limits_(limits),
+          ablations_(ablations),
+          whole_(whole) {}
+
+    void begin() {
+        if (!has_local(network_, options_)) return search_complete();
+        look_at_whole();
+        // Otherwise a property that holds by localization may be unknown or vacuous in the complete network.
+        if (limits_.local == 0 || !is_open() || !result_.errors.empty() || !result_.time_passes) return;
+        ask();
+        if (tasks_.empty() && !race_) return;
+        may_err_ = cells_that_may_err(network_, cells_);
+        if (may_err_.contains(NetworkFragments::none)) return;
+        local_deadline_ = share_of(options_.deadline, 3);  // the rest is for the complete network
+        search_locally();
+        const auto is_faultless = [&](std::uint32_t cell) { return faultless_.contains(cell); };
+        if (ablations_.break_off || std::ranges::all_of(may_err_, is_faultless)) take_local();
+    }
+
+    TimedResult& found() { return result_; }
+    bool needs_whole();
+    void search_complete();
+    TimedResult result();
+
+private:
+    /// A choice of fragments, with its queries as indices of verdicts.
+    struct Task {
+        Cells cells = {};
+        std::vector<std::size_t> requested = {};
+    };
+
+    /// A task that its fragments did not decide, with the others that they read; `known`: number of invariants at that
+    /// time.
+    struct Open {
+        Task task = {};
+        Cells borders = {}, tied = {};
+        std::size_t known = 0;
+    };
+
+    /// A term that was proved in every state of the complete network.
+    struct Invariant {
+        std::string name = {};
+        Id<Expr> term = {};
+        Cells reads = {};
+    };
+
+    void look_at_whole();
+    bool is_open() const;
+    void ask();
+    bool about_race(const Property& property) const;
+    void search_locally();
+    void search(const Task& task);
+    void go_on_with(Open open);
+    void know(const Property& property);
+    std::string taken_to_do(const LocalNetwork& local) const;
+    SearchScope scope(const std::set<std::uint32_t>& searched, std::string because) const;
+    void take_local();
+
+    Network network_;  // terms are added
+    const NetworkFragments cells_;
+    const TimedOptions& options_;
+    const LocalizationLimits limits_;
+    const LocalAblations ablations_;
+    const WholeSearch whole_;
+    TimedResult result_ = {};
+    std::vector<std::optional<Property>> questions_ = {};  // per verdict, its property if localization can decide it
+    std::deque<Task> tasks_ = {};
+    std::vector<Open> open_ = {};
+    std::vector<Invariant> known_ = {};
+    std::map<std::size_t, Verdict> found_ = {};  // by localization
+    std::optional<std::size_t> race_ = {};       // the verdict on action races
+    std::set<std::uint32_t> may_err_ = {}, faultless_ = {};
+    bool searched_whole_ = false;
+    Deadline local_deadline_ = {};                                    // for all searches of fragments
+    std::uint64_t local_states_ = 0;                                  // of these searches
+    std::uint64_t faultless_states_ = 0, faultless_transitions_ = 0;  // of all searches without an error
+};
+
+/// Explores a small number of states of the complete network: often all of them, and otherwise near ones that decide
+/// many properties.
+void LocalizationCheck::look_at_whole() {
+    TimedOptions first = options_;
+    first.max_states = std::min(options_.max_states, limits_.whole);
+    const bool at_stable = std::ranges::any_of(network_.properties, [&](const Property& property) {
+        return property.at_stable && is_about_single_states(property.pattern) && timed::is_selected(options_, property);
+    });
+    if (!at_stable) return void(result_ = whole_(network_, first));
+    Network probed = network_;
+    Property probe{.name = settled_probe, .pattern = Pattern::Reachable, .at_stable = true};
+    probe.operands.push_back(probed.exprs.constant(true));
+    probed.properties.add(std::move(probe));
+    if (!first.properties.empty()) first.properties.emplace_back(settled_probe);
+    result_ = whole_(probed, first);
+    result_.settles = element_of(result_.verdicts, settled_probe, &Verdict::property).outcome == Outcome::Holds;
+    std::erase_if(result_.verdicts, [](const Verdict& verdict) { return verdict.property == settled_probe; });
+}
+
+/// True if a limit ended the search.
+bool LocalizationCheck::is_open() const {
+    return std::ranges::any_of(result_.verdicts, [](const Verdict& verdict) {
+        return verdict.obstacle == UnknownReason::Bound || verdict.obstacle == UnknownReason::Stopped;
+    });
+}
+
+void LocalizationCheck::ask() {
+    std::map<Cells, std::vector<std::size_t>> groups;
+    for (std::size_t k = 0; k < result_.verdicts.size(); ++k) {
+        const Verdict& verdict = result_.verdicts[k];
+        questions_.emplace_back();
+        if (verdict.obstacle != UnknownReason::Bound || !verdict.about.valid()) continue;
+        Property property = network_.properties[verdict.about];
+        if (!is_about_single_states(property.pattern)) continue;
+        if (property.at_stable && !result_.settles) continue;
+        const Cells read = cells_read(network_, cells_, property);
+        if (about_race(property)) race_ = k;
+        if (read.empty() || read.size() == cells_.count) continue;
+        questions_[k] = std::move(property);
+        groups[read].push_back(k);
+    }
+    for (auto& [read, requested] : groups) tasks_.push_back({read, std::move(requested)});
+    if (ablations_.unproven)
+        for (const std::optional<Property>& question : questions_)
+            if (question) know(*question);
+}
+
+bool LocalizationCheck::about_race(const Property& property) const {
+    if (!network_.race.valid() || property.pattern != Pattern::Never || property.at_stable) return false;
+    const Expr& operand = network_.exprs[property.operands[0]];
+    return operand.op == Op::Variable && operand.value == network_.race.index;
+}
+
+/// Searches each query in the fragments that it reads, and each fragment that may have a model error.
+void LocalizationCheck::search_locally() {
+    std::set<std::uint32_t> looked_at;
+    const auto work = [&] {
+        while (!tasks_.empty()) {
+            for (; !tasks_.empty(); tasks_.pop_front()) {
+                looked_at.insert(tasks_.front().cells.begin(), tasks_.front().cells.end());
+                search(tasks_.front());
+            }
+            for (Open& open : std::exchange(open_, {})) go_on_with(std::move(open));
+        }
+    };
+    work();
+    for (const std::uint32_t cell : may_err_) {
+        if (found_.empty() && !race_) return;
+        if (!faultless_.contains(cell)) tasks_.push_back({{cell}, {}});
+        work();
+    }
+}
+
+void LocalizationCheck::search(const Task& task) {
+    if (is_over(local_deadline_)) return;
+    std::vector<Property> properties;
+    for (const std::size_t k : task.requested) properties.push_back(*questions_[k]);
+    std::vector<Id<Expr>> invariants;
+    for (const Invariant& invariant : known_) invariants.push_back(invariant.term);
+    const LocalNetwork local = localized(network_, cells_, task.cells, properties, invariants, ablations_);
+    const auto open = [&](Task left) { open_.push_back({std::move(left), local.borders, local.tied, known_.size()}); };
+    if (!local.made) return open(task);
+    TimedOptions options = options_;
+    options.properties = {};
+    options.timelock = false;
+    options.many = {};
+    options.deadline = local_deadline_;
+    options.max_states = std::min(options_.max_states, limits_.local);
+    const TimedResult found = check_timed(local.network, options);
+    result_.states += found.states;
+    local_states_ += found.states;
+    result_.transitions += found.transitions;
+    result_.bytes = std::max(result_.bytes, found.bytes);
+    result_.seconds += found.seconds;
+    if (!found.complete) return;
+    if (!found.errors.empty() && !ablations_.break_off) return open(task);
+    faultless_.insert(task.cells.begin(), task.cells.end());
+    faultless_states_ += found.states;
+    faultless_transitions_ += found.transitions;
+    Task left{task.cells, {}};
+    for (std::size_t i = 0; i < task.requested.size(); ++i) {
+        const std::size_t k = task.requested[i];
+        const Verdict& verdict = found.verdicts[i];
+        const Outcome carries = wanted(*questions_[k]) ? Outcome::Violated : Outcome::Holds;
+        if (verdict.outcome == carries) {
+            (found_[k] = verdict).scope = scope(std::set(task.cells.begin(), task.cells.end()), taken_to_do(local));
+            know(*questions_[k]);
+        } else {
+            left.requested.push_back(k);
+        }
+    }
+    if (!left.requested.empty()) open(std::move(left));
+}
+
+/// Uses a property that holds by localization as an invariant. If a model error is possible, no result of localization
+/// is reported. Up to the error the invariant holds in each state of a run, and so do results that use it.
+void LocalizationCheck::know(const Property& property) {
+    if (property.at_stable || about_race(property)) return;
+    const Id<Expr> term = property.operands[0];
+    const bool is_true = property.pattern == Pattern::Always;
+    if (!is_true && property.pattern != Pattern::Never) return;
+    for (const Id<Expr> leaf : leaves(network_.exprs, term))
+        if (network_.exprs[leaf].op == Op::At) return;  // no guard reads it
+    known_.push_back(
+        {property.name, is_true ? term : network_.exprs.negation(term), cells_read(network_, cells_, property)});
+}
+
+std::string LocalizationCheck::taken_to_do(const LocalNetwork& local) const {
+    std::vector<std::string> names;
+    for (const std::size_t i : local.known) names.push_back(known_[i].name);
+    if (names.empty()) return "may do anything at any time, which is an over-approximation";
+    return fmt::format("may do anything at any time that satisfies {}, which {}; this is an over-approximation",
+                       fmt::join(names, ", "), names.size() == 1 ? "holds" : "hold");
+}
+
+SearchScope LocalizationCheck::scope(const std::set<std::uint32_t>& searched, std::string because) const {
+    SearchScope made{.because = std::move(because), .cells = true};
+    for (std::uint32_t cell = 0; cell < cells_.count; ++cell)
+        (searched.contains(cell) ? made.searched : made.left_out).push_back(cells_.names[cell]);
+    return made;
+}
+
+/// Searches again if more invariants about its fragments are known, otherwise with additional fragments: first those
+/// whose values the border reads, then those that keep its PLCs from being stable.
+void LocalizationCheck::go_on_with(Open open) {
+    Task& task = open.task;
+    const auto tells = [&](const Invariant& invariant) {
+        return std::ranges::any_of(
+            open.tied, [&](std::uint32_t cell) { return std::ranges::binary_search(invariant.reads, cell); });
+    };
+    if (std::any_of(known_.begin() + static_cast<std::ptrdiff_t>(open.known), known_.end(), tells))
+        return tasks_.push_back(std::move(task));
+    const auto with = [&](const Cells& more) {
+        Cells all;
+        std::ranges::set_union(task.cells, more, std::back_inserter(all));
+        return all;
+    };
+    Cells wider = with(open.borders);
+    if (wider == task.cells) wider = with(open.tied);
+    if (wider == task.cells || wider.size() == cells_.count) return;
+    task.cells = std::move(wider);
+    tasks_.push_back(std::move(task));
+}
+
+void LocalizationCheck::take_local() {
+    if (race_) {  // each fragment that may race has been searched
+        Verdict& none = found_[*race_] = {.outcome = Outcome::Holds};
+        none.scope = scope(faultless_, "cannot have a model error");
+        if (!faultless_.empty()) {
+            none.states = std::to_string(faultless_states_);
+            none.transitions = faultless_transitions_;
+        }
+    }
+    for (auto& [k, found] : found_) {
+        Verdict& verdict = result_.verdicts[k];
+        verdict.outcome = found.outcome;
+        verdict.obstacle = UnknownReason::None;
+        verdict.reason.clear();
+        verdict.states = std::move(found.states);
+        verdict.transitions = found.transitions;
+        verdict.scope = std::move(found.scope);
+    }
+}
+
+/// `no timelock` is also reported without a request if the complete network is searched anyway.
+bool LocalizationCheck::needs_whole() {
+    if (searched_whole_ || !is_open()) return false;
+    if (std::ranges::none_of(result_.verdicts, is_decided_separately)) return true;
+    bool needed = false;
+    for (Verdict& verdict : result_.verdicts) {
+        if (verdict.outcome != Outcome::Unknown) continue;
+        const bool named = std::ranges::find(options_.properties, verdict.property) != options_.properties.end();
+        verdict.declared = named || (verdict.declared && options_.properties.empty());
+        needed = needed || verdict.declared;
+        if (!verdict.declared)
+            verdict.reason =
+                "no selected property requires the complete loop, of which " + verdict.states + " states were explored";
+    }
+    return needed;
+}
+
+void LocalizationCheck::search_complete() {
+    searched_whole_ = true;
+    if (result_.verdicts.empty()) return void(result_ = whole_(network_, options_));
+    if (options_.max_states <= limits_.whole) return;
+    TimedOptions options = options_;
+    if (std::ranges::any_of(result_.verdicts, is_decided_separately)) {
+        options.properties.clear();
+        for (const Verdict& verdict : result_.verdicts)
+            if (!is_decided_separately(verdict) && verdict.about.valid())
+                options.properties.push_back(network_.properties[verdict.about].name);
+        if (options.properties.empty()) options.properties.push_back(timed::undeclared_timelock(network_).name);
+    }
+    TimedResult whole = whole_(network_, options);
+    for (Verdict& verdict : result_.verdicts) {
+        if (is_decided_separately(verdict)) continue;
+        const Verdict& found = element_of(whole.verdicts, verdict.property, &Verdict::property);
+        const bool ended_before = found.outcome == Outcome::Unknown && verdict.outcome != Outcome::Unknown;
+        const bool first_was_greater =
+            found.obstacle == UnknownReason::Stopped && std::stoull(found.states) < std::stoull(verdict.states);
+        if (!ended_before && first_was_greater) {
+            verdict.obstacle = UnknownReason::Stopped;
+            verdict.reason = "stopped after " + verdict.states + " states";
+        } else if (!ended_before) {
+            verdict = found;
+        }
+        report_earlier(verdict, "localization", local_states_);
+    }
+    if (whole.errors.empty()) whole.errors = std::move(result_.errors);
+    if (result_.profile && (!whole.profile || whole.profile->states < result_.profile->states))
+        whole.profile = std::move(result_.profile);
+    whole.verdicts = std::move(result_.verdicts);
+    result_ = std::move(whole);
+}
+
+namespace {
+
+/// After a timelock no further state is reachable: verdicts state how far timelocks were searched for.
+TimedResult with_time_reported(TimedResult result) {
+    const auto time = std::ranges::find(result.verdicts, Pattern::NoTimelock, &Verdict::pattern);
+    if (time == result.verdicts.end()) return result;
+    const bool cut_off = time->obstacle == UnknownReason::Bound || time->obstacle == UnknownReason::Memory ||
+                         time->obstacle == UnknownReason::Stopped;
+    if (time->outcome != Outcome::Unknown || !cut_off) return result;
+    const std::string note = "timelocks were searched only in the first " + time->states + " states" +
+                             (time->declared ? "" : "; declare `no timelock` to search all states");
+    for (Verdict& verdict : result.verdicts)
+        if (verdict.outcome == (verdict.pattern == Pattern::Reachable ? Outcome::Violated : Outcome::Holds))
+            verdict.notes.push_back(note);
+    return result;
+}
+
+}  // namespace
+
+TimedResult LocalizationCheck::result() {
+    if (!options_.profile && !searched_whole_ && std::ranges::any_of(result_.verdicts, is_decided_separately))
+        result_.profile.reset();
+    return with_time_reported(std::move(result_));
+}
+
+CellSearch::CellSearch(Network network, const TimedOptions& options, const LocalizationLimits& limits,
+                       const LocalAblations& ablations, const WholeSearch& whole)
+    : search_(std::make_unique<LocalizationCheck>(std::move(network), options, limits, ablations, whole)) {}
+
+CellSearch::~CellSearch() = default;
+
+void CellSearch::begin() { search_->begin(); }
+
+TimedResult& CellSearch::found() { return search_->found(); }
+
+bool CellSearch::needs_whole() { return search_->needs_whole(); }
+
+void CellSearch::search_complete() { search_->search_complete(); }
+
+TimedResult CellSearch::result() { return search_->result(); }
+
+TimedResult check_timed_by_cells(const Network& network, const TimedOptions& options, const LocalizationLimits& limits,
+                                 const LocalAblations& ablations, const WholeSearch& whole) {
+    CellSearch search(expand(network), options, limits, ablations, whole);
+    search.begin();
+    if (search.needs_whole()) search.search_complete();
+    return search.result();
+}
+
+}  // namespace grafverif

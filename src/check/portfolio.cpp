@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+#include "check/portfolio.hpp"
+
+#include <algorithm>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <tuple>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "check/decomposition/interleaved.hpp"
+#include "check/shares.hpp"
+#include "ir/probes.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+bool is_decided(const Verdict& verdict) { return verdict.outcome != Outcome::Unknown; }
+
+/// `holds (decided by pdr)`
+std::string said(const Verdict& verdict) {
+    return std::string(word(verdict.outcome)) + (verdict.notes.empty() ? "" : " (" + verdict.notes.back() + ")");
+}
+
+class Portfolio {
+public:
+    Portfolio(const TransitionSystem& system, const PortfolioOptions& options)
+        : system_(system), options_(options), moot_(system.properties.size()), joined_(options.alone == 0) {
+        const std::unordered_set<std::string_view> requested(options.properties.begin(), options.properties.end());
+        for (const Id<Property> id : system.properties.ids())
+            if (requested.empty() || requested.contains(system.properties[id].name)) open_.insert(id.index);
+    }
+
+    PortfolioResult result() {
+        if (options_.jobs == 1 || !in_threads()) in_sequence();
+        if (memory_was_short()) guarded([this] { by_diagrams(options_.max_memory, options_.deadline); });
+        if (failure_ && !open_.empty() && !is_faulty()) std::rethrow_exception(failure_);
+        return joined();
+    }
+
+private:
+    using Lock = std::unique_lock<std::mutex>;
+
+    struct AtEnd {
+        std::atomic<bool>& stop;
+        ~AtEnd() { stop = true; }
+    };
+
+    // -- who works when ----------------------------------------------------------------------------------------------
+
+    /// False if there is no thread for the symbolic engine.
+    bool in_threads() {
+        threaded_ = true;
+        const Deadline look = share_of(options_.deadline, 4);
+        const auto joins = [&] { return worked_ >= options_.alone || is_over(look); };
+        bool refused = false;
+        {
+            std::jthread diagrams, solvers;
+            const AtEnd end{stop_};  // stops the engines before they are joined, also after exceptions
+            if (!start(diagrams, [this] { by_diagrams(options_.max_memory / 4 * 3, options_.deadline); })) {
+                threaded_ = false;
+                return false;
+            }
+            wait(joins);
+            if (!stop_ && (working_ != 0 || memory_was_short())) {
+                joined_ = true;
+                refused = !start(solvers, [this] { by_solvers(options_.deadline); });
+            }
+            wait([] { return false; });
+        }
+        threaded_ = false;
+        if (refused && goes_on()) guarded([this] { by_solvers(options_.deadline); });
+        return true;
+    }
+
+    template <class Work>
+    bool start(std::jthread& thread, Work work) {
+        {
+            const Lock lock(mutex_);
+            ++working_;
+        }
+        try {
+            thread = std::jthread([this, work] { guarded(work); });
+            return true;
+        } catch (const std::system_error&) {
+            const Lock lock(mutex_);
+            --working_;
+            return false;
+        }
+    }
+
+    /// Each but the last for a share of the time. PDR loses nothing in a turn; diagrams begin from the initial states.
+    void in_sequence() {
+        constexpr std::chrono::seconds look(1), longest(20);
+        const auto at_most = [this](std::chrono::seconds time, std::size_t shares) {
+            const Clock::time_point end = Clock::now() + time;
+            return std::min(end, share_of(options_.deadline, shares).value_or(end));
+        };
+        if (options_.alone != 0) guarded([&] { by_diagrams(options_.max_memory, at_most(look, 4)); });
+        if (options_.alone != 0 && !goes_on()) return;
+        joined_ = true;
+        guarded([&] { by_solvers(at_most(longest, 4)); });
+        if (goes_on()) guarded([&] { by_diagrams(options_.max_memory, options_.deadline); });
+        if (goes_on()) guarded([&] { by_solvers(options_.deadline); });
+    }
+
+    bool is_faulty() const { return symbolic_.fault || circuits_.fault; }
+    bool is_stopped() const {
+        return (options_.stop != nullptr && options_.stop->load()) || is_over(options_.deadline);
+    }
+    bool goes_on() const { return (!open_.empty() || moot_.empty()) && !is_faulty() && !is_stopped(); }
+
+    /// True if diagrams with three quarters of it left a property open.
+    bool memory_was_short() const {
+        return most_memory_ < options_.max_memory && goes_on() &&
+               std::ranges::any_of(symbolic_.verdicts, [this](const Verdict& verdict) {
+                   return verdict.obstacle == UnknownReason::Memory && open_.contains(verdict.about.index);
+               });
+    }
+
+    template <class Work>
+    void guarded(const Work& work) {
+        std::exception_ptr failure;
+        try {
+            work();
+        } catch (...) {
+            failure = std::current_exception();
+        }
+        const Lock lock(mutex_);
+        if (failure) failure_ = failure;
+        if (!threaded_) return;
+        --working_;
+        changed_.notify_all();
+    }
+
+    // -- the engines -------------------------------------------------------------------------------------------------
+
+    /// What ends them: in threads the caller's wish too, handed on by wait().
+    const std::atomic<bool>* stop() const { return threaded_ ? &stop_ : options_.stop; }
+
+    void report(const auto& change) {
+        PortfolioProgress now;
+        {
+            const Lock lock(mutex_);
+            change(told_);
+            now = told_;
+        }
+        if (!threaded_ && options_.progress) options_.progress(now);
+    }
+
+    void by_diagrams(std::uint64_t memory, const Deadline& deadline) {
+        SymbolicOptions options;
+        options.properties = options_.properties;
+        options.max_memory = most_memory_ = memory;
+        options.deadline = deadline;
+        options.stop = stop();
+        options.worked = &worked_;
+        options.witnesses = options_.witnesses;
+        options.progress = [this](const SymbolicProgress& now) {
+            report([&](PortfolioProgress& told) { told.symbolic = now; });
+        };
+        SymbolicResult found =
+            options_.whole ? check_symbolic(system_, options) : check_symbolic_by_parts(system_, options);
+        const Lock lock(mutex_);
+        for (std::size_t i = 0; i < found.verdicts.size(); ++i) {
+            if (joined_ && is_decided(found.verdicts[i])) found.verdicts[i].notes.emplace_back("decided by symbolic");
+            take(found.verdicts[i], found.runs[i]);
+        }
+        symbolic_ = {std::move(found.verdicts), std::move(found.runs), std::move(found.fault), {}};
+        if (symbolic_.fault) stop_ = true;
+    }
+
+    void by_solvers(const Deadline& deadline) {
+        if (options_.first && !std::exchange(has_tried_first_, true)) {
+            const std::vector<Verdict> found = options_.first(stop());
+            const Lock lock(mutex_);
+            for (const Verdict& verdict : found) take(verdict, {});
+        }
+        PdrOptions options;
+        options.method = PdrOptions::Method::InTurns;
+        options.equal_latches = options_.equal_latches;
+        options.properties = options_.properties;
+        options.max_memory = options_.max_memory;
+        options.deadline = deadline;
+        options.stop = stop();
+        options.moot = &moot_;
+        options.progress = [this](const PdrProgress& now) { report([&](PortfolioProgress& told) { told.pdr = now; }); };
+        options.answered = [this](const Verdict& verdict, const std::optional<SystemRun>& run) {
+            const Lock lock(mutex_);
+            take(verdict, run);
+        };
+        PdrResult found = check_pdr(system_, options);
+        const Lock lock(mutex_);
+        circuits_ = std::move(found);
+        if (circuits_.fault) stop_ = true;
+    }
+
+    /// Keeps the first verdict; a later one that contradicts it is an internal failure.
+    void take(const Verdict& verdict, const std::optional<SystemRun>& run) {
+        if (!is_decided(verdict)) return;
+        const auto [place, fresh] = first_.try_emplace(verdict.about.index, verdict, run);
+        Verdict& first = place->second.first;
+        if (fresh) {
+            settle(verdict.about);
+            for (const Id<Property> id : system_.properties.ids())  // the vacuity of a violated property is not needed
+                if (verdict.outcome == Outcome::Violated && probed_by(system_.properties[id]) == verdict.property)
+                    settle(id);
+            if (open_.empty()) stop_ = true;
+        } else if (is_decided(first) && first.outcome != verdict.outcome) {
+            failures_.push_back("the engines disagree on `" + verdict.property + "`: " + said(first) + ", " +
+                                said(verdict));
+            first = verdict_on(verdict.about, system_.properties[verdict.about]);
+            first.obstacle = UnknownReason::Failed;
+            first.reason = "this engine failed";
+            place->second.second.reset();
+        }
+    }
+
+    void settle(Id<Property> about) {
+        moot_[about.index] = true;
+        open_.erase(about.index);
+    }
+
+    // -- the caller's thread -----------------------------------------------------------------------------------------
+
+    /// Waits for all threads, or until `over`; forwards cancellation by the caller, and reports progress.
+    template <class Over>
+    void wait(const Over& over) {
+        Lock lock(mutex_);
+        while (working_ != 0 && !over()) {
+            changed_.wait_for(lock, std::chrono::milliseconds(20));
+            if (options_.stop != nullptr && options_.stop->load()) stop_ = true;
+            if (!options_.progress) continue;
+            const PortfolioProgress now = told_;
+            lock.unlock();
+            options_.progress(now);
+            lock.lock();
+        }
+    }
+
+    PortfolioResult joined() {
+        failures_.insert(failures_.end(), circuits_.failures.begin(), circuits_.failures.end());
+        const bool by_circuits = !symbolic_.fault && (circuits_.fault || symbolic_.verdicts.empty());
+        PortfolioResult result{std::move(by_circuits ? circuits_ : symbolic_), !joined_};
+        result.failures = std::move(failures_);
+        if (result.fault) return result;
+        for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
+            Verdict& verdict = result.verdicts[i];
+            if (const auto found = first_.find(verdict.about.index); found != first_.end())
+                std::tie(verdict, result.runs[i]) = std::move(found->second);
+            else if (!by_circuits && i < circuits_.verdicts.size()) add_reason(verdict, circuits_.verdicts[i]);
+        }
+        return result;
+    }
+
+    /// Adds the reason of the other engine, if it supports the property.
+    static void add_reason(Verdict& verdict, const Verdict& other) {
+        if (verdict.obstacle == UnknownReason::Unsupported || other.obstacle == UnknownReason::Unsupported) return;
+        verdict.reason = "symbolic: " + verdict.reason + "; pdr and bmc: " + other.reason;
+        if (other.obstacle == UnknownReason::Stopped) verdict.obstacle = UnknownReason::Stopped;
+    }
+
+    const TransitionSystem& system_;
+    const PortfolioOptions& options_;
+    std::atomic<bool> stop_ = false;
+    std::atomic<std::uint64_t> worked_ = 0;  ///< steps of operations on diagrams
+    std::vector<std::atomic<bool>> moot_;    ///< per property of the system
+    bool threaded_ = false;                  ///< changes only while no thread works, as the next
+    std::uint64_t most_memory_ = 0;          ///< of the last that diagrams did
+    bool has_tried_first_ = false;
+
+    std::mutex mutex_ = {};  ///< protects the following members
+    std::condition_variable changed_ = {};
+    std::size_t working_ = 0;
+    bool joined_;  ///< others than the symbolic engine take part
+    std::unordered_set<std::uint32_t> open_ = {};
+    std::unordered_map<std::uint32_t, std::pair<Verdict, std::optional<SystemRun>>> first_ = {};
+    PdrResult symbolic_ = {}, circuits_ = {};
+    PortfolioProgress told_ = {};
+    std::vector<std::string> failures_ = {};
+    std::exception_ptr failure_ = {};
+};
+
+}  // namespace
+
+PortfolioResult check_together(const TransitionSystem& system, const PortfolioOptions& options) {
+    return Portfolio(system, options).result();
+}
+
+}  // namespace grafverif

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Observations of a chart: functions of states. A set of observations ("sights") is a function with one variable per
+// observation; an observation that is a bit of the state uses the variable of that bit.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "check/symbolic/model.hpp"
+
+namespace grafverif::supervise {
+
+class ObservationMap {
+public:
+    /// Adds variables to the space.
+    ObservationMap(const symbolic::StateSpace& model, BddSpace& space, const std::vector<Bdd>& seen);
+
+    /// The observations of the states; the states with one of the observations.
+    Bdd sights(const Bdd& states) const { return and_exists(states, link_, unseen_); }
+    Bdd states(const Bdd& sights) const { return and_exists(sights, link_, own_); }
+
+    /// The variable of each observation, with the value at which the observed function is true.
+    const std::vector<BddLiteral>& literals() const { return literals_; }
+
+private:
+    std::vector<BddLiteral> literals_ = {};
+    Bdd link_ = Bdd::constant(true);
+    Bdd unseen_ = {}, own_ = {};  ///< sets of variables: of states and not observed; of observations only
+};
+
+}  // namespace grafverif::supervise

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Event clusters: a disjunctive partition of the transition relation. Steps are grouped by the choice that they make,
+// if this choice determines which bits change. An interleaved closed loop has one cluster per automaton and one for
+// time.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "bdd/relation.hpp"
+#include "bdd/terms.hpp"
+
+namespace grafverif::symbolic {
+
+/// A cluster of steps: the bits that they may change, and the conjuncts of their condition, over states and choices.
+struct EventCluster {
+    std::vector<Bdd> conditions = {};
+    std::vector<bdd::NextBit> bits = {};
+};
+
+/// Clusters whose union is the set of steps of `all`; they may overlap. `choices`: words that are chosen in each step.
+std::vector<EventCluster> kinds(const BddSpace& space, EventCluster all, std::span<const BddWord> choices);
+
+}  // namespace grafverif::symbolic

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Interleaving premises: the properties of a part of a loop that matter to the parts interleaved with it, and the runs
+// that show them (docs/explanation/decomposition.md, "Sub-loops").
+//
+// A step of the part waits or moves. If clocks matter, waiting is the passing of time, and a step that does neither
+// repeats a state that cannot be left.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "check/symbolic/check.hpp"
+
+namespace grafverif::symbolic {
+
+class InterleavingPremises {
+public:
+    /// `waits`, `moves`: conditions over main of `part`, for a step. Requires check.complete(); `check` is of `part`
+    /// and must outlive the object.
+    InterleavingPremises(const TransitionSystem& part, Check& check, Id<Expr> waits,
+                         const std::vector<Id<Expr>>& moves);
+
+    /// True if some run waits infinitely often.
+    bool diverges() { return !(waiting_for_ever() & model_.initial()).is_false(); }
+    /// True if from each reachable state it can wait again.
+    bool never_locks();
+    /// True if no run moves forever without waiting.
+    bool rests() { return moving_for_ever().is_false(); }
+    /// The reachable states in which it can wait.
+    const Bdd& ready();
+    const Bdd& reached() const { return reached_; }
+    /// True if the state with these values is reachable.
+    bool reaches(const std::vector<std::int64_t>& values) const { return evaluate(reached_, model_.state_of(values)); }
+
+    /// A run that waits infinitely often; none if it is too long. Requires diverges().
+    std::optional<FlatRun> waiting_run();
+    /// Moves from the state with these values to one of `goal`; if none is reachable, an infinite sequence of moves.
+    /// Requires that sequences of moves end only in `goal`.
+    FlatRun moves_on(const std::vector<std::int64_t>& from, const Bdd& goal) const;
+    /// The states without a move.
+    Bdd still() const { return reached_ & ~model_.preimage(reached_, move_steps_); }
+    /// An infinite run of moves from the initial state. Requires that rests() is false, and that waiting changes
+    /// nothing.
+    FlatRun endless_run();
+
+private:
+    const Bdd& waiting_for_ever();
+    const Bdd& moving_for_ever();
+    std::vector<State> moves_to(const State& from, const Bdd& goal, const Bdd& within) const;
+    void add_moves(const std::vector<State>& states, FlatRun& run) const;
+    void walk(State from, const Bdd& within, FlatRun& run) const;
+
+    const StateSpace& model_;
+    Bdd reached_ = {}, waits_ = {}, moves_ = {};
+    std::deque<bdd::ClusterSteps> wait_steps_ = {}, move_steps_ = {};
+    std::optional<Bdd> ready_ = {}, waiting_for_ever_ = {}, moving_for_ever_ = {};
+};
+
+}  // namespace grafverif::symbolic

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "check/symbolic/property_queries.hpp"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+#include "check/symbolic/dead_transitions.hpp"
+#include "check/unsupported.hpp"
+#include "ir/patterns.hpp"
+
+namespace grafverif::symbolic {
+
+namespace {
+
+void unknown(Verdict& verdict, UnknownReason obstacle, std::string reason) {
+    verdict.outcome = Outcome::Unknown;
+    verdict.obstacle = obstacle;
+    verdict.reason = std::move(reason);
+}
+
+}  // namespace
+
+std::vector<State> shortest_trace(const StateSpace& model, ReachableSet& search, const Bdd& goal) {
+    if ((search.rings.reached & goal).is_false()) grow(model, search.rings, model.invariant(), goal);
+    return shortest_path(model, search.rings, goal);
+}
+
+PropertyQueries::PropertyQueries(const TransitionSystem& system, FlatSystem& flat) : system_(system), flat_(flat) {
+    if (system.settled.valid()) settled_ = flattened(system, flat, system.settled);
+}
+
+Id<Expr> PropertyQueries::settled_and(const Property& property, Id<Expr> operand) {
+    return property.at_stable ? flat_.exprs.conjunction(settled_, operand) : operand;
+}
+
+Id<Expr> PropertyQueries::exactly_one(const std::vector<Id<Expr>>& operands) {
+    Exprs& exprs = flat_.exprs;
+    Id<Expr> none = exprs.constant(true), one = exprs.constant(false);
+    for (const Id<Expr> operand : operands) {
+        one = exprs.disjunction(exprs.conjunction(one, exprs.negation(operand)), exprs.conjunction(none, operand));
+        none = exprs.conjunction(none, exprs.negation(operand));
+    }
+    return one;
+}
+
+void PropertyQueries::ask(Id<Property> about) {
+    const Property& property = system_.properties[about];
+    PropertyQuery question{about, {}};
+    for (const Id<Expr> operand : property.operands) question.operands.push_back(flattened(system_, flat_, operand));
+    Exprs& exprs = flat_.exprs;
+    // A property of every state is decided by searching for a state that violates it.
+    if (property.pattern == Pattern::ExactlyOneOf) question.operands = {exprs.negation(exactly_one(question.operands))};
+    if (property.pattern == Pattern::Always) question.operands = {exprs.negation(question.operands.front())};
+    for (Id<Expr>& operand : question.operands) operand = settled_and(property, operand);
+    questions_.push_back(std::move(question));
+}
+
+std::vector<QueryResult> PropertyQueries::answers(const StateSpace* model, ReachableSet& search,
+                                                  const SymbolicOptions& options) {
+    std::vector<QueryResult> all;
+    UnknownReason obstacle =
+        model == nullptr ? search.obstacle : UnknownReason::None;  // applies to all following queries
+    std::string reason = search.reason;
+    for (const PropertyQuery& question : questions_) {
+        QueryResult found{verdict_on(question.about, of(question)), {}};
+        const auto exhausted = [&](UnknownReason what, std::string why) {
+            unknown(found.verdict, what, why);
+            if (what != UnknownReason::Stopped) return;  // with less work, the memory may suffice
+            obstacle = what;
+            reason = std::move(why);
+        };
+        const auto no_memory = [&] {
+            return "memory limit of " + std::to_string(options.max_memory >> 20U) + " MiB reached";
+        };
+        try {
+            if (obstacle == UnknownReason::None) found = answer(question, *model, search);
+            else unknown(found.verdict, obstacle, reason);
+        } catch (const BddExhausted& failure) {
+            if (failure.cause() == BddExhausted::Cause::Memory) exhausted(UnknownReason::Memory, no_memory());
+            else exhausted(UnknownReason::Stopped, "stopped");
+        } catch (const std::bad_alloc&) {
+            exhausted(UnknownReason::Memory, no_memory());
+        }
+        all.push_back(std::move(found));
+    }
+    // Explanations are computed after all verdicts: they may use up time or memory that another verdict needs.
+    for (QueryResult& found : all) {
+        if (!found.lost) continue;
+        std::string words = what_is_dead(*model, search, *found.lost);
+        if (!words.empty()) found.verdict.notes.push_back(std::move(words));
+    }
+    return all;
+}
+
+PropertyQueries::Sets PropertyQueries::sets(const PropertyQuery& question, const StateSpace& model,
+                                            ReachableSet& search) const {
+    Sets sets;
+    BddTerms terms = model.terms();
+    for (const Id<Expr> operand : question.operands) {
+        const BddTerm& term = terms(operand);
+        sets.undefined = sets.undefined || !(search.reached & term.undefined).is_false();
+        sets.operands.push_back(search.reached & term.bits.front());
+    }
+    return sets;
+}
+
+QueryResult PropertyQueries::answer(const PropertyQuery& question, const StateSpace& model, ReachableSet& search) {
+    QueryResult found{verdict_on(question.about, of(question)), {}};
+    Verdict& verdict = found.verdict;
+    const Pattern pattern = of(question).pattern;
+    if (const std::string reason = unsupported_reason(pattern); !reason.empty()) {
+        unknown(verdict, UnknownReason::Unsupported, reason);
+        return found;
+    }
+    const Sets here = sets(question, model, search);
+    if (here.undefined) {
+        unknown(verdict, UnknownReason::Faulty, "its condition divides by zero in some reachable state");
+        return found;
+    }
+    if (is_about_single_states(pattern)) result_state(found, question, here, model, search);
+    else if (search.obstacle != UnknownReason::None) unknown(verdict, search.obstacle, search.reason);
+    else decide_paths(found, question, here, model, search);
+    if (verdict.outcome == Outcome::Holds) mark_vacuous(verdict, question, here, model, search);
+    return found;
+}
+
+void PropertyQueries::result_state(QueryResult& found, const PropertyQuery& question, const Sets& sets,
+                                   const StateSpace& model, ReachableSet& search) {
+    Verdict& verdict = found.verdict;
+    const bool seen = !sets.operands.front().is_false();
+    if (!seen && search.obstacle != UnknownReason::None) return unknown(verdict, search.obstacle, search.reason);
+    const bool wanted = of(question).pattern == Pattern::Reachable;
+    verdict.outcome = seen == wanted ? Outcome::Holds : Outcome::Violated;
+    if (seen && (search.witnesses || verdict.outcome == Outcome::Violated))
+        found.run = run_of(model, {shortest_trace(model, search, sets.operands.front()), {}});
+}
+
+void PropertyQueries::prepare(const StateSpace& model, ReachableSet& search) {
+    if (prepared_) return;
+    BddTerms terms = model.terms();
+    std::vector<Bdd> justice;
+    for (const Id<Expr> term : flat_.justice) justice.push_back(search.reached & terms(term).bits.front());
+    fair_ = justice.empty() ? search.reached : can_stay(model, search.reached, justice);
+    justice_ = std::move(justice);
+    prepared_ = true;
+}
+
+void PropertyQueries::decide_paths(QueryResult& found, const PropertyQuery& question, const Sets& sets,
+                                   const StateSpace& model, ReachableSet& search) {
+    prepare(model, search);
+    const Bdd& p = sets.operands.front();
+    Verdict& verdict = found.verdict;
+    verdict.outcome = Outcome::Holds;
+    if (of(question).pattern == Pattern::AlwaysPossible) {
+        const Bdd lost = fair_ & ~can_reach(model, search.reached, p & fair_);
+        if (lost.is_false()) return;
+        verdict.outcome = Outcome::Violated;
+        verdict.notes.emplace_back("impossible from the last state of the trace");
+        const std::vector<State> way = shortest_trace(model, search, lost);
+        found.run = run_of(model, {way, {}});
+        found.lost = way.back();
+        return;
+    }
+    const bool leads = of(question).pattern == Pattern::LeadsTo;
+    const Bdd without = search.reached & ~(leads ? sets.operands[1] : p);
+    const Bdd staying = can_stay(model, without, justice_);
+    const Bdd from = staying & (leads ? p : model.initial());
+    if (from.is_false()) return;
+    verdict.outcome = Outcome::Violated;
+    found.run = run_of(model, lasso(model, search, from, staying));
+}
+
+/// Omitted if it needs more memory or time than is available.
+std::string PropertyQueries::what_is_dead(const StateSpace& model, const ReachableSet& search, const State& from) {
+    try {
+        return dead_transitions_note(system_, flat_, model, search.reached, from);
+    } catch (const BddExhausted&) {
+        return {};
+    } catch (const std::bad_alloc&) {
+        return {};
+    }
+}
+
+Path PropertyQueries::lasso(const StateSpace& model, ReachableSet& search, const Bdd& from, const Bdd& staying) const {
+    Path path{shortest_trace(model, search, from), {}};
+    const std::size_t stem = path.states.size() - 1;
+    const Path forever = stay(model, path.states.back(), staying, justice_);
+    path.states.insert(path.states.end(), forever.states.begin() + 1, forever.states.end());
+    path.loop = *forever.loop + stem;
+    return path;
+}
+
+void PropertyQueries::mark_vacuous(Verdict& verdict, const PropertyQuery& question, const Sets& sets,
+                                   const StateSpace& model, ReachableSet& search) {
+    const Property& property = of(question);
+    const auto vacuous = [&](const char* why) {
+        verdict.vacuous = true;
+        verdict.notes.emplace_back(why);
+    };
+    if (is_about_all_states(property.pattern) && property.at_stable) {
+        BddTerms terms = model.terms();
+        if ((search.reached & terms(settled_).bits.front()).is_false()) vacuous("no state is quiescent");
+    }
+    if (is_declared_response(property) && sets.operands.front().is_false()) vacuous("the premise is never true");
+    if (!is_about_single_states(property.pattern) && !justice_.empty() && (fair_ & model.initial()).is_false())
+        vacuous("no run is fair: the fairness conditions exclude each other");
+}
+
+}  // namespace grafverif::symbolic

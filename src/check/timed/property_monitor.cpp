@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "check/timed/property_monitor.hpp"
+
+#include <algorithm>
+
+namespace grafverif::timed {
+
+std::size_t PropertyMonitor::add(std::uint32_t predicate) {
+    predicates_.push_back({predicate, results_.size()});
+    results_.emplace_back();
+    return results_.size() - 1;
+}
+
+std::size_t PropertyMonitor::add_bit(const Field& bit, std::uint32_t settled) {
+    const auto same = [&](const Bits& bits) { return bits.word == bit.word && bits.settled == settled; };
+    auto bits = std::ranges::find_if(bits_, same);
+    if (bits == bits_.end()) bits = bits_.insert(bits, Bits{.word = bit.word, .settled = settled});
+    bits->missing |= bit.mask();
+    bits->each.push_back({bit.mask(), results_.size()});
+    results_.emplace_back();
+    return results_.size() - 1;
+}
+
+bool PropertyMonitor::wants(const Machine& machine, const Word* words, Registers& registers) const {
+    const auto holds = [&](std::uint32_t code) { return machine.holds(code, words, registers); };
+    const auto wanted = [&](const Predicate& predicate) { return holds(predicate.code) != End::No; };
+    const auto missing = [&](const Bits& bits) {
+        return (words[bits.word] & bits.missing) != 0 &&
+               (bits.settled == Program::yes || holds(bits.settled) == End::Yes);
+    };
+    return std::ranges::any_of(predicates_, wanted) || std::ranges::any_of(bits_, missing);
+}
+
+void PropertyMonitor::look(const Machine& machine, std::uint32_t state, const Word* words, Registers& registers) {
+    for (std::size_t i = 0; i < predicates_.size();) {
+        const End end = machine.holds(predicates_[i].code, words, registers);
+        if (end == End::No) {
+            ++i;
+            continue;
+        }
+        Result& result = results_[predicates_[i].watch];
+        if (end == End::Yes) result.state = state;
+        else result.broken = true;
+        predicates_[i] = predicates_.back();
+        predicates_.pop_back();
+    }
+    for (Bits& bits : bits_) {
+        const Word met = words[bits.word] & bits.missing;
+        if (met == 0) continue;
+        if (bits.settled != Program::yes && machine.holds(bits.settled, words, registers) != End::Yes) continue;
+        for (const Bit& bit : bits.each)
+            if ((met & bit.mask) != 0) results_[bit.watch].state = state;
+        bits.missing &= ~met;
+    }
+    std::erase_if(bits_, [](const Bits& bits) { return bits.missing == 0; });
+}
+
+}  // namespace grafverif::timed

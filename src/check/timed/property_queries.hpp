@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Questions: the properties of a network as code and watches before the search, and as verdicts after it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check/timed/explore.hpp"
+#include "check/timed/fixpoints.hpp"
+#include "grafverif/ir/verdict.hpp"
+
+namespace grafverif::timed {
+
+/// `no timelock` for models that do not declare it; timed checks decide it by default.
+Property undeclared_timelock(const Network& network);
+/// True if `property` is `no timelock` of all states.
+bool about_time(const Property& property);
+/// True if `options` select `property`.
+bool is_selected(const TimedOptions& options, const Property& property);
+
+class PropertyQueries {
+public:
+    PropertyQueries(const Network& network, Machine& machine, PropertyMonitor& watch);
+
+    void ask(Id<Property> about, const Property& property);
+    /// True if some selected property needs the edges of many states.
+    bool follow_edges() const;
+    /// The verdicts, after a search that `ended`.
+    std::vector<Verdict> answers(Graph& graph, UnknownReason ended, const std::vector<ModelError>& errors,
+                                 const Limits& limits);
+    /// True if the search has found the state that decides a property about single states; in the order of the
+    /// verdicts.
+    bool shown(std::size_t verdict) const { return watch_.found(questions_[verdict].watch) != PropertyMonitor::none; }
+    /// Per verdict the content of TimedResult::paths.
+    std::vector<std::vector<AbstractState>> paths(Graph& graph) const;
+
+private:
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    /// One verdict to give.
+    struct PropertyQuery {
+        Verdict verdict = {};
+        const Property* property = nullptr;
+        std::size_t watch = none;  // the state that decides it, or that shows that it is not vacuous
+        std::uint32_t p = Program::no, q = Program::no;
+        bool at_stable = false;
+        std::optional<std::uint32_t> lost = {};  // a state from which the required states are unreachable
+    };
+
+    std::uint32_t settled_and(const Property& property, Id<Expr> operand);
+    std::uint32_t settled_but_not(const Property& property, Id<Expr> operand);
+    std::uint32_t not_exactly_one(const Property& property);
+    void query_step_states(const Property& property, const PropertyQuery& prototype);
+    void compile(PropertyQuery& question);
+
+    /// Data shared by all verdicts of one search.
+    struct Outcomes {
+        UnknownReason obstacle = UnknownReason::None;  // prevents `holds` of properties about all states
+        std::string reason = {};
+    };
+    void answer(PropertyQuery& question, Graph& graph, const Limits& limits);
+    void result_state(PropertyQuery& question, Graph& graph) const;
+    void decide_liveness(PropertyQuery& question, Graph& graph, const Limits& limits);
+    void decide_deadlock(PropertyQuery& question, Graph& graph, const Limits& limits);
+    void decide_timelock(PropertyQuery& question, Graph& graph, const Limits& limits);
+    void decide_timelock_of_choices(PropertyQuery& question, Graph& graph, const Limits& limits) const;
+    void decide_possible(PropertyQuery& question, Graph& graph, const Limits& limits);
+    void report_never_again(const PropertyQuery& question, Graph& graph, const Limits& limits, Verdict& verdict) const;
+    void holds_unless(PropertyQuery& question, UnknownReason obstacle, const std::string& reason) const;
+    void holds_if_dense(PropertyQuery& question, Graph& graph, const std::optional<UncoveredAt>& bound) const;
+    void mark_vacuous(PropertyQuery& question, const Graph& graph) const;
+    std::optional<StateSet> states_where(PropertyQuery& question, Graph& graph, std::uint32_t predicate,
+                                         const Limits& limits) const;
+    std::string place_of(Graph& graph, const UncoveredAt& at) const;
+    std::string inexact_reason() const;
+
+    const Network& network_;
+    Machine& machine_;
+    PropertyMonitor& watch_;
+    std::optional<std::string> inexact_;
+    std::size_t settled_watch_ = none;
+    std::vector<PropertyQuery> questions_ = {};
+    Outcomes outcomes_ = {};
+};
+
+}  // namespace grafverif::timed

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Properties that the embedded engines of untimed models do not support.
+#pragma once
+
+#include <string>
+
+#include "grafverif/ir/property.hpp"
+#include "support/overloaded.hpp"
+
+namespace grafverif {
+
+/// The reason why no embedded engine decides a property of this pattern on a transition system; empty if one does.
+inline std::string unsupported_reason(Pattern pattern) {
+    switch (pattern) {
+    case Pattern::NoDeadlock:
+    case Pattern::NoTimelock: return "not applicable to an untimed model";
+    case Pattern::Watched: return "its observer is not part of this model";
+    case Pattern::RawUppaal: return "UPPAAL formulas require UPPAAL";
+    case Pattern::RawCtl: return "CTL formulas of NuSMV require NuSMV or nuXmv";
+    case Pattern::RawLtl: return "LTL formulas of NuSMV require NuSMV or nuXmv";
+    case Pattern::ReachableAllSteps: return "it is checked for each step";
+    case Pattern::Always:
+    case Pattern::Never:
+    case Pattern::Reachable:
+    case Pattern::Inevitable:
+    case Pattern::LeadsTo:
+    case Pattern::ExactlyOneOf:
+    case Pattern::AlwaysPossible: return {};
+    }
+    unreachable();
+}
+
+}  // namespace grafverif

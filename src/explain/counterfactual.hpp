@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The shortest change: the smallest set of free moves of a run without which a property about single states holds along
+// it.
+//
+// A move is free if nothing forces it: an edge of the plant or its environment that is not urgent and leaves a location
+// without invariant. To omit a set of free moves, the run is re-executed from power-on:
+//   free moves and delays   are kept in the same order, each after the same time; if one is impossible, the remaining
+//                           moves are not a run, and the set is not a change
+//   all other moves         are kept if they are possible, and omitted otherwise
+//   forced moves            if time may not pass, or a free move is impossible, the first edge of the network that is
+//                           enabled and not free is taken before it; also at the end, if an urgent edge is enabled
+// The result is a run of the network. The property must hold in all of its states.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "explain/smallest.hpp"
+#include "grafverif/ir/network.hpp"
+#include "grafverif/ir/verdict.hpp"
+
+namespace grafverif {
+
+/// The run without some of its free moves.
+struct Change {
+    std::vector<std::size_t> left_out = {};  ///< moves of the run, increasing
+    Run run = {};                            ///< the run of the remaining moves
+};
+
+struct ShortestChange {
+    std::optional<Change> found = {};  ///< the first of the smallest changes
+    std::size_t free_moves = 0;        ///< number of free moves in the run
+    std::size_t tried = 0;             ///< number of sets
+    bool exhausted = false;            ///< the effort is used up before all sets were tried
+};
+
+/// Requires that `run` replays and violates `property`. Finds nothing for properties that are not about single states.
+/// `effort`: maximum number of moves executed in total.
+ShortestChange shortest_change(const Network& network, const Property& property, const Run& run,
+                               std::size_t effort = 5000, const StopRequested& stopped = {});
+/// For a run of `network` without clocks (explain/moves.hpp); `timed`, with clocks, determines which moves are free.
+ShortestChange shortest_change(const Network& network, const Network& timed, const Property& property, const Run& run,
+                               std::size_t effort = 5000, const StopRequested& stopped = {});
+
+}  // namespace grafverif

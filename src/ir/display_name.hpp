@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <string>
+
+#include "grafverif/ir/component.hpp"
+
+namespace grafverif {
+
+/// Displayed name of a variable of an instance in properties and traces: `Gate.X`; `Gate_X` if the component has a
+/// location X, because `Gate.X` then denotes the location.
+inline std::string display_name(const std::string& instance, const Component& component, const std::string& variable) {
+    const bool is_location =
+        std::ranges::find(component.locations, variable, &Component::Location::name) != component.locations.end();
+    return instance + (is_location ? "_" : ".") + variable;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Independent subsystems ("parts") of a Network: sets of processes that share only time.
+//
+// Two processes belong to the same part if one of them writes a variable that the other reads or writes; parts are the
+// equivalence classes of the closure of this relation. Clocks belong to one process. Variables that transfer no
+// information between processes create no dependency: variables without writers, scratch variables, and the flag
+// `race`. The latter is treated as one flag per part, because a state in which it is set ends the run. A process
+// without edges and invariants belongs to the first part.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/network.hpp"
+#include "grafverif/ir/verdict.hpp"
+
+namespace grafverif {
+
+struct NetworkSubsystems {
+    static constexpr std::uint32_t none = 0xFFFFFFFF;
+
+    std::uint32_t count = 0;                      ///< parts are numbered by their first process
+    std::vector<std::uint32_t> of_process = {};   ///< part per process
+    std::vector<std::uint32_t> of_variable = {};  ///< part per variable; none: it creates no dependency
+    /// Per part: the conjuncts of `settled` that read only this part. Empty if `settled` is not defined or a conjunct
+    /// reads several parts.
+    std::vector<std::vector<Id<Expr>>> settled = {};
+};
+
+NetworkSubsystems parts_of(const Network& network);
+
+/// The parts whose variables and locations `terms` read, in order.
+std::vector<std::uint32_t> parts_read(const Network& network, const NetworkSubsystems& parts,
+                                      const std::vector<Id<Expr>>& terms);
+
+/// Displayed name of a part: its controllers, or its first instance.
+std::string name_of_part(const Network& network, const NetworkSubsystems& parts, std::uint32_t part);
+
+/// Some parts of a network as a separate network without properties. It keeps the names and processes of controllers,
+/// and the conjuncts of `settled` about these parts.
+struct SubNetwork {
+    Network network = {};
+    std::vector<Id<Network::Process>> processes = {};  ///< original of each process
+    std::vector<Id<Network::Variable>> variables = {};
+};
+
+/// Translates terms of the complete network to terms of the subnetwork. Requires that they read no other part.
+class SubNetworkBuilder {
+public:
+    /// `chosen` are parts of `network`, in order. Requires that `network` is expanded and outlives this object.
+    SubNetworkBuilder(const Network& network, const NetworkSubsystems& parts, const std::vector<std::uint32_t>& chosen);
+    SubNetworkBuilder(const SubNetworkBuilder&) = delete;
+    SubNetworkBuilder& operator=(const SubNetworkBuilder&) = delete;
+
+    /// Adds a property of the complete network.
+    void ask(Property property);
+    SubNetwork build() && { return std::move(made_); }
+
+private:
+    Id<Expr> leaf(const Expr& node);
+    Id<Network::Variable> here(Id<Network::Variable> variable);
+    void add_process(Id<Network::Process> id);
+    void add_controller(const Network::Controller& controller);
+    const Network& whole_;
+    SubNetwork made_ = {};
+    std::vector<std::uint32_t> process_ = {};   // process of the complete network -> process of the subnetwork
+    std::vector<std::uint32_t> variable_ = {};  // the same for variables
+    TermCopier copy_;
+};
+
+/// Converts a run of a subnetwork to a run of the complete network, with the same moves.
+Run in_complete(const SubNetwork& part, Run run);
+
+}  // namespace grafverif

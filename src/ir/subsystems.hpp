@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Parts of a TransitionSystem, of which one moves in each step: ownership of symbols, and projection to some parts.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "grafverif/ir/transition_system.hpp"
+#include "ir/flat_system.hpp"
+
+namespace grafverif {
+
+/// Parts of a system, in order.
+using PartList = std::vector<std::uint32_t>;
+
+constexpr std::uint32_t no_part = 0xFFFFFFFF;
+
+/// Part of each symbol of main; no_part: it belongs to none or to several.
+std::vector<std::uint32_t> parts_of_symbols(const TransitionSystem& system);
+
+/// The system without all other parts and without properties; omitted parts never move and block no step. Symbols of
+/// main keep their ids. Data about charts and plant is removed, except for `settled`.
+TransitionSystem with_parts(const TransitionSystem& system, const PartList& chosen);
+
+/// Maps each variable of `part`, a flattened projection, to the same variable of `whole`, the flattened complete
+/// system.
+std::vector<Id<FlatSystem::Variable>> variables_in_complete(const FlatSystem& part, const FlatSystem& whole);
+
+}  // namespace grafverif

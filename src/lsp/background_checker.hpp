@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Background checks, executed sequentially on a separate thread: derivation of the models of a root, its
+// properties, and `analyse` of its charts. If a root is parsed again, its pending checks are cancelled.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "lsp/diagnostic_store.hpp"
+
+namespace grafverif::lsp {
+
+/// A verdict for display.
+struct VerdictDetails {
+    std::string word = {};  ///< `holds`, `violated, as expected`
+    std::string text = {};  ///< output of `check`: the assumptions and the run
+};
+
+struct Task {
+    enum class What { Models, Proofs };
+    std::shared_ptr<const Root> root = {};
+    What what = What::Models;
+    std::string only = {};  ///< the loop or chart of that name; empty: all
+};
+
+/// Result of a task, or of a part of it.
+struct Found {
+    std::shared_ptr<const Root> root = {};
+    std::string source = {};  ///< the source of the findings; replaces its earlier ones
+    std::vector<LspDiagnostic> told = {};
+    std::map<std::string, VerdictDetails> verdicts = {};  ///< by key: `loop station/q P15`
+};
+
+class BackgroundChecker {
+public:
+    struct Callbacks {
+        std::function<void(Found)> found = {};
+        std::function<void(std::string words)> progress = {};  ///< an empty text: no check is running any more
+    };
+    /// Both callbacks are called from the prover's thread.
+    BackgroundChecker(Callbacks ears, std::optional<std::chrono::milliseconds> patience);
+    ~BackgroundChecker();
+    BackgroundChecker(const BackgroundChecker&) = delete;
+    BackgroundChecker& operator=(const BackgroundChecker&) = delete;
+
+    void ask(Task task);
+    /// Cancels the tasks of roots for which `current` is false.
+    void keep(const std::function<bool(const Root&)>& current);
+    void give_up();
+
+private:
+    void work();
+    template <class Work>
+    void run_and_report(const Task& task, const std::string& source, const Work& work);
+    void make_models(const Task& task);
+    Diagnostics refused_models(const Task& task) const;
+    void prove(const Task& task);
+    void prove_loop(const Root& root, Id<ClosedLoop> loop, Found& outcome);
+    void look_into(const Root& root, Id<Chart> chart, Found& outcome);
+    Limits limits(const std::string& what);
+
+    Callbacks callbacks_;
+    std::optional<std::chrono::milliseconds> patience_;
+    std::mutex door_ = {};
+    std::condition_variable wake_ = {};
+    std::deque<Task> tasks_ = {};
+    std::shared_ptr<const Root> at_hand_ = {};
+    std::atomic<bool> stop_ = false;
+    bool over_ = false;
+    std::thread thread_ = {};
+};
+
+}  // namespace grafverif::lsp

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Diagnostic store: the current diagnostics of every open document and of every file that includes one. Each file is
+// parsed separately, as by `check`, and parsed again when one of its sources changes.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lsp/diagnostics.hpp"
+#include "lsp/workspace.hpp"
+
+namespace grafverif::lsp {
+
+/// A file that was parsed with its includes; immutable.
+struct Root {
+    std::string path = {};
+    std::uint64_t number = 0;  ///< of the parse; unique
+    Inputs inputs = {};
+    ParseResult reading = {};
+    std::shared_ptr<const Places> places = {};
+    std::vector<LspDiagnostic> typed = {};  ///< the diagnostics of the parse
+};
+
+class DiagnosticStore {
+public:
+    /// Parses changed roots again and returns the new ones. A root that cannot be read has this as its only diagnostic,
+    /// and is read again by the next call.
+    std::vector<std::shared_ptr<const Root>> look(Workspace& workspace);
+    std::shared_ptr<const Root> root(const std::string& path) const;
+    std::vector<std::shared_ptr<const Root>> roots() const;
+    bool is_current(const Root& root) const;
+
+    /// Adds further diagnostics of a root; they are discarded when it is parsed again.
+    void add(const Root& root, const std::string& source, std::vector<LspDiagnostic> told);
+
+    /// All diagnostics by path, sorted by location, without duplicates.
+    std::map<std::string, std::vector<LspDiagnostic>> all() const;
+
+private:
+    struct Entry {
+        std::shared_ptr<const Root> root = {};
+        std::map<std::string, std::vector<LspDiagnostic>> added = {};
+    };
+    std::shared_ptr<const Root> read(const std::string& path, Workspace& workspace);
+
+    std::map<std::string, Entry> entries_ = {};  ///< their roots are never null
+    std::uint64_t readings_ = 0;
+};
+
+}  // namespace grafverif::lsp

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Diagnostics for the editor, with their locations in its units.
+#pragma once
+
+#include <compare>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grafverif/support/diagnostic.hpp"
+#include "lsp/text.hpp"
+
+namespace grafverif::lsp {
+
+struct Place {
+    std::string path = {};
+    Range range = {};
+    auto operator<=>(const Place&) const = default;
+};
+
+struct Related {
+    Place where = {};
+    std::string message = {};
+    auto operator<=>(const Related&) const = default;
+};
+
+/// Replaces the text at the location.
+struct Edit {
+    Place where = {};
+    std::string replacement = {};
+    auto operator<=>(const Edit&) const = default;
+};
+
+struct LspDiagnostic {
+    Place where = {};
+    Severity severity = Severity::Error;
+    std::string code = {}, message = {};
+    std::vector<Related> related = {};
+    std::optional<Edit> fix = {};
+    std::string page = {};  ///< address of its documentation; empty: none
+    auto operator<=>(const LspDiagnostic&) const = default;
+};
+
+/// Locations of spans of `sources`; a span without location is mapped to the beginning of `main`.
+class Places {
+public:
+    /// `shown`: maps the name of a source to the path shown to the editor.
+    Places(const Sources& sources, const std::string& main,
+           const std::function<std::string(const std::string& path)>& shown);
+
+    Place of(Span where) const;
+
+private:
+    std::string main_;
+    std::vector<Text> texts_ = {};         ///< per source
+    std::vector<std::string> paths_ = {};  ///< by source
+};
+
+/// Converts diagnostics. A note without location is appended to the message.
+std::vector<LspDiagnostic> told(const Diagnostics& diagnostics, const Places& places);
+
+}  // namespace grafverif::lsp

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Watch: detects changes of files after they were read. It compares size, times and identity, so it detects that a file
+// is written in place, replaced by another one of its name, deleted, or restored. The modification time can be set
+// back; the time of the last status change cannot.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace grafverif {
+
+class FileWatcher {
+public:
+    /// Records a file that is about to be read.
+    void note(const std::string& path);
+    void note(const std::vector<std::string>& paths);
+    /// Forgets all files.
+    void clear() { seen_.clear(); }
+    /// True if a recorded file has changed.
+    bool changed() const;
+    /// True if a recorded file has been deleted.
+    bool missing() const;
+    /// The files that have changed.
+    std::vector<std::string> changes() const;
+    std::size_t size() const { return seen_.size(); }
+
+private:
+    struct FileStamp {
+        bool there = false;
+        std::uint64_t device = 0, file = 0, size = 0;
+        std::array<std::int64_t, 2> times = {};  ///< times of modification and status change; nanoseconds since 1970
+        bool operator==(const FileStamp&) const = default;
+    };
+    static FileStamp stamp(const std::string& path);
+
+    std::map<std::string, FileStamp> seen_ = {};
+};
+
+}  // namespace grafverif

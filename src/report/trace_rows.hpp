@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Trace rows: groups the events of a ChartRun into the rows of a printed trace.
+//
+//   event of an instance     own row: the location reached, changed plant variables
+//   timer expiry             own row; other timer events are internal
+//   actions of a controller  one row per stability search that clears a transition or changes an output; other actions
+//                            are internal. In a run that counts steps: one row per evolution
+//   consecutive delays       one row
+// If the plant moves during a PLC cycle, the cycle is split into two rows. If the plant then changes a sampled input
+// that matters, the sampling is a separate row.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/chart_run.hpp"
+#include "grafverif/ir/network.hpp"
+#include "ir/network_run.hpp"
+
+namespace grafverif {
+
+/// Everything also prints the internal events of the translation, each as a row marked internal.
+enum class Detail { Chart, Everything };
+
+/// Builds the rows of a run while it is executed.
+class TraceRowBuilder {
+public:
+    /// `run` must outlive the object, and has no rows yet.
+    TraceRowBuilder(ChartRun& run, Detail detail)
+        : run_(run), detail_(detail), open_(run.controllers.size()), sampled_(run.controllers.size()) {}
+
+    /// Adds rows for new events.
+    void catch_up();
+    /// Adds rows for new events, and ends open rows.
+    void flush();
+    /// Ends the run: a loop without rows gets one.
+    void finish();
+
+private:
+    /// The actions of a controller since its last row.
+    struct OpenRow {
+        std::vector<std::vector<Id<ChartRun::Transition>>> fired = {};
+        bool first = false;    ///< includes the first evolution
+        bool changed = false;  ///< an output or a stored variable has changed
+        bool written = false;  ///< outputs have been written since the last evolution
+    };
+
+    void add(ChartRun::Row row, std::size_t moment);
+    void close(std::size_t controller, std::size_t moment);
+    void close_all(std::size_t moment);
+    void close_delay();
+    void begin_loop();
+    void add_event(std::size_t moment);
+    void add_instance_row(std::size_t moment);
+    void add_timer_row(std::size_t moment);
+    void add_act_rows(std::size_t moment, const ChartRun::Act& act);
+    void report_phase(std::size_t moment, const ChartRun::Act& act);
+    void add_sampling_row(std::size_t moment);
+
+    ChartRun& run_;
+    Detail detail_;
+    std::vector<OpenRow> open_;  ///< per controller
+    std::vector<bool> sampled_;  ///< per controller: it has sampled inputs that transitions to be cleared depend on
+    std::size_t next_ = 0;       ///< the next event
+    std::optional<std::size_t> delay_ = {};  ///< the last event of a delay without a row yet
+    std::int64_t delay_ms_ = 0;
+};
+
+/// The effect of `fire` in `state` as the text of a row, including inputs of the controllers: `Start: START`.
+std::string choice_text(const Network& network, const NetworkState& state, const Fire& fire);
+
+/// The run with its rows. Requires a run without rows.
+ChartRun with_rows(ChartRun run, Detail detail = Detail::Chart);
+
+}  // namespace grafverif

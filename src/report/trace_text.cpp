@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "report/trace_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report/trace_rows.hpp"
+#include "run/project.hpp"
+#include "syntax/print/chart.hpp"
+#include "syntax/print/dialect.hpp"
+
+namespace grafverif {
+
+std::string instance_text(const ChartRun& run, std::size_t moment, bool inputs) {
+    const ChartRun::Event& told = run.moments[moment];
+    std::string words;
+    if (told.location) words = run.instances[told.instance].locations[*told.location];
+    for (const Id<ChartRun::Signal> id : told.changed) {
+        const ChartRun::Signal& signal = run.signals[id];
+        if (signal.role != ChartRun::Role::Plant && !(inputs && signal.role == ChartRun::Role::Input)) continue;
+        if (!words.empty()) words += ", ";
+        words += change_text(signal, run.moments[moment - 1].after.values[id.index], told.after.values[id.index]);
+    }
+    return words;
+}
+
+std::string choice_text(const Network& network, const NetworkState& state, const Fire& fire) {
+    NetworkState after = state;
+    perform(network, after, fire);
+    ChartRun run;
+    NetworkProjection(network, state, run).append(fire, state, after);
+    const Network::Process& process = network.processes[fire.process];
+    const Network::Template& automaton = network.templates[process.automaton];
+    const std::string words = process.kind == Network::ProcessKind::Controller
+                                  ? automaton.locations[automaton.edges[fire.edge].to].name
+                                  : instance_text(run, 1, true);
+    return words.empty() ? process.name : process.name + ": " + words;
+}
+
+namespace {
+
+/// `3s/X2`, as in conditions; of a longer term only the duration.
+std::string timer_condition(const ChartRun::Timer& timer, bool value = true) {
+    if (timer.watched.empty()) return duration_text(value && timer.rise_ms > 0 ? timer.rise_ms : timer.fall_ms);
+    return time_text(timer.rise_ms, timer.watched, timer.fall_ms);
+}
+
+std::string step_text(const ChartRun::Step& step) {
+    return (step.controller.empty() ? "" : step.controller + ".") + step.name.variable();
+}
+
+/// As in properties: a step name with its controller if there are several.
+std::string timer_in_loop(const ChartRun& run, Id<ChartRun::Timer> id) {
+    ChartRun::Timer timer = run.timers[id];
+    for (const ChartRun::Controller& controller : run.controllers)
+        if (timer.step && std::ranges::find(controller.timers, id) != controller.timers.end())
+            timer.watched = step_text(run.steps[controller.steps[*timer.step]]);
+    return timer_condition(timer);
+}
+
+}  // namespace
+
+std::string timer_text(const ChartRun::Timer& timer, bool value) {
+    const std::string words = timer_condition(timer, value);
+    if (timer.watched.empty()) return words + " are over";
+    return words + (value ? " is true" : " is false");
+}
+
+std::string value_text(const ChartRun::Signal& signal, std::int64_t value) {
+    if (signal.type.boolean) return value != 0 ? signal.name : "!" + signal.name;
+    return signal.name + " = " + std::to_string(value);
+}
+
+std::string cause_text(const ChartRun& run, const ChartRun::Cause& cause) {
+    if (cause.signal.valid()) return value_text(run.signals[cause.signal], cause.value);
+    const std::string sign = cause.value != 0 ? "" : "!";
+    if (cause.instance.valid()) {
+        const ChartRun::Instance& instance = run.instances[cause.instance];
+        return sign + instance.name + "." + instance.locations[cause.location];
+    }
+    if (cause.timer.valid()) return sign + timer_in_loop(run, cause.timer);
+    return sign + step_text(run.steps[cause.step]);
+}
+
+std::string causes_text(const ChartRun& run) {
+    constexpr std::size_t most = 8;
+    std::string text, last;
+    for (std::size_t k = 0; k < std::min(most, run.causes.size()); ++k) {
+        const ChartRun::Cause& cause = run.causes[k];
+        std::string when = "at " + event_text(run, run.moments[cause.first].after);
+        const bool goes_on = cause.first < cause.last;
+        if (goes_on && cause.last + 1 < run.moments.size())
+            when = "from" + when.substr(2) + " to " + event_text(run, run.moments[cause.last].after);
+        else if (goes_on) when = "from" + when.substr(2) + " on";
+        text += when == last ? ", " : (text.empty() ? "" : "; ") + when + ": ";
+        text += cause_text(run, cause);
+        last = when;
+    }
+    return run.causes.size() > most ? fmt::format("{}; and {} more", text, run.causes.size() - most) : text;
+}
+
+std::string counterfactual_text(const ChartRun& run) {
+    std::vector<std::pair<std::size_t, std::string>> all;
+    for (const std::size_t moment : run.left_out) {
+        const ChartRun::Event& told = run.moments[moment];
+        const std::string what = instance_text(run, moment, true);
+        all.emplace_back(moment, run.instances[told.instance].name + (what.empty() ? "" : " (" + what + ")"));
+    }
+    for (const ChartRun::Counterfactual& each : run.counterfactual_values)
+        all.emplace_back(each.moment, counterfactual_text(run, each));
+    std::ranges::stable_sort(all, {}, [](const auto& each) { return each.first; });
+    std::string text;
+    for (const auto& [moment, what] : all)
+        text += fmt::format("{}{} at {}", text.empty() ? "without " : ", ", what,
+                            event_text(run, run.moments[moment].after));
+    if (text.empty()) return {};
+    return text + " the property holds along the run" +
+           (!run.timed && !run.counterfactual_values.empty() ? ", and on from its end as long as nothing changes" : "");
+}
+
+std::string counterfactual_text(const ChartRun& run, const ChartRun::Counterfactual& left_out) {
+    if (left_out.timer.valid()) return timer_condition(run.timers[left_out.timer]);
+    return value_text(run.signals[left_out.signal], run.moments[left_out.moment].after.values[left_out.signal.index]);
+}
+
+std::string change_text(const ChartRun::Signal& signal, std::int64_t before, std::int64_t after) {
+    if (signal.type.boolean) return value_text(signal, after);
+    return signal.name + " " + std::to_string(before) + " -> " + std::to_string(after);
+}
+
+}  // namespace grafverif

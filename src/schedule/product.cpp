@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "schedule/product.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "schedule/controller_module.hpp"
+#include "schedule/main.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using namespace schedule;
+using Role = Equations::Role;
+
+class PairBuilder {
+public:
+    PairBuilder(const Equations& a, const Equations& b, const ProductOptions& options)
+        : equations_{&a, &b}, options_(options), main_(a.name) {}
+
+    ProductMachine build() && {
+        for (const Equations* chart : equations_)
+            for (const Equations::Variable& variable : chart->variables)
+                if (variable.role == Role::Input) main_.draft.names.take(variable.name);
+        waits_ = main_.draft.add("waits", Type{}, TransitionSystem::StateSymbol{}, "both have answered the scan");
+        const Id<Symbol> turn = main_.draft.define("turn", exprs().negation(waits()));
+        add_inputs();
+        add_passed();
+        for (const std::size_t k : {0U, 1U}) add_chart(k);
+        for (const std::size_t k : {0U, 1U}) wire(k, turn);
+        add_waits();
+        assume();
+        keep_twins_together();
+        add_properties();
+        return {main_.finish(), std::move(inputs_), waits_, passed_};
+    }
+
+private:
+    Exprs& exprs() { return main_.system.exprs; }
+    Id<Expr> waits() { return main_.draft.leaf(waits_); }
+    Id<Expr> inner(std::size_t k, Id<Symbol> symbol) { return main_.inner(instances_[k], symbol); }
+    Id<Expr> inner(std::size_t k, Id<Equations::Variable> id) { return inner(k, modules_[k].symbols[id.index]); }
+
+    /// Symbol of the first chart's input with this name.
+    Id<Symbol> input(const std::string& name) const {
+        std::size_t place = 0;
+        for (const Equations::Variable& variable : equations_[0]->variables)
+            if (variable.role == Role::Input && variable.name == name) break;
+            else place += variable.role == Role::Input ? 1 : 0;
+        return inputs_[place];
+    }
+
+    /// Inputs are chosen freely for each scan.
+    void add_inputs() {
+        for (const Equations::Variable& variable : equations_[0]->variables) {
+            if (variable.role != Role::Input) continue;
+            const Id<Symbol> chosen = main_.draft.add(variable.name + "_next", variable.type,
+                                                      TransitionSystem::ChoiceSymbol{}, "inputs of the next scan");
+            const Id<Symbol> now = main_.draft.module.symbols.add(
+                {variable.name, variable.type, TransitionSystem::StateSymbol{}, "inputs", variable.origin, {}});
+            main_.draft.set(now,
+                            TransitionSystem::StateSymbol{
+                                {}, exprs().conditional(waits(), main_.draft.leaf(chosen), main_.draft.leaf(now))});
+            inputs_.push_back(now);
+        }
+    }
+
+    void add_passed() {
+        std::int64_t most = 0;
+        for (const Equations* chart : equations_)
+            for (const Equations::Timer& timer : chart->timers) most = std::max({most, timer.rise_ms, timer.fall_ms});
+        if (most == 0) return;
+        passed_ = main_.draft.add("passed", integer_type(0, most / options_.unit_ms), TransitionSystem::ChoiceSymbol{},
+                                  "time until the next scan");
+    }
+
+    void add_chart(std::size_t k) {
+        const ControllerStyle style{.mode = options_.mode, .turns = true, .scans = true};
+        modules_[k] = controller_module(*equations_[k], style, exprs());
+        instances_[k] = main_.add_instance(k == 0 ? "a" : "b", main_.add_module(modules_[k].module));
+    }
+
+    void wire(std::size_t k, Id<Symbol> turn) {
+        std::vector<Id<Symbol>> arguments;
+        for (const Id<Equations::Variable> id : modules_[k].parameters) {
+            const Equations::Variable& variable = equations_[k]->variables[id];
+            arguments.push_back(variable.role == Role::Input ? input(variable.name) : end_of(k, id));
+        }
+        arguments.push_back(turn);
+        main_.system.instances[instances_[k]].arguments = std::move(arguments);
+    }
+
+    /// `count` minus the time until the next scan.
+    Id<Expr> counted_down(Id<Expr> count) {
+        const Id<Expr> passed = main_.draft.leaf(passed_);
+        const Id<Expr> rest = exprs().conditional(exprs().apply(Op::Greater, count, passed),
+                                                  exprs().apply(Op::Minus, count, passed), exprs().integer(0));
+        return exprs().conditional(waits(), rest, count);
+    }
+    Id<Expr> is_zero(Id<Expr> count) { return exprs().apply(Op::Equal, count, exprs().integer(0)); }
+
+    Id<Symbol> add_count(const std::string& wish, std::int64_t most) {
+        return main_.draft.add(wish, integer_type(0, most), TransitionSystem::StateSymbol{}, "units left of times");
+    }
+
+    /// The output of a timer. It observes a step or a level after the last evolution. While the level is false, the
+    /// remaining time is the complete t1. `lasted`: in the previous state, the level was true and t1 had elapsed.
+    Id<Symbol> end_of(std::size_t k, Id<Equations::Variable> id) {
+        const auto timer = std::ranges::find(equations_[k]->timers, id, &Equations::Timer::end);
+        const std::string name = (k == 0 ? "a_" : "b_") + timer->name;
+        const std::int64_t rise = timer->rise_ms / options_.unit_ms, fall = timer->fall_ms / options_.unit_ms;
+        const Id<Expr> level = inner(k, timer->watched), none = exprs().integer(0);
+        Id<Expr> over = level, over_next = level;
+        if (rise > 0) {
+            const Id<Symbol> left = add_count(name + "_left", rise);
+            const Id<Expr> next =
+                exprs().conditional(level, counted_down(main_.draft.leaf(left)), exprs().integer(rise));
+            main_.draft.set(left, TransitionSystem::StateSymbol{exprs().integer(rise), next});
+            over = exprs().conjunction(level, is_zero(main_.draft.leaf(left)));
+            over_next = exprs().conjunction(level, is_zero(next));
+        }
+        if (fall > 0) {
+            const Id<Symbol> lasted =
+                main_.draft.add(name + "_lasted", Type{},
+                                TransitionSystem::StateSymbol{exprs().constant(false), over_next}, "times that lasted");
+            const Id<Expr> fell = exprs().conjunction(main_.draft.leaf(lasted), exprs().negation(level));
+            const Id<Symbol> left = add_count(name + "_rest", fall);
+            const Id<Expr> rest = main_.draft.leaf(left);
+            main_.draft.set(left, TransitionSystem::StateSymbol{
+                                      none, counted_down(exprs().conditional(fell, exprs().integer(fall), rest))});
+            over = exprs().disjunction(std::vector{over, fell, exprs().apply(Op::Greater, rest, none)});
+        }
+        return main_.draft.define(name, exprs().conjunction(inner(k, modules_[k].started), over), "outputs of timers");
+    }
+
+    Id<Expr> fault(std::size_t k) {
+        std::vector<Id<Expr>> faults;
+        for (const Id<Symbol> flag : {modules_[k].race, modules_[k].out_of_range})
+            if (flag.valid()) faults.push_back(inner(k, flag));
+        return exprs().disjunction(faults);
+    }
+
+    /// Quiescent, and the current evolution causes no fault: an output that divides by zero has no value to write.
+    Id<Expr> settled(std::size_t k) {
+        const Id<Expr> settled = inner(k, modules_[k].settled);
+        const Id<Symbol> faulting = modules_[k].faulting;
+        return faulting.valid() ? exprs().conjunction(settled, exprs().negation(inner(k, faulting))) : settled;
+    }
+
+    void add_waits() {
+        Id<Expr> done = exprs().constant(true);
+        for (const std::size_t k : {0U, 1U}) {
+            const Id<Expr> answered = options_.mode == ExecutionMode::EveryCycle
+                                          ? exprs().constant(true)
+                                          : exprs().disjunction(settled(k), fault(k));
+            answered_[k] = main_.draft.leaf(
+                main_.draft.define(k == 0 ? "a_answered" : "b_answered", answered, "who has answered the scan"));
+            done = exprs().conjunction(done, answered_[k]);
+        }
+        main_.draft.set(waits_, TransitionSystem::StateSymbol{exprs().constant(false),
+                                                              exprs().conjunction(exprs().negation(waits()), done)});
+    }
+
+    /// The constraints of both charts.
+    void assume() {
+        for (const Equations* chart : equations_)
+            for (const Equations::Assumption& assumption : chart->assumptions)
+                main_.draft.module.invariants.push_back(
+                    translate(chart->exprs, assumption.condition, exprs(), [&](const Expr& leaf) {
+                        const Id<Equations::Variable> id{static_cast<std::uint32_t>(leaf.value)};
+                        return main_.draft.leaf(input(chart->variables[id].name));
+                    }));
+    }
+
+    /// Adds a tautology that relates variables of the same name. It affects only the order of decision diagrams, which
+    /// keep variables of one term close together; mostly these variables are equal.
+    void keep_twins_together() {
+        for (const Id<Equations::Variable> of_a : equations_[0]->variables.ids())
+            for (const Id<Equations::Variable> of_b : equations_[1]->variables.ids()) {
+                const Equations::Variable& one = equations_[0]->variables[of_a];
+                const Equations::Variable& other = equations_[1]->variables[of_b];
+                const bool plugs = one.role == Role::Input || one.role == Role::TimerEnd;
+                if (plugs || one.role != other.role || one.name != other.name || one.type != other.type) continue;
+                if (!modules_[0].symbols[of_a.index].valid() || !modules_[1].symbols[of_b.index].valid()) continue;
+                const Id<Expr> same = exprs().apply(Op::Equal, inner(0, of_a), inner(1, of_b));
+                main_.draft.module.transitions.push_back(exprs().disjunction(same, exprs().negation(same)));
+            }
+    }
+
+    /// Some output differs.
+    Id<Expr> differing() {
+        std::vector<Id<Expr>> pairs;
+        for (const Id<Equations::Variable> of_a : equations_[0]->variables.ids())
+            for (const Id<Equations::Variable> of_b : equations_[1]->variables.ids()) {
+                const Equations::Variable& one = equations_[0]->variables[of_a];
+                const Equations::Variable& other = equations_[1]->variables[of_b];
+                if (one.role != Role::Output || other.role != Role::Output || one.name != other.name) continue;
+                pairs.push_back(exprs().apply(Op::NotEqual, inner(0, of_a), inner(1, of_b)));
+            }
+        return exprs().disjunction(pairs);
+    }
+
+    /// True while fewer than `than` scans have been answered.
+    Id<Expr> scans_are_fewer(std::int64_t than) {
+        const Id<Symbol> scans = main_.draft.add("scans", integer_type(0, than), TransitionSystem::StateSymbol{},
+                                                 "scans that were begun after the first");
+        const Id<Expr> now = main_.draft.leaf(scans), most = exprs().integer(than);
+        const Id<Expr> more = exprs().conjunction(waits(), exprs().apply(Op::Less, now, most));
+        main_.draft.set(scans, TransitionSystem::StateSymbol{
+                                   exprs().integer(0),
+                                   exprs().conditional(more, exprs().apply(Op::Plus, now, exprs().integer(1)), now)});
+        return exprs().apply(Op::Less, now, exprs().integer(than - 1));
+    }
+
+    void add_properties() {
+        const Id<Expr> of_a = fault(0), of_b = fault(1);
+        const Id<Expr> sound = exprs().conjunction(exprs().negation(of_a), exprs().negation(of_b));
+        const Id<Expr> one_breaks = exprs().apply(Op::NotEqual, of_a, of_b);
+        Id<Expr> apart = exprs().disjunction(one_breaks, exprs().conjunction(sound, differing()));
+        if (options_.fewer_scans) apart = exprs().conjunction(apart, scans_are_fewer(*options_.fewer_scans));
+        const Id<Expr> differ = exprs().conjunction(waits(), apart);
+        main_.system.properties.add({.name = "same", .pattern = Pattern::Never, .operands = {differ}});
+        main_.system.properties.add(
+            {.name = "possible", .pattern = Pattern::Reachable, .operands = {exprs().constant(true)}});
+        if (options_.mode == ExecutionMode::EveryCycle) return;
+        const auto with_outputs = [&](std::size_t k, Id<Expr> fault) {
+            return exprs().conjunction(answered_[k], exprs().negation(fault));
+        };
+        main_.system.properties.add(
+            {.name = "a_follows", .pattern = Pattern::LeadsTo, .operands = {with_outputs(1, of_b), answered_[0]}});
+        main_.system.properties.add(
+            {.name = "b_follows", .pattern = Pattern::LeadsTo, .operands = {with_outputs(0, of_a), answered_[1]}});
+    }
+
+    const std::array<const Equations*, 2> equations_;
+    const ProductOptions& options_;
+    Main main_;
+    std::array<ControllerModule, 2> modules_ = {};
+    std::array<Id<TransitionSystem::Instance>, 2> instances_ = {};
+    std::array<Id<Expr>, 2> answered_ = {};
+    std::vector<Id<Symbol>> inputs_ = {};
+    Id<Symbol> waits_ = {}, passed_ = {};
+};
+
+}  // namespace
+
+ProductMachine schedule_both(const Equations& a, const Equations& b, const ProductOptions& options) {
+    return PairBuilder(a, b, options).build();
+}
+
+}  // namespace grafverif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Expectations about the current state of a simulation, as used by `expect` and `wait until`:
+//
+//   X3                    the step 3 is active; `press.X3`, `G1.X3` with several controllers or partial charts
+//   LAMP, not LAMP        an input, output, internal variable or variable of the plant is true, or false
+//   LEVEL >= 3            =, ==, !=, <, <=, >, >=; for Booleans `LAMP = true`
+//   Gate in open          the instance Gate is in its location open
+//
+// and conjunctions of these with `and` or `,`.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "grafverif/ir/chart_run.hpp"
+
+namespace grafverif {
+
+struct Expectation {
+    enum class Relation { Equal, NotEqual, Less, AtMost, Greater, AtLeast, In, NotIn };
+    struct Condition {
+        std::string name = {};
+        Relation relation = Relation::Equal;
+        std::int64_t value = 0;
+        std::string location = {};  ///< for In and NotIn
+        bool operator==(const Condition&) const = default;
+    };
+    std::vector<Condition> parts = {};  ///< conjunction; at least one
+    std::string text = {};              ///< as written
+    bool operator==(const Expectation&) const = default;
+};
+
+/// An integer; empty if the text is not one.
+std::optional<std::int64_t> number_of(std::string_view text);
+/// `true`, `false` or an integer, as values are written in commands and expectations.
+std::optional<std::int64_t> value_of(std::string_view text);
+
+/// Parses an expectation; returns a message if the text is invalid.
+std::variant<Expectation, std::string> preservation_class_of(std::string_view text);
+
+/// Location of the instance of that name after the event in question; empty: there is no such instance.
+using LocationOf = std::function<std::optional<std::string>(std::string_view instance)>;
+
+/// The first part that does not hold after `moment` of `run`, with the actual value (`X3 is not active`); empty: all
+/// hold. Nothing: `problem` names what does not exist.
+std::optional<std::string> unmet_part(const Expectation& claim, const ChartRun& run, std::size_t moment,
+                                      const LocationOf& location_of, std::string& problem);
+
+/// True if each part names a step: such a claim has a value in transient situations, where outputs are not yet written.
+bool names_only_steps(const Expectation& claim, const ChartRun& run);
+
+}  // namespace grafverif

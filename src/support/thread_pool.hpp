@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Team: thread pool that executes one parallel task at a time together with the thread that owns it.
+//
+// The threads start with the first task; they have small stacks and all signals blocked. If the system provides fewer
+// threads than requested, the available ones do all work.
+#pragma once
+
+#include <pthread.h>
+
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <vector>
+
+namespace grafverif {
+
+class ThreadPool {
+public:
+    /// `members`: number of threads including the owner, which is member 0; 0 selects one thread per core.
+    explicit ThreadPool(unsigned members);
+    ~ThreadPool();
+    ThreadPool(const ThreadPool&) = delete;
+    ThreadPool& operator=(const ThreadPool&) = delete;
+
+    unsigned size() const { return members_; }
+    /// Calls `work(member)` for every member, each in its thread, and returns when all calls have ended. Rethrows the
+    /// exception of the member with the lowest number.
+    void share(const std::function<void(unsigned)>& work);
+
+private:
+    struct Start {
+        ThreadPool* team = nullptr;
+        unsigned member = 0;
+    };
+    static void* run(void* start);
+    void serve(unsigned member);
+    void work_as(unsigned member);
+    void start();
+
+    unsigned members_;
+    std::vector<Start> starts_ = {};
+    std::vector<pthread_t> threads_ = {};
+    std::vector<std::exception_ptr> failures_ = {};
+    const std::function<void(unsigned)>* work_ = nullptr;
+    std::uint64_t round_ = 0;  // number of the current task; a member that has done it waits for the next
+    unsigned busy_ = 0;
+    bool over_ = false;
+    std::mutex mutex_ = {};
+    std::condition_variable begin_ = {}, end_ = {};
+};
+
+}  // namespace grafverif

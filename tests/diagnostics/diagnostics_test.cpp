@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// Every diagnostic as printed: <code>[-n].grafcet is processed up to the first failing stage, and the printed
+// diagnostics must equal <code>[-n].expected. GRAFVERIF_UPDATE_GOLDEN=1 rewrites those files.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "compose/compose.hpp"
+#include "conform/automaton.hpp"
+#include "conform/mealy.hpp"
+#include "conform/test_sequence.hpp"
+#include "derive/derive.hpp"
+#include "plant/plant.hpp"
+#include "read/exclusions.hpp"
+#include "read/text.hpp"
+#include "schedule/controller.hpp"
+#include "schedule/network.hpp"
+#include "syntax/language/format.hpp"
+#include "syntax/language/parse.hpp"
+
+namespace grafverif {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = GRAFVERIF_SOURCE_DIR;
+
+std::optional<std::string> content(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return {};
+    std::ostringstream text;
+    text << file.rdbuf();
+    return std::move(text).str();
+}
+
+struct LibraryFile {
+    std::string name = {}, text = {}, path = {};
+};
+
+const std::vector<LibraryFile>& library_files() {
+    static const std::vector<LibraryFile> files = [] {
+        std::vector<LibraryFile> found;
+        for (const auto& entry : fs::directory_iterator(root / "templates")) {
+            if (entry.path().extension() != ".grafcet") continue;
+            found.push_back(
+                {entry.path().stem().string(), content(entry.path()).value(), entry.path().filename().string()});
+        }
+        std::ranges::sort(found, {}, &LibraryFile::name);
+        return found;
+    }();
+    return files;
+}
+
+std::vector<fs::path> examples() {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(root / "tests/diagnostics"))
+        if (entry.path().extension() == ".grafcet") found.push_back(entry.path());
+    std::ranges::sort(found);
+    return found;
+}
+
+/// Runs the stages of `testgen`, in both modes until a diagnostic is reported.
+void test(const Equations& equations, Diagnostics& diagnostics) {
+    for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
+        AutomatonOptions options;
+        options.mode = mode;
+        const auto automaton = location_automaton(equations, options, diagnostics);
+        const auto machine = automaton ? mealy_machine(*automaton, {}, diagnostics) : std::nullopt;
+        if (machine) test_sequence(*machine, {}, equations.origin, diagnostics);
+        if (diagnostics.has_errors()) return;
+    }
+}
+
+/// Runs the stages of `build`: every chart to equations, every loop to a network and a transition system with the
+/// constraints of the loop. A chart without a loop, in a file with `// testgen`, is processed to a test sequence.
+void build(const Model& model, bool tested, Diagnostics& diagnostics) {
+    std::vector<std::optional<Equations>> equations;
+    for (const Chart& chart : model.charts) equations.push_back(derive(chart, diagnostics));
+    for (const std::optional<Equations>& one : equations)
+        if (tested && one) test(*one, diagnostics);
+    for (const ClosedLoop& loop : model.loops) {
+        const auto network = plant(model, loop, diagnostics);
+        std::vector<Equations> controllers;
+        for (const auto& controller : loop.controllers)
+            if (equations[controller.chart.index]) controllers.push_back(*equations[controller.chart.index]);
+        if (!network || controllers.size() != loop.controllers.size()) continue;
+        const auto composed = compose(*network, loop, controllers, {}, diagnostics);
+        constraints_agree(loop, diagnostics);
+        if (composed && !diagnostics.has_errors())
+            schedule_network(model, loop, controllers, *composed, {}, diagnostics);
+    }
+}
+
+/// <code>[-n].csv, if present, is a table of exclusions for the chart.
+void exclude(const std::string& name, const std::optional<Model>& model, Sources& sources, Diagnostics& diagnostics) {
+    const fs::path path = fs::path(name).replace_extension(".csv");
+    const auto table = content(root / "tests/diagnostics" / path);
+    if (!table || !model) return;
+    const Id<Source> id = sources.add({path.string(), *table});
+    read_exclusions(id, sources, *model->charts.begin(), diagnostics);
+}
+
+/// The constants of `--set`, if the first line of the file is `// --set N=4 T=3s`.
+std::map<std::string, std::string, std::less<>> constants_of(const std::string& text) {
+    std::istringstream words(text.substr(0, text.find('\n')));
+    std::map<std::string, std::string, std::less<>> constants;
+    std::string word;
+    if (words >> word && word == "//" && words >> word && word == "--set")
+        while (words >> word) constants[word.substr(0, word.find('='))] = word.substr(word.find('=') + 1);
+    return constants;
+}
+
+struct Said {
+    Sources sources = {};
+    Diagnostics diagnostics = {};
+};
+
+Said said_about(const std::string& name, const std::string& text) {
+    std::vector<LibraryEntry> library;
+    for (const LibraryFile& file : library_files()) library.push_back({file.name, file.text, file.path});
+    ReadContext context{[](const std::string& path, std::string& why) {
+                            auto found = content(root / "tests/diagnostics" / path);
+                            if (!found) why = "there is no such file";
+                            return found;
+                        },
+                        library};
+    context.constants = constants_of(text);
+    Said said;
+    auto& [sources, diagnostics] = said;
+    const auto model = read_text(sources.add({name, text}), sources, context, diagnostics);
+    EXPECT_EQ(model.has_value(), !diagnostics.has_errors());
+    if (model) build(*model, text.starts_with("// testgen"), diagnostics);
+    exclude(name, model, sources, diagnostics);
+    return said;
+}
+
+std::string words(const Said& said) {
+    std::ostringstream text;
+    render_text(said.diagnostics.all(), said.sources, Colour::Plain, text);
+    return std::move(text).str();
+}
+
+/// Number of occurrences.
+std::ptrdiff_t times(const Said& said, const Diagnostic& one) {
+    return std::ranges::count_if(said.diagnostics.all(), [&](const Diagnostic& other) {
+        return other.code == one.code && other.message == one.message;
+    });
+}
+
+/// `unknown-step-2` tests `unknown-step`.
+std::string code_of(const fs::path& reject) {
+    std::string code = reject.stem().string();
+    const std::size_t number = code.find_last_not_of("0123456789");
+    if (number + 1 < code.size() && code[number] == '-') code.resize(number);
+    return code;
+}
+
+TEST(DiagnosticExamples, SayWhatIsExpected) {
+    const bool update = std::getenv("GRAFVERIF_UPDATE_GOLDEN") != nullptr;
+    for (const fs::path& reject : examples()) {
+        SCOPED_TRACE(reject.filename().string());
+        const std::string said = words(said_about(reject.filename().string(), content(reject).value()));
+        const fs::path expected = fs::path(reject).replace_extension(".expected");
+        if (update) std::ofstream(expected, std::ios::binary) << said;
+        EXPECT_EQ(content(expected).value_or(""), said);
+        EXPECT_NE(said.find('[' + code_of(reject) + ']'), std::string::npos) << said;
+    }
+}
+
+TEST(DiagnosticExamples, AreMendedWhereAHintLeavesNoChoice) {
+    std::set<std::string> codes;
+    for (const fs::path& reject : examples()) {
+        const std::string name = reject.filename().string(), text = content(reject).value();
+        const Said said = said_about(name, text);
+        for (const Diagnostic& diagnostic : said.diagnostics.all()) {
+            if (!diagnostic.fix || said.sources[diagnostic.fix->where.source].name != name) continue;
+            SCOPED_TRACE(name + ": " + diagnostic.message);
+            codes.insert(diagnostic.code);
+            const Fix& fix = *diagnostic.fix;
+            std::string mended = text;
+            mended.replace(fix.where.begin, fix.where.end - fix.where.begin, fix.replacement);
+            EXPECT_LT(times(said_about(name, mended), diagnostic), times(said, diagnostic)) << mended;
+        }
+    }
+    for (const char* code : {"unknown-variable", "unknown-step", "unknown-component", "undriven-input",
+                             "missing-semicolon", "single-equals", "other-spelling", "clock-reset"})
+        EXPECT_TRUE(codes.contains(code)) << code;
+}
+
+TEST(DiagnosticExamples, ThatParseAreFormattedOnceAndForAll) {
+    for (const fs::path& reject : examples()) {
+        SCOPED_TRACE(reject.filename().string());
+        Sources sources;
+        Diagnostics diagnostics;
+        const tree::File file = parse_file(sources.add({"reject", content(reject).value()}), sources, diagnostics);
+        if (file.broken) continue;
+        const std::string once = formatted(file);
+        const tree::File again = parse_file(sources.add({"formatted", once}), sources, diagnostics);
+        ASSERT_FALSE(again.broken) << once;
+        EXPECT_EQ(formatted(again), once);
+    }
+}
+
+TEST(DiagnosticExamples, HaveBothFiles) {
+    for (const auto& entry : fs::directory_iterator(root / "tests/diagnostics")) {
+        if (entry.path().extension() != ".expected") continue;
+        EXPECT_TRUE(fs::exists(fs::path(entry.path()).replace_extension(".grafcet"))) << entry.path();
+    }
+}
+
+}  // namespace
+}  // namespace grafverif

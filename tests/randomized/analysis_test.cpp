@@ -1,0 +1,513 @@
+// SPDX-License-Identifier: MIT
+// The analysis compared with an explicit search that uses neither equations nor decision diagrams: it visits all points
+// of a random chart by the interpreter. Both model time in the same way: between two instants a timer may expire, on
+// one step in the order of durations.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <deque>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "analyse/analyse.hpp"
+#include "analyse/cones.hpp"
+#include "analyse/order.hpp"
+#include "derive/derive.hpp"
+#include "run/interpreter.hpp"
+#include "support/random_chart.hpp"
+#include "support/test_size.hpp"
+
+namespace grafverif {
+namespace {
+
+constexpr std::size_t most_points = 4000;
+
+/// Every possible statement of an analysis, as `code subject`, with the first instant in which its event occurs; none
+/// if it never occurs.
+using Facts = std::map<std::string, std::size_t>;
+using Rest = std::pair<State, std::vector<bool>>;  ///< with the outputs of the time conditions
+
+struct RestOrder {
+    static auto key(const Rest& rest) {
+        std::vector<bool> levels;
+        for (const Timing& timing : rest.first.timing) levels.push_back(timing.risen >= 0);
+        return std::tuple(rest.first.situation, rest.first.values, rest.first.previous, levels, rest.second);
+    }
+    bool operator()(const Rest& left, const Rest& right) const { return key(left) < key(right); }
+};
+
+/// The events at the points of a chart and at the rests between its instants, and the successors.
+struct Ways {
+    struct Node {
+        std::set<std::string> comes = {};
+        std::vector<std::size_t> next = {};
+        bool unknown = false;                  ///< it aborts, or its instant does not end
+        std::optional<std::size_t> ends = {};  ///< a rest: the first instant that ends in it
+    };
+    std::vector<Node> nodes = {};
+
+    template <class Is>
+    std::vector<bool> leading_to(const Is& is) const {
+        std::vector<std::vector<std::size_t>> before(nodes.size());
+        std::vector<bool> found(nodes.size());
+        std::vector<std::size_t> open;
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            for (const std::size_t next : nodes[k].next) before[next].push_back(k);
+            if (is(k)) found[k] = true, open.push_back(k);
+        }
+        while (!open.empty()) {
+            const std::size_t k = open.back();
+            open.pop_back();
+            for (const std::size_t each : before[k])
+                if (!found[each]) found[each] = true, open.push_back(each);
+        }
+        return found;
+    }
+    std::vector<bool> leading_to(const std::string& what) const {
+        return leading_to([&](std::size_t k) { return nodes[k].comes.contains(what); });
+    }
+    /// Per rest from which it never occurs again. `broken`: unexplored points may lead back.
+    std::vector<bool> gone(const std::string& what, bool broken) const {
+        std::vector<bool> found =
+            leading_to([&](std::size_t k) { return nodes[k].comes.contains(what) || (broken && nodes[k].unknown); });
+        for (std::size_t k = 0; k < nodes.size(); ++k) found[k] = nodes[k].ends && !found[k];
+        return found;
+    }
+    bool comes_again(const std::string& what, bool step) const {
+        const std::vector<bool> back = leading_to(what);
+        for (const Node& node : nodes)
+            for (const std::size_t next : node.next)
+                if (node.comes.contains(what) && back[next] && !(step && nodes[next].comes.contains(what))) return true;
+        return false;
+    }
+    /// Terminal sets of nodes, each with its rests; nodes from which a run can abort belong to none.
+    std::vector<std::vector<bool>> regions() const {
+        std::vector<bool> done = leading_to([&](std::size_t k) { return nodes[k].unknown; });
+        std::vector<std::vector<bool>> found;
+        for (std::size_t start = 0; start < nodes.size(); ++start) {
+            if (done[start] || !nodes[start].ends) continue;
+            std::vector<bool> onward(nodes.size());
+            std::vector<std::size_t> open{start};
+            onward[start] = true;
+            while (!open.empty()) {
+                const std::size_t k = open.back();
+                open.pop_back();
+                for (const std::size_t next : nodes[k].next)
+                    if (!onward[next]) onward[next] = true, open.push_back(next);
+            }
+            const std::vector<bool> back = leading_to([&](std::size_t k) { return k == start; });
+            bool closed = true;
+            for (std::size_t k = 0; k < nodes.size(); ++k) closed = closed && (!onward[k] || back[k]);
+            if (closed) found.push_back(onward);
+            for (std::size_t k = 0; k < nodes.size(); ++k) done[k] = done[k] || (closed ? back[k] : k == start);
+        }
+        return found;
+    }
+};
+
+class ExplicitSearch {
+public:
+    ExplicitSearch(const Chart& chart, ExecutionMode mode) : chart_(chart), mode_(mode) {
+        for (const Id<Chart::Variable> id : chart.variables.ids())
+            if (chart.variables[id].kind == Chart::VariableKind::Input) inputs_.push_back(id);
+        for (const Id<Chart::Transition> id : chart.transitions.ids()) always_.insert(name(id));
+    }
+
+    const Ways& ways() const { return ways_; }
+
+    /// Empty: there are too many points, or a condition is undefined somewhere.
+    std::optional<Facts> facts() {
+        for_each_input([&](const std::vector<std::int64_t>& inputs) {
+            begin({power_on(chart_), std::vector<bool>(elements_.size())}, inputs, add_node());
+        });
+        while (!open_.empty() && points_ < most_points && !lost_) {
+            const Rest rest = std::move(open_.front().first);
+            instant_ = open_.front().second + 1;
+            open_.pop_front();
+            const std::size_t node = known_.at(rest);
+            for_each_end(rest, 0, [&](const Rest& later) {
+                for_each_input([&](const std::vector<std::int64_t>& inputs) {
+                    const std::size_t next = add_node();
+                    ways_.nodes[node].next.push_back(next);
+                    begin(later, inputs, next);
+                });
+            });
+        }
+        if (!open_.empty() || lost_) return {};
+        for (const Id<Chart::Step> id : chart_.steps.ids())
+            if (!active_.contains(id.index)) note("step-never-active " + step_variable(chart_, id));
+        for (const Id<Chart::Transition> id : chart_.transitions.ids()) {
+            if (!fired_.contains(name(id))) note("transition-never-fired " + name(id));
+            else if (always_.contains(name(id))) note("transition-always-fired " + name(id));
+        }
+        return facts_;
+    }
+
+private:
+    void note(const std::string& fact) { facts_.try_emplace(fact, instant_); }
+    const std::string& name(Id<Chart::Transition> id) const { return chart_.transitions[id].name; }
+
+    template <class Visit>
+    void for_each_input(const Visit& visit) {
+        std::vector<std::int64_t> values(chart_.variables.size());
+        for (const auto id : inputs_) values[id.index] = chart_.variables[id].type.low;
+        for (bool more = true; more;) {
+            visit(values);
+            more = false;
+            for (const auto id : inputs_) {
+                more = ++values[id.index] <= chart_.variables[id].type.high;
+                if (more) break;
+                values[id.index] = chart_.variables[id].type.low;
+            }
+        }
+    }
+
+    /// The term that element k watches: a step, or another term.
+    std::pair<bool, std::size_t> watched(std::size_t k) const {
+        const TimedElement& element = elements_[k];
+        if (element.step.valid()) return {true, element.step.index};
+        const Expr& node = chart_.exprs[element.watched];
+        if (node.op == Op::Step) return {true, static_cast<std::size_t>(node.value)};
+        return {false, element.watched.index};
+    }
+
+    static bool level(const State& state, std::size_t k) { return state.timing[k].risen >= 0; }
+
+    /// Timer outputs of one watched term: shorter durations first, equal ones together.
+    bool in_order(const Rest& rest) const {
+        for (std::size_t i = 0; i < elements_.size(); ++i)
+            for (std::size_t j = 0; j < elements_.size(); ++j) {
+                const TimedElement &one = elements_[i], &other = elements_[j];
+                if (watched(i) != watched(j) || one.fall_ms != other.fall_ms) continue;
+                const bool implied = one.rise_ms == other.rise_ms || (one.fall_ms == 0 && one.rise_ms < other.rise_ms);
+                if (implied && rest.second[j] && !rest.second[i]) return false;
+            }
+        return true;
+    }
+
+    template <class Visit>
+    void for_each_end(Rest rest, std::size_t k, const Visit& visit) {
+        if (k == rest.second.size()) {
+            if (in_order(rest)) visit(rest);
+            return;
+        }
+        for_each_end(rest, k + 1, visit);
+        const TimedElement& element = elements_[k];
+        const bool high = level(rest.first, k);
+        const bool may_end = element.fall_ms > 0 && (element.rise_ms > 0 || !high);
+        if (rest.second[k] ? !may_end : !high) return;
+        rest.second[k] = !rest.second[k];
+        for_each_end(rest, k + 1, visit);
+    }
+
+    std::size_t add_node() {
+        ways_.nodes.emplace_back();
+        return ways_.nodes.size() - 1;
+    }
+
+    void note_ways(std::size_t node, const State& before, const Evolution* made) {
+        std::set<std::string>& comes = ways_.nodes[node].comes;
+        for (const Id<Chart::Step> id : chart_.steps.ids())
+            if (before.situation[id.index]) comes.insert(step_variable(chart_, id));
+        if (made == nullptr) return;
+        for (const auto fired : made->fired) comes.insert(name(fired));
+        for (const Id<Chart::Variable> id : chart_.variables.ids())
+            if (chart_.variables[id].kind != Chart::VariableKind::Input &&
+                made->state.values[id.index] != before.values[id.index])
+                comes.insert(chart_.variables[id].name);
+    }
+
+    /// Explores one instant from a node.
+    void begin(Rest at, const std::vector<std::int64_t>& inputs, std::size_t node) {
+        std::set<Rest, RestOrder> seen;
+        for (std::size_t next = node; !lost_; node = next) {
+            ++points_;
+            note_situation(at.first);
+            const bool first = !at.first.started;
+            const Evolution made = evolve(chart_, at.first, inputs, at.second);
+            if (!first) note_evolution(at.first, made);
+            const bool breaks = made.race || made.fault;
+            note_ways(node, at.first, first || breaks ? nullptr : &made);
+            ways_.nodes[node].unknown = breaks;
+            if (made.race) note("action-race " + chart_.variables[made.race->variable].name);
+            if (made.fault) return note_fault(*made.fault);
+            if (made.race) return;
+            const bool ends = !first && made.stable && mode_ == ExecutionMode::StabilitySearch;
+            if (!ends && !first && !seen.insert(at).second) {
+                note("total-instability");
+                ways_.nodes[node].unknown = true;
+                return;
+            }
+            at.first = made.state;
+            for (std::size_t k = 0; k < at.second.size(); ++k) {
+                if (elements_[k].fall_ms == 0) at.second[k] = at.second[k] && level(at.first, k);
+                if (elements_[k].rise_ms == 0) at.second[k] = at.second[k] || level(at.first, k);
+            }
+            // A stable evolution may change levels that timers watch.
+            if (ends || mode_ == ExecutionMode::EveryCycle) return rest(at, node);
+            next = add_node();
+            ways_.nodes[node].next.push_back(next);
+        }
+    }
+
+    void rest(const Rest& at, std::size_t node) {
+        const auto [place, fresh] = known_.try_emplace(at, ways_.nodes.size());
+        if (fresh) {
+            open_.emplace_back(at, instant_);
+            note_ways(add_node(), at.first, nullptr);
+            ways_.nodes.back().ends = instant_;
+        }
+        ways_.nodes[node].next.push_back(place->second);
+    }
+
+    void note_fault(const RunFault& fault) {
+        if (fault.kind == RunFault::Kind::OutOfRange) note("out-of-range " + chart_.variables[fault.variable].name);
+        lost_ = lost_ || fault.kind == RunFault::Kind::NoValue;
+    }
+
+    void note_situation(const State& state) {
+        for (const Id<Chart::Step> id : chart_.steps.ids())
+            if (state.situation[id.index]) active_.insert(id.index);
+    }
+
+    void note_evolution(const State& before, const Evolution& made) {
+        std::vector<bool> on(chart_.steps.size()), off(chart_.steps.size());
+        for (const auto first : made.fired) {
+            fired_.insert(name(first));
+            for (const auto step : chart_.transitions[first].to) on[step.index] = true;
+            for (const auto step : chart_.transitions[first].from) off[step.index] = true;
+            for (const auto second : made.fired)
+                for (const auto step : chart_.transitions[first].from)
+                    if (first.index < second.index && std::ranges::count(chart_.transitions[second].from, step) > 0)
+                        note("branches-together " + name(first));
+        }
+        for (const Id<Chart::Step> id : chart_.steps.ids())
+            if (before.situation[id.index] && on[id.index] && !off[id.index])
+                note("step-reactivated " + step_variable(chart_, id));
+        for (const Id<Chart::Transition> id : chart_.transitions.ids()) {
+            const bool enabled = std::ranges::all_of(chart_.transitions[id].from, [&](Id<Chart::Step> step) -> bool {
+                return before.situation[step.index];
+            });
+            if (enabled && std::ranges::find(made.fired, id) == made.fired.end()) always_.erase(name(id));
+        }
+    }
+
+    const Chart& chart_;
+    ExecutionMode mode_;
+    std::vector<TimedElement> elements_ = timed_elements(chart_);
+    std::vector<Id<Chart::Variable>> inputs_ = {};
+    std::set<std::uint32_t> active_ = {};
+    std::set<std::string> fired_ = {}, always_ = {};
+    std::map<Rest, std::size_t, RestOrder> known_ = {};  ///< with their nodes
+    Ways ways_ = {};
+    std::deque<std::pair<Rest, std::size_t>> open_ = {};  ///< with their instant, by distance
+    std::size_t instant_ = 1;
+    std::size_t points_ = 0;
+    bool lost_ = false;
+    Facts facts_ = {};
+};
+
+bool is_compared(const std::string& code) {
+    return code != "input-never-read" && code != "output-never-set" && code != "step-never-stable" &&
+           code != "action-conflict" && code != "comes-once" && !is_trap(code) && !code.starts_with("forc");
+}
+
+/// If an evolution has several races or values out of range, the interpreter names one.
+bool masked(const std::string& fact, const Facts& expected) {
+    const std::string code = fact.substr(0, fact.find(' ') + 1);
+    return (code == "action-race " || code == "out-of-range ") &&
+           std::ranges::any_of(expected, [&](const auto& other) { return other.first.starts_with(code); });
+}
+
+/// The part of a chart that is analysed.
+struct Bounds {
+    int looks = -1;  ///< stops the analysis after this number of instants of its parts; negative: never
+    std::int64_t longest_count = 256;
+};
+
+std::string fact_of(const std::string& code, const std::string& subject) {
+    return code + (subject.empty() ? "" : " " + subject);
+}
+
+/// Wrong statements about open queries: every event in an instant that was searched must have been found. Several
+/// queries may have one subject: that of a known event may be another one.
+std::string wrongly_open(const Analysis& analysis, const Facts& expected, const std::set<std::string>& found) {
+    std::string text;
+    for (const OpenQuestion& question : analysis.open) {
+        const bool never =
+            question.code.find("-never-") != std::string::npos || question.code.find("-always-") != std::string::npos;
+        const auto fact = expected.find(fact_of(question.code, question.subject));
+        if (never || fact == expected.end() || found.contains(fact->first) || fact->second > question.instants)
+            continue;
+        text += "said not to be in the first " + std::to_string(question.instants) + " instants: " + fact->first + '\n';
+    }
+    return text;
+}
+
+/// The instants of the first rests from which none of `lost` ever occurs again; per region, of the rests that lead to
+/// it.
+std::set<std::size_t> first_without(const Ways& ways, const std::vector<std::string>& lost, bool broken) {
+    std::vector<bool> all(ways.nodes.size(), true);
+    for (const std::string& each : lost) {
+        const std::vector<bool> gone = ways.gone(each, broken);
+        for (std::size_t k = 0; k < all.size(); ++k) all[k] = all[k] && gone[k];
+    }
+    std::set<std::size_t> result;
+    const auto add = [&](const auto& of) {
+        std::optional<std::size_t> first;
+        for (std::size_t k = 0; k < all.size(); ++k)
+            if (all[k] && of(k)) first = std::min(first.value_or(*ways.nodes[k].ends), *ways.nodes[k].ends);
+        if (first) result.insert(*first);
+    };
+    add([](std::size_t) { return true; });
+    for (const std::vector<bool>& region : ways.regions()) {
+        const std::vector<bool> to = ways.leading_to([&](std::size_t k) -> bool { return region[k]; });
+        add([&](std::size_t k) -> bool { return to[k]; });
+    }
+    return result;
+}
+
+/// Differences of the two results about events that never occur again.
+std::string disagreement_on_ways(const Chart& chart, const Equations& equations, const Ways& ways,
+                                 const Analysis& analysis, const Bounds& bounds) {
+    std::string text;
+    // Runs aborted by a counter's range or another part are not seen, so that they do not lead back.
+    const bool one_part = analysis::cones(equations).size() == 1;
+    const bool cut = bounds.longest_count < 256 || !one_part;
+    std::map<std::string, Finding::Level> found;
+    std::set<std::string> unconfirmed;
+    bool region = false, sure = true;
+    for (const Finding& finding : analysis.findings) {
+        if (!is_trap(finding.code) && finding.code != "comes-once") continue;
+        region = region || finding.code == "region-never-left";
+        sure = sure && finding.timing != Finding::Timing::Unconfirmed;
+        for (const std::string& each : finding.lost) {
+            found[each] = finding.level;
+            if (finding.timing == Finding::Timing::Unconfirmed) unconfirmed.insert(each);  // it may not be one
+        }
+        if (finding.lost.empty() || finding.timing == Finding::Timing::Unconfirmed) continue;
+        const bool once = finding.code == "comes-once";  // its path leads to a point where the first of them is dead
+        const auto first = first_without(ways, once ? std::vector{finding.lost.front()} : finding.lost, !cut);
+        const std::size_t way = finding.evidence ? finding.evidence->rows.size() - 1 : 0;
+        const bool cyclic = analysis.mode == ExecutionMode::EveryCycle;  // dead when an instant begins, or at its end
+        if (first.empty()) text += "not lost: " + finding.message + '\n';
+        else if (!first.contains(way) && !(cyclic && first.contains(way - 1)) && one_part)
+            text += "not shortest: " + finding.message + ", " + std::to_string(way) + " instants\n";
+    }
+    const bool timeless = timed_elements(chart).empty();  // else a path may need impossible expiries
+    std::set<std::string> open, steps;
+    for (const OpenQuestion& question : analysis.open)
+        if (is_trap(question.code)) open.insert(question.subject);
+    for (const Id<Chart::Step> id : chart.steps.ids()) steps.insert(step_variable(chart, id));
+    std::set<std::string> requested = steps;
+    for (const Id<Chart::Transition> id : chart.transitions.ids()) requested.insert(chart.transitions[id].name);
+    const std::vector<bool> matters = analysis::variables_that_matter(equations);
+    for (const Equations::Stored& stored : equations.stored)
+        if (matters[stored.variable.index]) requested.insert(equations.variables[stored.variable].name);
+    for (const std::string& each : requested) {
+        const bool ever =
+            std::ranges::any_of(ways.nodes, [&](const Ways::Node& one) { return one.comes.contains(each); });
+        const bool lost = ever && !first_without(ways, {each}, true).empty();
+        if (lost && timeless && !found.contains(each) && !open.contains(each)) text += "can be lost: " + each + '\n';
+        if (unconfirmed.contains(each)) continue;
+        const bool once = found.contains(each) && found[each] == Finding::Level::Note;
+        if (found.contains(each) && !once && ((!ever && !cut) || first_without(ways, {each}, !cut).empty()))
+            text += "never lost: " + each + '\n';
+        if (once && ways.comes_again(each, steps.contains(each))) text += "more than once: " + each + '\n';
+    }
+    const auto regions = ways.regions();
+    if (region && one_part && sure && regions.size() < 2) {
+        std::vector<bool> inside = regions.empty() ? std::vector<bool>(ways.nodes.size()) : regions.front();
+        bool any = false;  // outside the only region: true if a transition occurs infinitely often
+        for (const Id<Chart::Transition> id : chart.transitions.ids()) {
+            const std::string& fired = chart.transitions[id].name;
+            for (std::size_t k = 0; k < inside.size(); ++k) {
+                if (inside[k] || !ways.nodes[k].comes.contains(fired)) continue;
+                const std::vector<bool> back = ways.leading_to([k](std::size_t other) { return other == k; });
+                for (const std::size_t next : ways.nodes[k].next) any = any || back[next];
+            }
+        }
+        if (!any || regions.empty()) text += "no region that is never left\n";
+    }
+    for (const std::vector<bool>& each : regions)
+        if (one_part && sure && regions.size() > 1 && !region && analysis.open.empty() &&
+            std::ranges::none_of(found, [&](const auto& lost) {
+                for (std::size_t k = 0; k < each.size(); ++k)
+                    if (each[k] && ways.nodes[k].comes.contains(lost.first)) return false;
+                return true;
+            }))
+            text += "a region is not found\n";
+    return text;
+}
+
+/// Differences of the two results; empty: none. Empty optional: the chart is too large for the comparison.
+std::optional<std::string> disagreement(const Chart& chart, ExecutionMode mode, const Bounds& bounds = {}) {
+    if (chart.steps.empty()) return {};
+    ExplicitSearch search(chart, mode);
+    const std::optional<Facts> expected = search.facts();
+    Diagnostics diagnostics;
+    const auto equations = derive(chart, diagnostics);
+    if (!expected || !equations) return {};
+    AnalyseOptions options;
+    options.mode = mode;
+    options.longest_count = bounds.longest_count;
+    std::atomic<bool> stop{false};
+    int looks = 0;
+    options.stop = &stop;
+    options.progress = [&](const AnalyseProgress&) { stop = ++looks == bounds.looks; };
+    const Analysis analysis = analyse(chart, *equations, options);
+    std::string text;
+    for (const std::string& fault : verify(analysis)) text += "invariant: " + fault + '\n';
+    for (const std::string& failure : analysis.failures) text += failure + '\n';
+    std::set<std::string> found, unconfirmed, open;
+    for (const Finding& finding : analysis.findings) {
+        if (!is_compared(finding.code)) continue;
+        (finding.timing == Finding::Timing::Unconfirmed ? unconfirmed : found)
+            .insert(fact_of(finding.code, finding.subject));
+    }
+    for (const OpenQuestion& question : analysis.open) open.insert(fact_of(question.code, question.subject));
+    // Timers may expire in orders that no times realize: an event that occurs only then is not reported as never
+    // occurring.
+    for (const auto& [fact, instant] : *expected)
+        if (!found.contains(fact) && !unconfirmed.contains(fact) && !open.contains(fact) && unconfirmed.empty())
+            text += "not found: " + fact + '\n';
+    for (const std::string& fact : found)
+        if (!expected->contains(fact) && !masked(fact, *expected)) text += "not true: " + fact + '\n';
+    if (unconfirmed.empty()) text += wrongly_open(analysis, *expected, found);
+    text += disagreement_on_ways(chart, *equations, search.ways(), analysis, bounds);
+    return text;
+}
+
+void expect_agreement(const Bounds& bounds, int seeds) {
+    for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
+        int compared = 0;
+        for (int seed = 1; seed <= test_size(seeds); ++seed) {
+            Random random(static_cast<std::uint64_t>(seed));
+            const Chart chart = random_chart(random);
+            const std::optional<std::string> wrong = disagreement(chart, mode, bounds);
+            if (!wrong) continue;
+            ++compared;
+            if (wrong->empty()) continue;
+            const Chart small = shrunk(
+                chart, [&](const Chart& less) { return !disagreement(less, mode, bounds).value_or("").empty(); });
+            FAIL() << "seed " << seed << (mode == ExecutionMode::EveryCycle ? ", every_cycle" : "") << '\n'
+                   << *disagreement(small, mode, bounds) << chart_text(small);
+        }
+        EXPECT_GT(compared, 5);
+    }
+}
+
+TEST(RandomizedAnalyse, AnalysisAgreesWithAnExplicitSearch) { expect_agreement({}, 120); }
+
+TEST(RandomizedAnalyse, ResultsOfAStoppedAnalysisAreCorrect) {
+    for (const int looks : {1, 2, 4, 7}) expect_agreement({.looks = looks}, 20);
+}
+
+TEST(RandomizedAnalyse, CountersFollowedToTheirThresholdsOnlyMakeNothingUp) {
+    expect_agreement({.looks = -1, .longest_count = 0}, 40);
+}
+
+}  // namespace
+}  // namespace grafverif

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+// Randomized test: charts that `compare` reports as equal have equal outputs in random scans of the interpreter. A
+// distinguishing sequence distinguishes charts by the interpreter in its last scan and not before; no random scans do
+// so in fewer if it is reported as shortest. Uses charts and their mutants, in both modes, timed ones too. Also: a
+// mutant of `mutate` is read back as written, and its chart differs in one location, which `compare` detects.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <set>
+#include <sstream>
+
+#include "compare/difference.hpp"
+#include "compare/mutants.hpp"
+#include "derive/derive.hpp"
+#include "grafverif/grafverif.hpp"
+#include "run/interpreter.hpp"
+#include "support/random_chart.hpp"
+#include "support/test_size.hpp"
+#include "syntax/language/format.hpp"
+#include "syntax/language/parse.hpp"
+
+namespace grafverif {
+namespace {
+
+constexpr std::size_t most_steps = 6;  ///< number of charts that are compared
+
+/// Counts of the situations in the random charts.
+struct Met {
+    int equal = 0, different = 0, timed = 0, stops = 0, long_ones = 0, shortest = 0, unknown = 0;
+};
+
+/// One chart, scan by scan; written independently for this test.
+class Plc {
+public:
+    Plc(const Chart& chart, ExecutionMode mode) : chart_(chart), mode_(mode), state_(power_on(chart)) {}
+
+    /// Outputs by name, or nothing if it stops. `inputs` in the order of the chart's inputs.
+    std::optional<std::vector<std::pair<std::string, std::int64_t>>> scan(std::int64_t wait,
+                                                                          const std::vector<std::int64_t>& inputs) {
+        if (state_.started) state_ = pass_time(state_, wait);
+        std::vector<std::int64_t> values(chart_.variables.size());
+        std::size_t next = 0;
+        for (const auto id : chart_.variables.ids())
+            if (chart_.variables[id].kind == Chart::VariableKind::Input) values[id.index] = inputs[next++];
+        const Cycle run = cycle(chart_, state_, values, mode_);
+        if (run.race || run.fault || run.gave_up || !run.endless.empty()) return {};
+        state_ = run.state;
+        std::vector<std::pair<std::string, std::int64_t>> outputs;
+        for (const auto id : chart_.variables.ids())
+            if (chart_.variables[id].kind == Chart::VariableKind::Output)
+                outputs.emplace_back(chart_.variables[id].name, state_.outputs[id.index]);
+        return outputs;
+    }
+
+private:
+    const Chart& chart_;
+    ExecutionMode mode_;
+    State state_;
+};
+
+/// The first scan with different outputs.
+std::optional<std::size_t> difference(const Chart& a, const Chart& b, ExecutionMode mode,
+                                      const std::vector<Comparison::Scan>& scans) {
+    Plc one(a, mode), other(b, mode);
+    for (std::size_t k = 0; k < scans.size(); ++k) {
+        const auto of_a = one.scan(scans[k].wait_ms, scans[k].inputs),
+                   of_b = other.scan(scans[k].wait_ms, scans[k].inputs);
+        if (of_a != of_b) return k;
+        if (!of_a) return {};
+    }
+    return {};
+}
+
+std::vector<Comparison::Scan> random_scans(const Comparison& about, Random& random) {
+    std::vector<Comparison::Scan> scans;
+    std::vector<std::int64_t> inputs;
+    for (const Comparison::Variable& input : about.inputs) inputs.push_back(std::max<std::int64_t>(0, input.type.low));
+    for (int k = 0; k < 25; ++k) {
+        for (std::size_t i = 0; i < inputs.size(); ++i)
+            if (chance(random, 40))
+                inputs[i] = random_number(random, about.inputs[i].type.low, about.inputs[i].type.high);
+        const std::int64_t units = chance(random, 50) ? 0 : random_number(random, 1, chance(random, 50) ? 3 : 20);
+        scans.push_back({units * about.resolution_ms, inputs});
+    }
+    return scans;
+}
+
+/// A chart with one element changed; it may be rejected.
+Chart mutant(Chart chart, Random& random) {
+    const auto any = [&](auto& table) -> auto& {
+        return table[*(table.ids().begin() + random_number(random, 0, static_cast<std::int64_t>(table.size()) - 1))];
+    };
+    switch (random_number(random, 0, 5)) {
+    case 0: {
+        Chart::Transition& transition = any(chart.transitions);
+        transition.condition = chart.exprs.negation(transition.condition);
+        break;
+    }
+    case 1: {
+        Chart::Transition& transition = any(chart.transitions);
+        transition.condition = chart.exprs.conjunction(transition.condition, any(chart.transitions).condition);
+        break;
+    }
+    case 2:
+        if (!chart.continuous.empty()) {
+            Chart::ContinuousAction& action = any(chart.continuous);
+            action.condition = chart.exprs.constant(false);
+        }
+        break;
+    case 3:
+        if (!chart.time_conditions.empty()) {
+            Chart::TimeCondition& time = any(chart.time_conditions);
+            if (time.rise_ms > 0) time.rise_ms += 500;
+        }
+        break;
+    case 4:
+        if (!chart.stored.empty()) {
+            Chart::StoredAction& action = any(chart.stored);
+            if (action.on == Chart::StoredOn::Activation) action.on = Chart::StoredOn::Deactivation;
+        }
+        break;
+    case 5: {
+        Chart::Transition& transition = any(chart.transitions);
+        if (!transition.from.empty())
+            transition.condition = chart.exprs.conjunction(transition.condition,
+                                                           chart.exprs.leaf(Op::Step, transition.from.front().index));
+        break;
+    }
+    }
+    return tidied(chart);
+}
+
+Model model_of(const Chart& chart) {
+    Model model;
+    model.charts.add(chart);
+    return model;
+}
+
+/// The error in the verdict on both; nothing: it is right, or one of them is rejected.
+std::string violation(const Chart& a, const Chart& b, ExecutionMode mode, Random random, Met& met) {
+    Diagnostics diagnostics;
+    if (!derive(a, diagnostics) || !derive(b, diagnostics)) return {};
+    const Model one = model_of(a), other = model_of(b);
+    CompareOptions options{.mode = mode};
+    options.limits.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    const auto found =
+        compare(one, *one.charts.ids().begin(), other, *other.charts.ids().begin(), options, diagnostics);
+    if (!found) return diagnostics.all().front().code == "not-comparable" ? "" : diagnostics.all().front().message;
+    if (!found->failures.empty()) return found->failures.front();
+    met.timed += found->resolution_ms > 0 ? 1 : 0;
+    if (found->outcome == Comparison::Outcome::Unknown) return ++met.unknown, "";
+    if (found->outcome == Comparison::Outcome::Different) {
+        ++met.different;
+        met.long_ones += found->scans.size() > 2 ? 1 : 0;
+        met.stops += found->answers[0].back().stop.empty() && found->answers[1].back().stop.empty() ? 0 : 1;
+        if (difference(a, b, mode, found->scans) != found->scans.size() - 1) return "the scans do not tell them apart";
+        if (!found->shortest) return "";
+        ++met.shortest;
+    } else ++met.equal;
+    for (int run = 0; run < 40; ++run) {
+        const std::vector<Comparison::Scan> scans = random_scans(*found, random);
+        const auto apart = difference(a, b, mode, scans);
+        if (apart && (found->outcome == Comparison::Outcome::Equal || *apart + 1 < found->scans.size()))
+            return "random scans tell them apart, in scan " + std::to_string(*apart + 1);
+    }
+    return {};
+}
+
+TEST(RandomizedCompare, VerdictsAreThoseOfRandomScans) {
+    Met met;
+    for (int seed = 1; seed <= test_size(16); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed));
+        const Chart chart = tidied(random_chart(random, chance(random, 50) ? TimedTerms::Any : TimedTerms::Steps));
+        if (chart.steps.size() > most_steps) continue;
+        const ExecutionMode mode = chance(random, 50) ? ExecutionMode::StabilitySearch : ExecutionMode::EveryCycle;
+        const Chart other = mutant(chart, random);
+        const std::string wrong = violation(chart, other, mode, random, met);
+        ASSERT_EQ(wrong, "") << "seed " << seed << ", " << word(mode) << '\n' << chart_text(chart) << chart_text(other);
+    }
+    RecordProperty("equal", met.equal);
+    RecordProperty("unknown", met.unknown);
+    if (std::getenv("GRAFVERIF_TEST_SIZE") != nullptr)
+        std::cout << met.equal << " equal, " << met.different << " different (" << met.shortest << " shortest, "
+                  << met.long_ones << " of three scans or more, " << met.stops << " stops), " << met.timed << " timed, "
+                  << met.unknown << " unknown\n";
+    EXPECT_GT(met.different, 1);
+    EXPECT_GT(met.timed, 0);
+    EXPECT_GT(met.equal + met.different, met.unknown);
+}
+
+TEST(RandomizedCompare, AChartWithOtherNamesForItsStepsIsTheSame) {
+    Met met;
+    for (int seed = 1; seed <= test_size(4); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed) + 1000);
+        const Chart chart = tidied(random_chart(random));
+        if (chart.steps.size() > most_steps) continue;
+        Chart renamed = chart;
+        for (const auto step : renamed.steps.ids()) renamed.steps[step].name = "R" + renamed.steps[step].name;
+        for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle})
+            ASSERT_EQ(violation(chart, renamed, mode, random, met), "") << "seed " << seed << '\n' << chart_text(chart);
+        ASSERT_EQ(met.different, 0) << "seed " << seed << '\n' << chart_text(chart);
+        ASSERT_TRUE(difference(chart, chart).empty());
+        for (const ChartChange& change : difference(chart, renamed))
+            ASSERT_TRUE(change.kind == ChartChange::Kind::Renamed || !change.before.empty() || !change.after.empty());
+    }
+    EXPECT_GT(met.equal, 0);
+}
+
+/// The error in the location of a mutation; nothing: the charts differ only there.
+std::string misplaced(const Mutant& mutant, const Chart& a, const Chart& b) {
+    std::set<std::string> subjects;
+    for (const ChartChange& change : difference(a, b)) {
+        std::string subject = change.subject;
+        if (subject.starts_with("action of ")) subject.erase(0, std::string("action of ").size());
+        const std::size_t partial = subject.rfind('.');  // `step G1.11` is `step 11` in its partial chart
+        if (subject.starts_with("step ") && partial != subject.npos) subject = "step " + subject.substr(partial + 1);
+        subjects.insert(subject);
+    }
+    const std::size_t places = mutant.kind == "and-divergence" || mutant.kind == "or-divergence" ? 2 : 1;
+    if (subjects.contains(mutant.subject) && subjects.size() <= places) return {};
+    return mutant.kind + " of " + mutant.subject + " is seen in " + ::testing::PrintToString(subjects);
+}
+
+TEST(RandomizedCompare, MutantsDifferInOnePlaceAndEquivalentOnesAreNeverDistinguished) {
+    Met met;
+    constexpr std::size_t most = 4;  // number of compared charts
+    int read = 0, refused = 0;
+    std::set<std::string> kinds;
+    for (int seed = 1; seed <= test_size(8); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed) + 2000);
+        const Chart drawn = tidied(random_chart(random, TimedTerms::Steps));
+        if (drawn.steps.size() > most_steps) continue;
+        Sources sources;
+        Diagnostics diagnostics;
+        const tree::File file = parse_file(sources.add({"law", chart_text(drawn)}), sources, diagnostics);
+        const ParseResult original = read_string(formatted(file), "law", {});
+        if (!original.model) continue;
+        const Chart& chart = *original.model->charts.begin();
+        std::vector<Mutant> all = mutants(file, chart.name);
+        std::shuffle(all.begin(), all.end(), random);
+        for (std::size_t k = 0; k < std::min<std::size_t>(all.size(), 40); ++k) {
+            SCOPED_TRACE(all[k].text);
+            const tree::File back = parse_file(sources.add({"mutant", all[k].text}), sources, diagnostics);
+            ASSERT_FALSE(back.broken) << "seed " << seed;
+            ASSERT_EQ(formatted(back), all[k].text) << "seed " << seed;
+            const ParseResult reading = read_string(all[k].text, "law", {});
+            if (!reading.model && ++refused) continue;
+            ++read;
+            kinds.insert(all[k].kind);
+            const Chart& mutated = *reading.model->charts.begin();
+            ASSERT_EQ(misplaced(all[k], chart, mutated), "") << "seed " << seed << '\n' << formatted(file);
+            if (k >= most) continue;
+            const ExecutionMode mode = chance(random, 50) ? ExecutionMode::StabilitySearch : ExecutionMode::EveryCycle;
+            ASSERT_EQ(violation(chart, mutated, mode, random, met), "") << "seed " << seed << ", " << word(mode) << '\n'
+                                                                        << formatted(file);
+        }
+    }
+    if (std::getenv("GRAFVERIF_TEST_SIZE") != nullptr)
+        std::cout << read << " mutants of " << kinds.size() << " kinds, " << refused << " refused for what they mean; "
+                  << met.equal << " equal, " << met.different << " different, " << met.unknown << " unknown\n";
+    EXPECT_GT(read, refused);
+    EXPECT_GT(kinds.size(), 5U);
+    EXPECT_GT(met.equal + met.different, met.unknown);
+}
+
+}  // namespace
+}  // namespace grafverif

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// Verdicts found on input abstractions compared with those of the complete loop, on random loops with panels; and each
+// premise of the abstraction omitted once, to show that the comparison detects it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <stdexcept>
+
+#include "check/inputs/inputs.hpp"
+#include "compose/observe.hpp"
+#include "support/random_loop.hpp"
+#include "support/read_loop.hpp"
+#include "support/row_counts.hpp"
+#include "support/test_size.hpp"
+#include "unit/check/networks.hpp"
+
+namespace grafverif {
+namespace {
+
+constexpr std::uint64_t complete_limit = 30'000;
+
+std::string one_of(Random& random, const std::vector<std::string>& from) {
+    return from[static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(from.size()) - 1))];
+}
+
+/// An instance of the panel and what the chart reads of it.
+struct Element {
+    std::string instance = "", ports = "";
+    std::vector<std::string> conditions = {};
+};
+
+/// A chart of three steps with a panel of two or three elements: push buttons with and without a bound on the time
+/// pressed, a selector, a free input, an integer input. Further elements are an actuator of the plant, times and edges
+/// of inputs, and conditional, stored and counting actions. In some loops a lamp reads a button itself, or a second
+/// chart reads the same panel.
+std::string panel_loop(Random& random) {
+    std::vector<Element> panel{{"environment EA = push_button(OUT = A);", "A", {"A", "rise(A)", "fall(A)", "1s/A"}},
+                               {"environment EB = free(OUT = B);", "B", {"B", "rise(B)"}},
+                               {"environment EP = push_button_released(OUT = P, HOLD = 2s);", "P", {"P", "fall(P)"}},
+                               {"environment ES = switch_2(FIRST = S1, SECOND = S2);",
+                                "S1, S2",
+                                {"S1", "S2", "!S1 && !S2", "S1 && S2", "rise(S2)"}},
+                               {"environment EN = level(V = N);", "N: int 0..2", {"N > 1", "N == 0", "N == 1"}}};
+    if (chance(random, 15)) panel.push_back({"environment EX = expiring(OUT = Z);", "Z", {"Z", "rise(Z)"}});
+    while (panel.size() > 3 || (panel.size() > 2 && chance(random, 60)))
+        panel.erase(panel.begin() + random_number(random, 0, static_cast<std::int64_t>(panel.size()) - 1));
+    const std::string& first = panel[0].conditions[0];
+    const bool two = chance(random, 15), reader = panel[0].ports == "A" && chance(random, 40);
+    const auto state = [&](bool edges) {
+        std::string found = "D";
+        if (chance(random, 85)) {
+            const Element& element =
+                panel[static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(panel.size()) - 1))];
+            found = one_of(random, element.conditions);
+        }
+        const bool plain = found.find('(') == std::string::npos && found.find('/') == std::string::npos;
+        if (!edges && !plain) found = first;
+        return (chance(random, 30) ? "!(" : "(") + found + ")";
+    };
+    const auto condition = [&](int step) {
+        const std::string x = "X" + std::to_string(step);
+        return one_of(random,
+                      {state(true), state(true), state(true) + " && " + state(true), state(true) + " || " + state(true),
+                       "1s/" + x, "2s/" + x + " && " + state(true), "true"});
+    };
+    const auto actions = [&](const std::string& lamp, const std::string& order) {
+        return one_of(random,
+                      {"", lamp + ";", lamp + " if " + state(false) + ";", lamp + "; " + order + ";",
+                       order + " if " + state(false) + ";", "C := C + 1 on activation;", "C := 0 on activation;",
+                       "M := true on activation;", "M := false on deactivation;", lamp + " after 1s;"});
+    };
+    const auto chart = [&](const std::string& name, const std::string& lamp, const std::string& order) {
+        std::string text = "grafcet " + name + " {\ninput D;\n";
+        for (const Element& element : panel) text += "input " + element.ports + ";\n";
+        text += "output " + lamp + ", " + order + "; internal C: int 0..2 = 0; internal M;\n";
+        for (int step = 0; step < 3; ++step)
+            text += (step == 0 ? "initial step 0 { " : "step " + std::to_string(step) + " { ") + actions(lamp, order) +
+                    " }\n";
+        for (int step = 0; step < 3; ++step)
+            text += "transition t" + std::to_string(step) + ": " + std::to_string(step) + " -> " +
+                    std::to_string((step + 1) % 3) + " when " + condition(step) + ";\n";
+        if (chance(random, 50)) text += "transition back: 1 -> 0 when " + condition(1) + ";\n";
+        return text + "}\n";
+    };
+    std::string text = chart("c", "L", "Q") + (two ? chart("d", "K", "R") : "");
+    text +=
+        "component follower(input P; output S) { clock t; initial location off; location going invariant t <= 1s; "
+        "location on; urgent off -> going when P do t := 0; timed going -> on when t == 1s do S := true; "
+        "urgent on -> off when !P do S := false; }\n"
+        "component level(output V: int 0..2) { clock t; initial location any; "
+        "timed any -> any when V < 2 && t >= 1s do V := V + 1, t := 0; timed any -> any when V > 0 do V := V - 1; }\n"
+        "component expiring(output OUT) { clock t; initial location off; location on invariant t <= 3s; "
+        "timed off -> on when t >= 1s do OUT := true, t := 0; }\n"
+        "component pulse(input P) { initial location off; location on; urgent off -> on when P; timed on -> off; }\n";
+    text += "closed_loop panel {\ncontroller c" + std::string(chance(random, 30) ? " with every_cycle" : "") + ";\n";
+    if (two) text += "controller d;\n";
+    text += "plant Fol = follower(P = Q, S = D);\n";
+    if (reader) text += "plant Lamp = pulse(P = A);\n";
+    for (const Element& element : panel) text += element.instance + "\n";
+    const auto atom = [&] {
+        return one_of(random, {"c.X0", "c.X1", "c.X2", "L", "Q", "D", "(c.C == 2)", "c.M", state(false),
+                               reader ? "Lamp in on" : "L"});
+    };
+    const auto term = [&] { return atom() + one_of(random, {" && ", " || ", " && !"}) + "(" + atom() + ")"; };
+    const std::string when = one_of(random, {"", " at stable"});
+    text += "property p1: never " + term() + when + ";\nproperty p2: always " + term() + ";\nproperty p3: reachable " +
+            term() + when +
+            ";\nproperty p4: exactly one of {c.X0, c.X1, c.X2};\n"
+            "property p5: reachable all steps;\nproperty d: no deadlock;\nproperty p6: never c.X1 && L && !Q" +
+            when + ";\n";
+    text += "property w1: " +
+            one_of(random, {"(" + atom() + ") leads to (" + term() + ") within 2s", "(" + atom() + ") holds for 1s",
+                            "never " + atom() + " between (" + atom() + ") and (" + atom() + ")",
+                            "(" + atom() + ") at most 2 times", "(" + atom() + ") precedes (" + atom() + ")"}) +
+            ";\n";
+    return text + "}\n";
+}
+
+/// A property that `by inputs` decides, with the network that its run is of.
+struct Compared {
+    int wrong = 0;
+    std::map<std::string, int>& seen;
+
+    void compare(const Network& network, const TimedResult& complete, const TimedResult& inputs, bool expected) {
+        for (std::size_t i = 0; i < inputs.verdicts.size(); ++i) {
+            const Verdict& here = inputs.verdicts[i];
+            const Verdict& there = complete.verdicts[i];
+            const bool faulty = there.obstacle == UnknownReason::Faulty;
+            if (!here.abstraction || (there.outcome == Outcome::Unknown && !faulty)) continue;
+            ++seen[std::string(word(here.outcome)) + (here.run ? " with a run" : " without a run")];
+            if (here.property == "no_timelock" || here.property == "d") ++seen[here.property];
+            if (!here.abstraction->untimed.empty()) ++seen["with untimed instances"];
+            const auto& chosen = here.abstraction->chosen;
+            if (std::ranges::find(chosen, "Fol") != chosen.end()) ++seen["with a chosen plant"];
+            const bool differs = faulty ? !here.run : here.outcome != there.outcome;
+            wrong += differs ? 1 : 0;
+            if (!expected) continue;
+            EXPECT_FALSE(differs) << here.property << ": abstraction " << word(here.outcome) << ", complete "
+                                  << word(there.outcome);
+            EXPECT_FALSE(here.vacuous && !there.vacuous) << here.property;
+            if (here.run) {
+                EXPECT_TRUE(replay(network, *here.run)) << here.property;
+            }
+            if (here.run && network.properties[here.about].pattern != Pattern::ReachableAllSteps)
+                confirm(network, network.properties[here.about], here);
+        }
+    }
+};
+
+/// Compares all properties of a loop; returns the number of wrong verdicts.
+int compare(const Network& loop, const InputAblations& ablations, bool expected, std::map<std::string, int>& seen) {
+    Compared compared{0, seen};
+    std::vector<std::vector<Id<Property>>> groups{{}};
+    for (const Id<Property> id : watched(loop)) groups.push_back({id});
+    for (const std::vector<Id<Property>>& group : groups) {
+        const Observe observe = [&](const Network& of) {
+            Network made = observed(of, group);
+            if (group.empty()) return made;
+            const Property only = *std::ranges::find(made.properties, loop.properties[group[0]].name, &Property::name);
+            made.properties = {};
+            made.properties.add(only);
+            return made;
+        };
+        const Network network = observe(loop);
+        const TimedResult complete = check_timed(network, {.max_states = complete_limit, .timelock = group.empty()});
+        if (!complete.complete) continue;
+        ++seen["searches compared"];
+        TimedOptions options{.max_states = 3, .timelock = group.empty()};
+        TimedResult inputs = check_timed(network, options);
+        if (inputs.complete) continue;
+        inputs.time_passes = complete.time_passes;  // results of a longer first search
+        options.max_states = complete_limit;
+        InputSearch search(loop, observe, options, inputs, {.followed = 20'000}, ablations);
+        for (const std::uint64_t states : {std::uint64_t{30}, options.max_states})
+            if (!search.run(states, {})) break;
+        compared.compare(network, complete, inputs, expected);
+    }
+    return compared.wrong;
+}
+
+Network panel_network(std::uint64_t seed) {
+    Random random(seed);
+    return expand(read_loop(panel_loop(random), {.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased}).network);
+}
+
+TEST(InputAbstraction, PanelLoopsGetTheVerdictsOfTheCompleteLoop) {
+    std::map<std::string, int> seen;
+    for (int seed = 1; seed <= test_size(60) && !testing::Test::HasFailure(); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        compare(panel_network(static_cast<std::uint64_t>(seed)), {}, true, seen);
+    }
+    print_counts(seen);
+    EXPECT_GT(seen["holds without a run"], test_size(5));
+    EXPECT_GT(seen["violated with a run"], test_size(5));
+    EXPECT_GT(seen["with a chosen plant"], test_size(5));
+    EXPECT_GT(seen["no_timelock"], test_size(5));
+    EXPECT_GT(seen["d"], test_size(5));
+}
+
+TEST(InputAbstraction, RandomLoopsGetTheVerdictsOfTheCompleteLoop) {
+    std::map<std::string, int> seen;
+    for (int seed = 1; seed <= test_size(150) && !testing::Test::HasFailure(); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        try {
+            compare(expand(composed_loop(random_loop(random)).network), {}, true, seen);
+        } catch (const std::invalid_argument&) {
+            ++seen["cannot be composed"];
+        }
+    }
+    print_counts(seen);
+    EXPECT_GT(seen["holds without a run"], test_size(5));
+    EXPECT_GT(seen["violated with a run"], test_size(5));
+}
+
+TEST(InputAbstraction, EachPremiseIsNeeded) {
+    struct Premise {
+        const char* name = "";
+        bool InputAblations::*omitted = nullptr;
+    };
+    for (const Premise& premise : {Premise{"a change of an input begins a cycle", &InputAblations::no_cycle_on_change},
+                                   Premise{"all reachable values are chosen", &InputAblations::initial_values},
+                                   Premise{"readers see the instance", &InputAblations::ignore_readers},
+                                   Premise{"guards on other variables may hold", &InputAblations::own_guards_only},
+                                   Premise{"an abstracted instance can rest", &InputAblations::all_can_rest}}) {
+        InputAblations ablations;
+        ablations.*premise.omitted = true;
+        std::map<std::string, int> seen;
+        int wrong = 0;
+        for (std::uint64_t seed = 1; wrong == 0 && seed <= 200; ++seed)
+            wrong += compare(panel_network(1'000 + seed), ablations, false, seen);
+        EXPECT_GT(wrong, 0) << premise.name;
+    }
+}
+
+}  // namespace
+}  // namespace grafverif

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Randomized test: the interpreter of PLC programs agrees with the equations of one scan, scan by scan: every variable,
+// divisions by zero and overflows.
+#include "read/program/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "derive/program/scan.hpp"
+#include "run/program/interpreter.hpp"
+#include "support/random_program.hpp"
+#include "support/test_size.hpp"
+
+namespace grafverif {
+namespace {
+
+struct Met {
+    int scans = 0, faults = 0, overflows = 0, timers = 0, changes = 0, intervals = 0;
+};
+
+std::string complaints(const Diagnostics& diagnostics, const Sources& sources) {
+    std::ostringstream text;
+    render_text(diagnostics.all(), sources, Colour::Plain, text);
+    return text.str();
+}
+
+/// The first disagreement of a run, or nothing.
+std::string disagreement(const Program& program, const Scan& scan, Random& random, Met& met) {
+    ProgramRun run(program);
+    const std::size_t cells = scan.layout.cells.size();
+    for (int count = 0; count < 25; ++count) {
+        const std::vector<std::int64_t> before(run.cells().begin(), run.cells().end());
+        std::vector<std::int64_t> inputs, values(scan.equations.variables.size());
+        for (std::size_t i = 0; i < cells; ++i) {
+            std::int64_t value = before[i];
+            if (scan.layout.cells[i].input) {
+                const Program::Type& type = program.types[scan.layout.cells[i].type];
+                if (chance(random, 40))
+                    value = random_number(random, chance(random, 80) ? std::max<std::int64_t>(type.low, -4) : type.low,
+                                          chance(random, 80) ? std::min<std::int64_t>(type.high, 4) : type.high);
+                inputs.push_back(value);
+            }
+            if (scan.variables[i].valid()) values[scan.variables[i].index] = value;
+        }
+        std::int64_t elapsed = program.interval_ms.value_or(random_number(random, 0, 15));
+        if (scan.elapsed.valid()) values[scan.elapsed.index] = std::min(elapsed, scan.layout.longest);
+        run.scan(inputs, elapsed);
+        const auto terms = evaluate_all(scan.equations.exprs,
+                                        [&](const Expr& leaf) { return values[static_cast<std::size_t>(leaf.value)]; });
+        const auto occurs = [&](const std::vector<Scan::Event>& events) {
+            return std::ranges::any_of(events,
+                                       [&](const Scan::Event& event) { return terms[event.condition.index] == 1; });
+        };
+        const std::string where = " in scan " + std::to_string(count + 1);
+        ++met.scans;
+        if (run.fault().has_value() != occurs(scan.faults)) return "a division by zero" + where;
+        if (run.fault()) return ++met.faults, std::string();
+        if (run.overflowed() != occurs(scan.overflows)) return "an overflow" + where;
+        met.overflows += run.overflowed() ? 1 : 0;
+        met.timers += scan.layout.timers.empty() ? 0 : 1;
+        met.intervals += program.interval_ms ? 1 : 0;
+        for (std::size_t i = 0; i < cells; ++i) {
+            if (scan.layout.cells[i].temporary) continue;  // its value ends with the call
+            if (terms[scan.after[i].index] != run.cells()[i])
+                return scan.layout.cells[i].name + where + ": the equations give " +
+                       (terms[scan.after[i].index] ? std::to_string(*terms[scan.after[i].index]) : "nothing") +
+                       ", the interpreter " + std::to_string(run.cells()[i]);
+            met.changes += run.cells()[i] != before[i] ? 1 : 0;
+        }
+    }
+    return {};
+}
+
+TEST(RandomizedProgram, InterpreterAgreesWithEquations) {
+    Met met;
+    const int programs = test_size(400);
+    for (int seed = 0; seed < programs; ++seed) {
+        Random random(static_cast<unsigned>(seed));
+        const std::string text = random_program(random);
+        Sources sources;
+        Diagnostics diagnostics;
+        const auto read = read_program(sources.add({"random.st", text}), sources, diagnostics);
+        ASSERT_TRUE(read) << "seed " << seed << '\n' << complaints(diagnostics, sources) << text;
+        const auto scan = scan_of(read->program(), diagnostics);
+        ASSERT_TRUE(scan) << "seed " << seed << '\n' << complaints(diagnostics, sources) << text;
+        ASSERT_EQ(verify(scan->equations), std::vector<std::string>()) << text;
+        ASSERT_EQ(disagreement(read->program(), *scan, random, met), "") << "seed " << seed << '\n' << text;
+    }
+    for (const int count : {met.scans, met.faults, met.overflows, met.timers, met.changes, met.intervals})
+        EXPECT_GT(count, programs / 100);
+}
+
+}  // namespace
+}  // namespace grafverif

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Number of random cases of a randomized test: a small number by default, multiplied by the environment variable
+// GRAFVERIF_TEST_SIZE.
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace grafverif {
+
+inline int test_size(int cases) {
+    const char* factor = std::getenv("GRAFVERIF_TEST_SIZE");
+    return factor == nullptr ? cases : cases * std::max(1, std::atoi(factor));
+}
+
+}  // namespace grafverif

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// Fragments of a line, hand-written abstractions, and results of searches by localization.
+#include "check/localization/localization.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "check/localization/faults.hpp"
+#include "check/shares.hpp"
+#include "support/read_loop.hpp"
+#include "unit/check/networks.hpp"
+
+namespace grafverif {
+namespace {
+
+Network line() { return expand(read_sample("transfer_line/transfer_line.grafcet").network); }
+
+/// Without the first search of the complete network, which would be enough.
+TimedResult by_cells(const Network& network, TimedOptions options = {}) {
+    options.max_states = 100'000;
+    return check_timed_by_cells(network, options, {.whole = 10, .local = 100'000});
+}
+
+TEST(Localization, FragmentIsAPartialChartWithItsExclusiveInstances) {
+    const Network network = line();
+    const NetworkFragments cells = cells_of(network);
+    EXPECT_EQ(cells.names, (std::vector<std::string>{"cell_1", "cell_2", "cell_3", "Buffer_1", "Buffer_2"}));
+    const auto cell_of = [&](const std::string& process) {
+        for (const Id<Network::Process> id : network.processes.ids())
+            if (network.processes[id].name == process) return cells.of_process[id.index];
+        return NetworkFragments::none;
+    };
+    EXPECT_EQ(cell_of("Clamp_Sen_2"), 1U);
+    EXPECT_EQ(cell_of("Bringer"), 0U) << "by way of Buffer_0";
+    EXPECT_EQ(cell_of("PLC"), NetworkFragments::none);
+}
+
+TEST(Localization, AbstractionKeepsItsFragmentAndTheEffectsOfTheRest) {
+    const Network network = line();
+    const NetworkFragments cells = cells_of(network);
+    const LocalNetwork local = localized(network, cells, {1}, {});
+    ASSERT_TRUE(local.made);
+    EXPECT_EQ(verify(local.network), std::vector<std::string>{});
+    std::vector<std::string> names;
+    for (const Network::Process& process : local.network.processes) names.push_back(process.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"Clamp_2", "Clamp_Sen_2", "Drill_2", "Drill_Sen_2", "PLC", "rest"}));
+    EXPECT_EQ(local.borders, (std::vector<std::uint32_t>{3, 4})) << "the buffers";
+    EXPECT_EQ(local.tied, (std::vector<std::uint32_t>{0, 2, 3, 4})) << "and the charts, by `stable`";
+    EXPECT_EQ(local.network.templates[{5}].edges.size(), 1U) << "which wakes the PLC";
+}
+
+TEST(Localization, UrgentEdgeStopsTimeOnlyIfEveryFreeValueEnablesIt) {
+    Sketch s;
+    const auto x = s.boolean("x"), done = s.boolean("done");
+    const auto a = s.process("A", 1), b = s.process("B", 2, 1);
+    s.edge(a, {.set = {{x, s.no(s.is(x))}}});
+    s.edge(b, {.urgent = true, .guard = s.is(x), .set = {{done, s.yes()}}});
+    s.edge(b, {.to = 1, .when = {{0, Op::GreaterEqual, 2}}});
+    s.property("late", Pattern::Never, {s.at(b, 1)});
+    s.property("p", Pattern::Reachable, {s.at(b, 1)});
+    const Network network = expand(s.network);
+    const LocalNetwork local = localized(network, cells_of(network), {1}, {});
+    for (const Network::Template& automaton : local.network.templates)
+        for (const Network::Edge& edge : automaton.edges) EXPECT_FALSE(edge.urgent);
+    EXPECT_EQ(told(by_cells(network), "late"), told(check_timed(network), "late"));
+    EXPECT_EQ(told(by_cells(network), "p"), "holds");
+}
+
+TEST(Localization, PropertyGuaranteedByANeighbourAddsTheNeighbour) {
+    Sketch s;
+    const auto x = s.boolean("x"), y = s.boolean("y");
+    const auto a = s.process("A", 2, 1), b = s.process("B", 1), c = s.process("C", 1, 1);
+    s.edge(a, {.to = 1, .when = {{0, Op::GreaterEqual, 1}}});  // writes x at no reachable location
+    s.edge(a, {.from = 1, .guard = s.network.exprs.constant(false), .set = {{x, s.yes()}}});
+    s.edge(b, {.guard = s.is(x), .set = {{y, s.yes()}}});
+    s.edge(c, {.when = {{0, Op::Equal, 1}}, .reset = {0}});
+    s.edge(c, {.when = {{0, Op::Equal, 2}}, .reset = {0}});
+    s.property("never_y", Pattern::Never, {s.is(y)});
+    const Verdict found =
+        verdict(check_timed_by_cells(expand(s.network), {}, {.whole = 2, .local = 100}, {}, check_timed), "never_y");
+    EXPECT_EQ(found.outcome, Outcome::Holds);
+    EXPECT_EQ(found.scope.searched, (std::vector<std::string>{"A", "B"}));
+    EXPECT_EQ(found.scope.left_out, (std::vector<std::string>{"C"}));
+}
+
+TEST(Localization, LocalizationLeavesTimeForTheCompleteSearchAndIsMentionedIfThatIsStopped) {
+    Sketch s;
+    const auto x = s.boolean("x");
+    const auto a = s.process("A", 1, 1), b = s.process("B", 2, 1), c = s.process("C", 1, 1);
+    s.edge(a, {.when = {{0, Op::Equal, 1}}, .set = {{x, s.no(s.is(x))}}, .reset = {0}});
+    s.edge(b, {.to = 1, .guard = s.is(x)});
+    s.edge(c, {.when = {{0, Op::Equal, 2}}, .reset = {0}});
+    s.property("never_there", Pattern::Never, {s.at(b, 1)});
+    const auto now = std::chrono::steady_clock::now();
+    TimedOptions options;
+    options.deadline = now + std::chrono::hours(1);
+    EXPECT_LT(*share_of(options.deadline, 3), now + std::chrono::minutes(25));
+    std::vector<Deadline> deadlines;
+    const auto whole = [&](const Network& network, TimedOptions how) {
+        deadlines.push_back(how.deadline);
+        if (deadlines.size() > 1) how.deadline = now;  // the second search has no time
+        return check_timed(network, how);
+    };
+    const TimedResult found = check_timed_by_cells(expand(s.network), options, {.whole = 2, .local = 100}, {}, whole);
+    EXPECT_EQ(deadlines, (std::vector<Deadline>{options.deadline, options.deadline}));
+    const Verdict& verdict = grafverif::verdict(found, "never_there");
+    EXPECT_EQ(verdict.obstacle, UnknownReason::Stopped);
+    EXPECT_EQ(verdict.reason, "stopped after 4 states; localization explored 14 states before");
+}
+
+TEST(Localization, InvariantOfANeighbourExcludesItsViolation) {
+    Sketch s;
+    const auto x = s.boolean("x"), y = s.boolean("y"), z = s.boolean("z");
+    const auto a = s.process("A", 1, 1), b = s.process("B", 1), c = s.process("C", 1, 1);
+    s.edge(a, {.when = {{0, Op::GreaterEqual, 1}}, .set = {{x, s.no(s.is(x))}, {y, s.is(x)}}, .reset = {0}});
+    s.edge(b, {.guard = s.op(Op::NotEqual, s.is(x), s.is(y)), .set = {{z, s.yes()}}});
+    s.edge(c, {.when = {{0, Op::Equal, 1}}, .reset = {0}});
+    s.property("as_one", Pattern::Always, {s.op(Op::Equal, s.is(x), s.is(y))});
+    s.property("never_z", Pattern::Never, {s.is(z)});
+    const TimedResult found = check_timed_by_cells(expand(s.network), {}, {.whole = 2, .local = 100}, {}, check_timed);
+    EXPECT_EQ(told(found, "as_one"), told(check_timed(s.network), "as_one"));
+    EXPECT_EQ(told(found, "never_z"), "holds");
+    const SearchScope scope = verdict(found, "never_z").scope;
+    EXPECT_EQ(scope.searched, std::vector<std::string>{"B"});
+    EXPECT_EQ(scope.because,
+              "may do anything at any time that satisfies as_one, which holds; this is an over-approximation");
+}
+
+TEST(Localization, NoVerdictIfAnotherFragmentMayHaveAModelError) {
+    Sketch s;
+    const auto x = s.boolean("x"), wake = s.boolean("wake");
+    const auto n = s.integer("n", 0, 2);
+    const auto a = s.process("A", 1, 1), b = s.process("B", 1, 1);
+    s.edge(a, {.when = {{0, Op::GreaterEqual, 1}}, .set = {{x, s.no(s.is(x))}, {wake, s.yes()}}, .reset = {0}});
+    s.edge(b, {.guard = s.is(x),
+               .when = {{0, Op::GreaterEqual, 1}},
+               .set = {{n, s.op(Op::Plus, s.is(n), s.number(1))}},
+               .reset = {0}});
+    s.property("x", Pattern::Always, {s.network.exprs.disjunction(s.is(x), s.no(s.is(x)))});
+    s.property("at", Pattern::Always, {s.at(a, 0)});
+    EXPECT_EQ(cells_that_may_err(expand(s.network), cells_of(expand(s.network))), std::set<std::uint32_t>{1});
+    const TimedResult found = by_cells(s.network);
+    EXPECT_EQ(told(found, "at"), "unknown (faulty)");
+    EXPECT_EQ(found.errors.size(), 1U);
+}
+
+TEST(Localization, GuardThatKeepsAValueInRangeIsDetected) {
+    Sketch s;
+    const auto n = s.integer("n", 0, 2), m = s.integer("m", 0, 2);
+    const auto a = s.process("A", 1);
+    s.edge(a, {.guard = s.op(Op::Less, s.is(n), s.number(2)), .set = {{n, s.op(Op::Plus, s.is(n), s.number(1))}}});
+    EXPECT_TRUE(cells_that_may_err(expand(s.network), cells_of(expand(s.network))).empty());
+    s.edge(a, {.guard = s.op(Op::Less, s.is(m), s.number(2)),  // useless after m is assigned
+               .set = {{m, s.number(2)}, {n, s.is(m)}, {m, s.op(Op::Plus, s.is(m), s.number(1))}}});
+    EXPECT_EQ(cells_that_may_err(expand(s.network), cells_of(expand(s.network))).size(), 1U);
+    EXPECT_TRUE(terms_have_values(expand(s.network)));
+    s.edge(a, {.set = {{n, s.op(Op::Divide, s.number(2), s.is(m))}}});
+    EXPECT_FALSE(terms_have_values(expand(s.network)));
+}
+
+/// Three periodic clocks; the variable that `b` sets races if and only if `by_b` is set. Asks for the race.
+Network may_race(bool by_b) {
+    Sketch s;
+    const auto race = s.boolean("race"), x = s.boolean("x");
+    s.network.race = race;
+    for (const char* name : {"A", "B", "C"}) {
+        const auto process = s.process(name, 1, 1);
+        s.edge(process, {.when = {{0, Op::GreaterEqual, 1}}, .reset = {0}});
+        s.edge(process, {.when = {{0, Op::GreaterEqual, 2}}, .reset = {0}});
+        if (*name == 'B' && by_b) {
+            s.edge(process, {.guard = s.is(x), .set = {{race, s.network.exprs.disjunction(s.is(race), s.is(x))}}});
+            s.edge(process, {.guard = s.network.exprs.constant(false), .set = {{x, s.yes()}}});
+        }
+    }
+    s.property("none", Pattern::Never, {s.is(race)});
+    return expand(s.network);
+}
+
+TEST(Localization, RaceVerdictNamesTheSearchedFragmentsAndTheReason) {
+    for (const bool by_b : {false, true}) {
+        const Verdict found =
+            verdict(check_timed_by_cells(may_race(by_b), {}, {.whole = 3, .local = 100}, {}, check_timed), "none");
+        EXPECT_EQ(found.outcome, Outcome::Holds);
+        EXPECT_TRUE(found.scope.cells);
+        EXPECT_EQ(found.scope.searched, by_b ? std::vector<std::string>{"B"} : std::vector<std::string>{});
+        EXPECT_EQ(found.scope.left_out,
+                  by_b ? (std::vector<std::string>{"A", "C"}) : (std::vector<std::string>{"A", "B", "C"}));
+        EXPECT_EQ(found.scope.because, "cannot have a model error");
+        EXPECT_EQ(found.states.empty(), !by_b) << found.states;
+    }
+}
+
+TEST(Localization, VerdictsNoteHowFarTimelocksWereSearched) {
+    const auto note = [](const TimedResult& result, const char* property) {
+        const std::vector<std::string>& notes = verdict(result, property).notes;
+        return notes.empty() ? "" : notes.back();
+    };
+    const std::string looked = "timelocks were searched only in the first ";
+    TimedResult found = by_cells(line(), {.properties = {"held_2"}});
+    EXPECT_EQ(told(found, "no_timelock"), "unknown (bound)");
+    EXPECT_EQ(note(found, "held_2"),
+              looked + verdict(found, "no_timelock").states + " states; declare `no timelock` to search all states");
+    found = by_cells(read_sample("testing_station/testing_station.grafcet").network);
+    for (const Verdict& each : found.verdicts)
+        for (const std::string& said : each.notes) EXPECT_FALSE(said.starts_with(looked)) << each.property;
+}
+
+TEST(Localization, ResultsOfTheFirstSearchRemainIfTheNextIsStopped) {
+    Sketch s;
+    const auto x = s.boolean("x"), y = s.boolean("y");
+    for (const auto variable : {x, y}) {
+        const auto process = s.process(variable == x ? "A" : "B", 1, 1);
+        s.edge(process, {.when = {{0, Op::GreaterEqual, 1}}, .set = {{variable, s.no(s.is(variable))}}, .reset = {0}});
+        s.edge(process, {.guard = s.is(x), .when = {{0, Op::Equal, 1}}, .set = {{variable, s.no(s.is(y))}}});
+    }
+    s.property("soon", Pattern::Never, {s.is(x)});
+    s.property("in_the_end", Pattern::Inevitable, {s.is(y)});
+    const std::atomic<bool> stop = true;
+    int looks = 0;
+    const WholeSearch stopped_then = [&](const Network& network, TimedOptions options) {
+        if (++looks > 1) options.stop = &stop;
+        return check_timed(network, options);
+    };
+    const TimedResult found = check_timed_by_cells(s.network, {}, {.whole = 5, .local = 5}, {}, stopped_then);
+    EXPECT_EQ(looks, 2);
+    EXPECT_EQ(told(found, "soon"), "violated");
+    EXPECT_EQ(told(found, "in_the_end"), "unknown (stopped)");
+}
+
+TEST(Localization, UnrequestedVerdictDoesNotNeedTheCompleteNetwork) {
+    const TimedResult found = by_cells(line(), {.properties = {"held_2"}});
+    EXPECT_EQ(told(found, "held_2"), "holds");
+    EXPECT_FALSE(verdict(found, "no_timelock").declared);
+    EXPECT_EQ(verdict(found, "no_timelock").outcome, Outcome::Unknown);
+}
+
+}  // namespace
+}  // namespace grafverif
