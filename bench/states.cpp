@@ -81,7 +81,7 @@ int main(int count, char** arguments) {
     const auto system = reading.model
                             ? transition_system_of(*reading.model, Id<ClosedLoop>{0}, how, reading.diagnostics)
                             : std::optional<TransitionSystem>();
-    std::cerr << reading.complaints();
+    std::cerr << reading.diagnostics_text();
     if (!system) return 2;
     const SystemToCheck check = system_to_check(*system, *reading.model, Id<ClosedLoop>{0}, how);
     const auto abc = app::find_program("berkeley-abc");

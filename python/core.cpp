@@ -411,7 +411,7 @@ PYBIND11_MODULE(_core, module) {
         .def("html", &html_of, py::arg("date"), py::arg("bounds"));
     py::class_<Moved> simulator(module, "Simulator");
     forbid_new(simulator);
-    simulator.def("obey", [](Moved& moved, const std::string& command) { return moved.simulator.execute(command); })
+    simulator.def("execute", [](Moved& moved, const std::string& command) { return moved.simulator.execute(command); })
         .def("problem", [](const Moved& moved) { return moved.simulator.problem(); })
         .def("choices",
              [](const Moved& moved) {
@@ -422,7 +422,7 @@ PYBIND11_MODULE(_core, module) {
         .def("json", [](const Moved& moved) { return json_of(moved.simulator.run()); })
         .def("text", [](const Moved& moved) { return text_of(moved.simulator.run()); })
         .def("svg", [](const Moved& moved) { return svg_of(moved.simulator.run(), moved.simulator.run().name); })
-        .def("trial_row", [](const Moved& moved) { return moved.simulator.what_if_row(); })
+        .def("what_if_row", [](const Moved& moved) { return moved.simulator.what_if_row(); })
         .def("disagreement", [](const Moved& moved) { return moved.simulator.disagreement(); });
     py::class_<File> file_class(module, "File");
     forbid_new(file_class);

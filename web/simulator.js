@@ -137,11 +137,11 @@ export class Simulator {
             // A move that failed is removed from the list.
             if (problem && moves.length > 0) answer = {...await this.ask({[kind]: name, moves: moves.slice(0, -1), everything}), problem};
         } catch (error) {
-            answer = {complaint: error.message};
+            answer = {error: error.message};
         }
         if (turn !== this.asked) return;  // superseded by a newer request
-        if (answer.complaint) {
-            this.problem.textContent = answer.complaint;
+        if (answer.error) {
+            this.problem.textContent = answer.error;
             return;
         }
         // Moves that the current file does not allow can be redone after a change of the file, except an invalid new

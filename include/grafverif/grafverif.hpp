@@ -69,7 +69,7 @@ struct ParseResult {
     std::optional<Model> model = {};
 
     /// The diagnostics as text, each with its source line and a caret.
-    std::string complaints() const;
+    std::string diagnostics_text() const;
 };
 
 /// Reads a file and all its includes. The format is detected: input language, AGRAFE, PLCopen XML or textual SFC.

@@ -422,7 +422,7 @@ class Simulation:
     def do(self, *commands: str) -> Simulation:
         """Executes commands such as `START = true`, `wait 3s`, `do Gate open`, `back`, and their automatic consequences."""
         for command in commands:
-            problem = self._core.obey(command)
+            problem = self._core.execute(command)
             if problem:
                 raise SimulationError(f"{command}: {problem}")
         return self
@@ -451,7 +451,7 @@ class Simulation:
     @property
     def is_trial(self) -> bool:
         """True if a step was forced, so that the following rows are not a run of the model."""
-        return self._core.trial_row() is not None
+        return self._core.what_if_row() is not None
 
     @property
     def now(self) -> Step:

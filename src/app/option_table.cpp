@@ -126,9 +126,9 @@ Option time(OptionGroup accepts, const char* name, Place place, const char* help
     Option option =
         number(accepts, name, "TIME", {{"s", 1000}, {"ms", 1}, {"min", 60'000}, {"h", 3'600'000}}, place, help);
     option.take = [read = option.take, place](const std::vector<std::string>& given, Options& options) {
-        std::string complaint = read(given, options);
-        if (complaint.empty()) std::invoke(place, options) = std::min(*std::invoke(place, options), hundred_years);
-        return complaint;
+        std::string error_text = read(given, options);
+        if (error_text.empty()) std::invoke(place, options) = std::min(*std::invoke(place, options), hundred_years);
+        return error_text;
     };
     return option;
 }

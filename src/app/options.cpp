@@ -41,7 +41,7 @@ std::string take_all(const std::vector<Option>& known, const po::variables_map& 
         std::vector<std::string> given;
         if (option.repeated) given = value.as<std::vector<std::string>>();
         else if (!option.value.empty()) given = {value.as<std::string>()};
-        if (std::string complaint = option.take(given, options); !complaint.empty()) return complaint;
+        if (std::string error_text = option.take(given, options); !error_text.empty()) return error_text;
     }
     return {};
 }
@@ -149,8 +149,8 @@ ParsedOptions parse_options(const CliCommand& verb, std::span<const std::string>
                                         .positional(positional)
                                         .style(style)
                                         .run();
-        if (std::string complaint = adjacent_command(parsed.options, known); !complaint.empty())
-            return {{}, std::move(complaint)};
+        if (std::string error_text = adjacent_command(parsed.options, known); !error_text.empty())
+            return {{}, std::move(error_text)};
         former_names = replace_former_names(parsed.options, known);
         po::store(parsed, values);
         po::notify(values);
@@ -164,13 +164,13 @@ ParsedOptions parse_options(const CliCommand& verb, std::span<const std::string>
     if (accepts(verb, OptionGroup::FormatTest)) options.format = Format::Csv;
     if (accepts(verb, OptionGroup::FormatXml)) options.format = Format::Xml;
     const bool modelled = values.count("plant") != 0 || values.count("schedule") != 0 || values.count("time") != 0;
-    std::string complaint = take_all(known, values, options);
-    if (complaint.empty()) complaint = validate_untimed(options);
-    if (complaint.empty()) complaint = validate_engine(modelled, values, options);
-    if (complaint.empty()) complaint = validate_limits(options);
-    if (complaint.empty())
-        complaint = validate_combinations(verb, options, [&](const char* name) { return values.count(name) != 0; });
-    if (!complaint.empty()) return {{}, complaint};
+    std::string error_text = take_all(known, values, options);
+    if (error_text.empty()) error_text = validate_untimed(options);
+    if (error_text.empty()) error_text = validate_engine(modelled, values, options);
+    if (error_text.empty()) error_text = validate_limits(options);
+    if (error_text.empty())
+        error_text = validate_combinations(verb, options, [&](const char* name) { return values.count(name) != 0; });
+    if (!error_text.empty()) return {{}, error_text};
     if (options.help) return {options, {}, former_names};
     options.operands.insert(options.operands.end(), own, arguments.end());
     if (accepts(verb, OptionGroup::Bench) && options.against.empty()) return {{}, "`--against PROGRAM` is missing"};
@@ -178,7 +178,7 @@ ParsedOptions parse_options(const CliCommand& verb, std::span<const std::string>
         options.sarif = options.output.value_or("-");
         options.output.reset();
     }
-    if (complaint = validate_outputs(verb, options); !complaint.empty()) return {{}, complaint};
+    if (error_text = validate_outputs(verb, options); !error_text.empty()) return {{}, error_text};
     if (options.operands.size() < verb.least_operands) return {{}, fmt::format("`{}` is missing", verb.operand)};
     if (options.operands.size() > verb.most_operands)
         return {{}, fmt::format("unexpected argument `{}`; remove it", options.operands[verb.most_operands])};

@@ -234,7 +234,7 @@ struct FormerName {
 /// The options in `arguments` (without the command's name), or an error message.
 struct ParsedOptions {
     std::optional<Options> options = {};
-    std::string complaint = {};
+    std::string error_text = {};
     std::vector<FormerName> former_names = {};  ///< in the order of the arguments
 };
 ParsedOptions parse_options(const CliCommand& verb, std::span<const std::string> arguments);

@@ -82,8 +82,8 @@ void print_overview(std::ostream& out) {
            "4 internal error.\n";
 }
 
-ExitCode usage_error(const Streams& streams, const std::string& complaint, const std::string& help) {
-    streams.err << fmt::format("grafverif: error: {}; see `grafverif {}--help`\n", printable(complaint), help);
+ExitCode usage_error(const Streams& streams, const std::string& error_text, const std::string& help) {
+    streams.err << fmt::format("grafverif: error: {}; see `grafverif {}--help`\n", printable(error_text), help);
     return ExitCode::Input;
 }
 
@@ -256,7 +256,7 @@ private:
 ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, const Streams& streams) {
     const CliCommand verb = entry.usage();
     ParsedOptions parsed = parse_options(verb, arguments);
-    if (!parsed.options) return usage_error(streams, parsed.complaint, verb.name + " ");
+    if (!parsed.options) return usage_error(streams, parsed.error_text, verb.name + " ");
     if (parsed.options->help) {
         print_help(verb, streams.out);
         return ExitCode::Done;

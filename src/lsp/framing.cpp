@@ -90,7 +90,7 @@ std::optional<Framed> Framing::next() {
     Framed message;
     const bool fits = *length <= largest_;
     if (!take(*length, fits ? &message.body : nullptr)) return {};
-    if (!fits) message.complaint = fmt::format("a message of {} bytes exceeds the limit of {}", *length, largest_);
+    if (!fits) message.error_text = fmt::format("a message of {} bytes exceeds the limit of {}", *length, largest_);
     return message;
 }
 

@@ -24,7 +24,7 @@ inline constexpr std::size_t largest_message = std::size_t{320} << 20U;  ///< by
 /// A frame of the stream: the body of a message, or an error.
 struct Framed {
     std::string body = {};
-    std::string complaint = {};  ///< not empty: an error, without a body
+    std::string error_text = {};  ///< not empty: an error, without a body
 };
 
 class Framing {

@@ -17,7 +17,7 @@ namespace grafverif::lsp {
 /// A message, an error in one, or a function to call.
 struct Item {
     std::shared_ptr<const nlohmann::json> message = {};
-    std::string complaint = {};
+    std::string error_text = {};
     bool refused = false;  ///< there was no memory for the message
     bool cancelled = false;
     std::function<void()> call = {};

@@ -61,10 +61,10 @@ std::string method_of(const Json& message) {
 }
 
 Item item_of(Framed framed) {
-    if (!framed.complaint.empty()) return {.complaint = std::move(framed.complaint)};
-    if (nests_too_deep(framed.body)) return {.complaint = "the message nests too deeply"};
+    if (!framed.error_text.empty()) return {.error_text = std::move(framed.error_text)};
+    if (nests_too_deep(framed.body)) return {.error_text = "the message nests too deeply"};
     Json message = Json::parse(framed.body, nullptr, false);
-    if (message.is_discarded()) return {.complaint = "the message is not valid JSON"};
+    if (message.is_discarded()) return {.error_text = "the message is not valid JSON"};
     return {.message = std::make_shared<const Json>(std::move(message))};
 }
 
@@ -148,7 +148,7 @@ Ending converse(const Receive& receive, const Send& send, const ServerEnvironmen
             if (item && item->call) item->call();
             else if (item && item->message != nullptr) session.take(*item->message, item->cancelled);
             else if (item)
-                session.refuse(item->refused ? "there is not enough memory for the message" : item->complaint);
+                session.refuse(item->refused ? "there is not enough memory for the message" : item->error_text);
             else if (inbox.closed()) gone = true;
             else if (session.client() && surroundings.is_alive) gone = !surroundings.is_alive(*session.client());
         } catch (const std::bad_alloc&) {  // the response is dropped: there is no memory for an error either

@@ -35,7 +35,7 @@ void Session::fail(const Json& id, int code, const std::string& message) {
     send({{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", message}}}});
 }
 
-void Session::refuse(const std::string& complaint) { fail(nullptr, parse_error, complaint); }
+void Session::refuse(const std::string& error_text) { fail(nullptr, parse_error, error_text); }
 
 void Session::take(const Json& message, bool cancelled) {
     const Json& id = member(message, "id");

@@ -29,7 +29,7 @@ public:
     /// Handles a message, and responds if it is a request.
     void take(const Json& message, bool cancelled);
     /// Responds to invalid input.
-    void refuse(const std::string& complaint);
+    void refuse(const std::string& error_text);
     /// Publishes the diagnostics of changed texts.
     void settle();
 

@@ -47,7 +47,7 @@ ParseResult read_string(std::string text, const std::string& name, const ReadOpt
     return read(name, std::move(text), {}, options);
 }
 
-std::string ParseResult::complaints() const {
+std::string ParseResult::diagnostics_text() const {
     std::ostringstream out;
     render_text(diagnostics.all(), sources, Colour::Plain, out);
     return std::move(out).str();

@@ -63,7 +63,7 @@ std::string_view behind(std::string_view line, std::size_t count) {
 
 Command expectation(std::string_view text, std::optional<std::int64_t> response_timeout_ms) {
     auto read = preservation_class_of(text);
-    if (auto* const complaint = std::get_if<std::string>(&read)) return BadCommand{std::move(*complaint)};
+    if (auto* const error_text = std::get_if<std::string>(&read)) return BadCommand{std::move(*error_text)};
     return ExpectCommand{std::get<Expectation>(std::move(read)), response_timeout_ms};
 }
 

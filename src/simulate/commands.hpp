@@ -87,7 +87,7 @@ struct NoCommand {
 };
 /// Message for an invalid line.
 struct BadCommand {
-    std::string complaint = {};
+    std::string error_text = {};
     bool operator==(const BadCommand&) const = default;
 };
 

@@ -53,7 +53,7 @@ std::string Simulation::made(const Command& command) {
                                   [&](const ForceCommand& force) { return of.force(force.step, force.active); },
                                   [&](const ChooseCommand& choice) { return choose(choice.number); },
                                   [&](const ExpectCommand& wish) { return expect(wish); },
-                                  [](const BadCommand& bad) { return bad.complaint; },
+                                  [](const BadCommand& bad) { return bad.error_text; },
                                   [](const auto&) { return std::string(); },
                               },
                               command);

@@ -127,7 +127,7 @@ class Serve(unittest.TestCase):
             status, answer = self.status("/simulate", body=body)
             self.assertEqual(status, 200, body[:40])
             answer = json.loads(answer)
-            self.assertTrue(answer.get("complaint") or answer.get("problem"), body[:40])
+            self.assertTrue(answer.get("error") or answer.get("problem"), body[:40])
         self.assertEqual(self.status("/simulate")[0], 405)
         self.assertEqual(self.status("/state", body=b"{}")[0], 405)
         for text in (b"\r\n\r\n", b"HELLO\r\n\r\n", b"GET / HTTP/9.9\r\n\r\n", b"\x16\x03\x01\x02\x00\x01\x00", b"\0" * 5000,

@@ -36,7 +36,7 @@ std::string commands_complaint(std::string_view bytes) {
     Diagnostics diagnostics;
     const auto model = read_text(sources.add({"model.grafcet", text.str()}), sources, {}, diagnostics);
     if (!model || (run.of_loop && model->loops.empty())) return {};
-    return complaint(run, folder.write("model.grafcet", text.str()), *model, folder.file("written"));
+    return error_text(run, folder.write("model.grafcet", text.str()), *model, folder.file("written"));
 }
 
 }  // namespace grafverif::fuzz

@@ -29,8 +29,8 @@ TEST_P(Corpus, BreaksNoPromise) {
         SCOPED_TRACE(path);
         std::ifstream file(path, std::ios::binary);
         const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-        EXPECT_EQ(GetParam().complaint(bytes), "");
-        EXPECT_EQ(GetParam().complaint(bytes.substr(0, bytes.size() / 2)), "") << "its first half";
+        EXPECT_EQ(GetParam().error_text(bytes), "");
+        EXPECT_EQ(GetParam().error_text(bytes.substr(0, bytes.size() / 2)), "") << "its first half";
     }
 }
 

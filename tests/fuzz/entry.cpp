@@ -14,9 +14,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     for (const grafverif::fuzz::Target& target : grafverif::fuzz::targets()) {
         if (target.name != GRAFVERIF_FUZZ_TARGET) continue;
-        const std::string complaint = target.complaint({reinterpret_cast<const char*>(data), size});
-        if (complaint.empty()) return 0;
-        std::cerr << "broken promise: " << complaint << '\n';
+        const std::string error_text = target.error_text({reinterpret_cast<const char*>(data), size});
+        if (error_text.empty()) return 0;
+        std::cerr << "broken promise: " << error_text << '\n';
         std::abort();
     }
     std::abort();  // unknown target

@@ -127,7 +127,7 @@ std::string written_complaint(const std::string& text, const VerbRun& run, Writt
             return read ? "" : std::string("no XML: ") + read.description();
         }
         case Written::Uppaal: test::read_uppaal(text); return {};
-        case Written::Nusmv: return read_nusmv(text).complaint;
+        case Written::Nusmv: return read_nusmv(text).error_text;
         case Written::TestTable: return table_complaint(text, run, model);
         case Written::Plcopen: return units_complaint(units_of_plcopen(text));
         case Written::StructuredText: return units_complaint(text);
@@ -186,7 +186,7 @@ std::span<const VerbRun> command_runs() {
     return runs;
 }
 
-std::string complaint(const VerbRun& run, const fs::path& file, const Model& model, const fs::path& folder) {
+std::string error_text(const VerbRun& run, const fs::path& file, const Model& model, const fs::path& folder) {
     std::vector<std::string> arguments;
     std::string command = "grafverif";
     for (const std::string& argument : run.arguments) {

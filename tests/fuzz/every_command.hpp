@@ -26,7 +26,7 @@ struct VerbRun {
 std::span<const VerbRun> command_runs();
 
 /// The error in `run` on `file`, which contains `model`; files are written into `folder`, and removed. Empty: none.
-std::string complaint(const VerbRun& run, const std::filesystem::path& file, const Model& model,
-                      const std::filesystem::path& folder);
+std::string error_text(const VerbRun& run, const std::filesystem::path& file, const Model& model,
+                       const std::filesystem::path& folder);
 
 }  // namespace grafverif::fuzz

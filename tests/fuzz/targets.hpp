@@ -15,7 +15,7 @@ namespace grafverif::fuzz {
 struct Target {
     std::string_view name = {};
     /// The guarantee that `bytes` violate, with the data to reproduce it; empty: none.
-    std::string (*complaint)(std::string_view bytes) = nullptr;
+    std::string (*error_text)(std::string_view bytes) = nullptr;
 };
 
 std::span<const Target> targets();

@@ -33,7 +33,7 @@ std::string result_complaint_of(bool read, const Diagnostics& diagnostics, const
 
 struct TextRead {
     std::optional<Model> model = {};
-    std::string complaint = {};  ///< in its diagnostics
+    std::string error_text = {};  ///< in its diagnostics
     std::string said = {};
 };
 
@@ -43,11 +43,11 @@ TextRead read(Id<Source> file, Sources& sources, bool lossy) {
     context.load = [](const std::string&, std::string& why) { return why = "there are no files here", std::nullopt; };
     context.lossy = lossy;
     TextRead reading{read_text(file, sources, context, diagnostics), {}, {}};
-    reading.complaint = result_complaint_of(reading.model.has_value(), diagnostics, sources);
+    reading.error_text = result_complaint_of(reading.model.has_value(), diagnostics, sources);
     reading.said = shown(diagnostics, sources);
-    if (reading.complaint.empty() && reading.model)
+    if (reading.error_text.empty() && reading.model)
         for (const std::string& broken : verify(*reading.model))
-            reading.complaint += "not well formed: " + broken + '\n';
+            reading.error_text += "not well formed: " + broken + '\n';
     return reading;
 }
 
@@ -60,7 +60,7 @@ std::string printed(const Model& model) {
 /// True if the generated `text` is read back as `model`.
 std::string reading_back(const Model& model, const std::string& text, Sources& sources) {
     const TextRead again = read(sources.add({"written.grafcet", text}), sources, false);
-    if (!again.complaint.empty()) return again.complaint + "\nof:\n" + text;
+    if (!again.error_text.empty()) return again.error_text + "\nof:\n" + text;
     if (!again.model) return "what is written is refused:\n" + again.said + text;
     if (printed(*again.model) != printed(model))
         return "what is written means something else:\n" + text + "\nwas:\n" + printed(model);
@@ -81,10 +81,10 @@ std::string imported_complaint(std::string_view bytes, bool lossy) {
     Sources sources;
     const Id<Source> source = sources.add({"fuzzed.xml", std::string(bytes)});
     const TextRead reading = read(source, sources, lossy);
-    if (!reading.complaint.empty() || !reading.model) return reading.complaint;
+    if (!reading.error_text.empty() || !reading.model) return reading.error_text;
     Diagnostics diagnostics;
     const std::string text = formatted(laid_out(read_any(source, sources, {lossy}, diagnostics)));
-    if (std::string complaint = form_complaint(text, sources); !complaint.empty()) return complaint;
+    if (std::string error_text = form_complaint(text, sources); !error_text.empty()) return error_text;
     return reading_back(*reading.model, text, sources);
 }
 
@@ -94,20 +94,21 @@ std::string text_complaint(std::string_view bytes) {
     Sources sources;
     const Id<Source> source = sources.add({"fuzzed.grafcet", std::string(bytes)});
     const TextRead reading = read(source, sources, false);
-    if (!reading.complaint.empty()) return reading.complaint;
+    if (!reading.error_text.empty()) return reading.error_text;
     if (format_of(sources[source].text) != FileFormat::Grafcet) return {};
     Diagnostics diagnostics;
     const tree::File file = parse_file(source, sources, diagnostics);
     if (file.broken || diagnostics.has_errors()) return {};
     const std::string text = formatted(file);
-    if (std::string complaint = form_complaint(text, sources); !complaint.empty() || !reading.model) return complaint;
-    if (std::string complaint = reading_back(*reading.model, text, sources); !complaint.empty()) return complaint;
+    if (std::string error_text = form_complaint(text, sources); !error_text.empty() || !reading.model)
+        return error_text;
+    if (std::string error_text = reading_back(*reading.model, text, sources); !error_text.empty()) return error_text;
     return reading_back(*reading.model, printed(*reading.model), sources);
 }
 
 std::string import_complaint(std::string_view bytes) {
     for (const bool lossy : {false, true})
-        if (std::string complaint = imported_complaint(bytes, lossy); !complaint.empty()) return complaint;
+        if (std::string error_text = imported_complaint(bytes, lossy); !error_text.empty()) return error_text;
     return {};
 }
 
@@ -116,16 +117,16 @@ std::string program_complaint(std::string_view bytes) {
     Diagnostics diagnostics;
     const std::size_t end = std::min(bytes.find("\n---\n"), bytes.size());  // the properties follow
     auto text = read_program(sources.add({"fuzzed.st", std::string(bytes.substr(0, end))}), sources, diagnostics);
-    std::string complaint = result_complaint_of(text.has_value(), diagnostics, sources);
-    if (!complaint.empty() || !text) return complaint;
+    std::string error_text = result_complaint_of(text.has_value(), diagnostics, sources);
+    if (!error_text.empty() || !text) return error_text;
     const auto scan = scan_of(text->program(), diagnostics);
-    complaint = result_complaint_of(scan.has_value(), diagnostics, sources);
-    if (!complaint.empty() || !scan) return complaint;
-    for (const std::string& broken : verify(scan->equations)) complaint += "not well formed: " + broken + '\n';
+    error_text = result_complaint_of(scan.has_value(), diagnostics, sources);
+    if (!error_text.empty() || !scan) return error_text;
+    for (const std::string& broken : verify(scan->equations)) error_text += "not well formed: " + broken + '\n';
     const Id<Source> properties =
         sources.add({"fuzzed.yaml", std::string(bytes.substr(std::min(end + 5, bytes.size())))});
     const bool read = read_properties(properties, sources, *text, diagnostics).has_value();
-    return complaint + result_complaint_of(read, diagnostics, sources);
+    return error_text + result_complaint_of(read, diagnostics, sources);
 }
 
 std::string structured_text_complaint(std::string_view bytes) {
@@ -140,8 +141,8 @@ std::string structured_text_complaint(std::string_view bytes) {
             const bool read = part == 0   ? st::parse_units(whole, file, sources, diagnostics)
                               : part == 1 ? st::parse_statements(whole, file, sources, diagnostics).has_value()
                                           : st::parse_expression(whole, file, sources, diagnostics).has_value();
-            if (std::string complaint = result_complaint_of(read, diagnostics, sources); !complaint.empty())
-                return complaint;
+            if (std::string error_text = result_complaint_of(read, diagnostics, sources); !error_text.empty())
+                return error_text;
         }
     }
     return {};

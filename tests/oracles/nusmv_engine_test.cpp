@@ -192,7 +192,7 @@ void expect_same_as_a_user_sees(const TransitionSystem& system, const std::strin
         return;
     }
     const NusmvModel read = read_nusmv(text.str());
-    ASSERT_EQ(read.complaint, "");
+    ASSERT_EQ(read.error_text, "");
     const auto printed = printed_verdicts(said.out);
     const std::vector<std::string> names = nusmv::spelling(system).properties;
     for (const Id<Property> id : system.properties.ids()) {

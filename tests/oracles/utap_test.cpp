@@ -16,7 +16,7 @@ namespace grafverif {
 namespace {
 
 /// The errors of syntaxcheck, without warnings.
-std::string complaints(const std::string& xml) {
+std::string error_texts(const std::string& xml) {
     const auto file =
         std::filesystem::temp_directory_path() / ("grafverif_utap_" + std::to_string(::getpid()) + ".xml");
     const auto log = std::filesystem::path(file).replace_extension(".log");
@@ -42,7 +42,7 @@ TEST(Utap, AcceptsEveryProject) {
         Random random(static_cast<std::uint64_t>(seed));
         std::ostringstream xml;
         uppaal::emit(uppaal::lower(random_network(random)), xml);
-        EXPECT_EQ(complaints(xml.str()), "") << "seed " << seed;
+        EXPECT_EQ(error_texts(xml.str()), "") << "seed " << seed;
     }
 }
 
@@ -52,14 +52,14 @@ TEST(Utap, AcceptsTheProjectsOfTheSamples) {
     for (const auto& entry : std::filesystem::directory_iterator(GRAFVERIF_SOURCE_DIR "/tests/golden")) {
         std::ifstream file(entry.path() / "4-uppaal.xml");
         if (!file) continue;
-        EXPECT_EQ(complaints({std::istreambuf_iterator<char>(file), {}}), "") << entry.path();
+        EXPECT_EQ(error_texts({std::istreambuf_iterator<char>(file), {}}), "") << entry.path();
     }
 }
 
 TEST(Utap, RejectsAMalformedProject) {
     if (std::system("command -v syntaxcheck > /dev/null 2>&1") != 0)
         GTEST_SKIP() << "syntaxcheck of utap is not on the PATH";
-    EXPECT_NE(complaints("<nta><declaration>bool a b;</declaration><system>system;</system></nta>"), "");
+    EXPECT_NE(error_texts("<nta><declaration>bool a b;</declaration><system>system;</system></nta>"), "");
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ void expect_same_text(const Circuit& circuit, const aiger::AigerText& written,
                       const std::vector<aiger::AigerProperty>& requested,
                       const std::vector<std::vector<bool>>& inputs) {
     const AigerFile file = read_aiger(written.text);
-    ASSERT_EQ(file.complaint, "") << written.text;
+    ASSERT_EQ(file.error_text, "") << written.text;
     std::vector<std::vector<bool>> given;
     for (const std::vector<bool>& step : inputs) {
         given.emplace_back();
@@ -123,7 +123,7 @@ void expect_same_words(const System& system, const FlatSystem& flat, const Circu
                        const std::vector<std::vector<bool>>& inputs) {
     const btor2::Btor2Text written = btor2::written(system);
     Btor2File file(written.text);
-    ASSERT_EQ(file.complaint(), "") << written.text;
+    ASSERT_EQ(file.error_text(), "") << written.text;
     const auto states = states_of(circuit, inputs);
     std::map<std::string, std::size_t> places;
     for (const Id<FlatSystem::Variable> id : flat.variables.ids()) places[flat.variables[id].name] = id.index;

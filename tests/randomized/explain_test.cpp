@@ -450,7 +450,7 @@ TEST(RandomizedExplain, ARunOfAnUntimedLoopIsOneOfItsNetworkAndItsShortestChange
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         const ParseResult reading = read_string(random_cylinder(random), "cylinder");
-        ASSERT_TRUE(reading.model) << reading.complaints();
+        ASSERT_TRUE(reading.model) << reading.diagnostics_text();
         const Model& model = *reading.model;
         ModelOptions how{{}, seed % 2 == 0 ? Grain::Atomic : Grain::Phased};
         how.untimed.plant = PlantApproach::Automata;
@@ -513,7 +513,7 @@ TEST(RandomizedExplain, ReportedProofCoresAgreeWithTheReferenceSemantics) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         const ParseResult reading = read_string(random_cylinder(random), "cylinder");
-        ASSERT_TRUE(reading.model) << reading.complaints();
+        ASSERT_TRUE(reading.model) << reading.diagnostics_text();
         const Model& model = *reading.model;
         const ModelOptions how{{}, Grain::Atomic};
         const auto network = network_for(model, how);
@@ -635,7 +635,7 @@ TEST(RandomizedExplain, EveryStateOfALoopIsOneOfTheLoopWithoutAnInstanceOrATimin
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         const ParseResult reading = read_string(random_cylinder(random), "cylinder");
-        ASSERT_TRUE(reading.model) << reading.complaints();
+        ASSERT_TRUE(reading.model) << reading.diagnostics_text();
         const Network flat = expand(*network_for(*reading.model, ModelOptions{{}, Grain::Atomic}));
         for (const Id<Network::Process> id : flat.processes.ids()) {
             if (flat.processes[id].kind == Network::ProcessKind::Controller) continue;
@@ -663,7 +663,7 @@ TEST(RandomizedExplain, EveryStateOfALoopIsOneOfTheLoopWithoutAGuardAndOneWithAn
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         const ParseResult reading = read_string(random_cylinder(random), "cylinder");
-        ASSERT_TRUE(reading.model) << reading.complaints();
+        ASSERT_TRUE(reading.model) << reading.diagnostics_text();
         const Model& model = *reading.model;
         const ModelOptions how{{}, seed % 3 == 0 ? Grain::Phased : Grain::Atomic};
         const auto with = places_of(*network_for(model, how));
@@ -787,7 +787,7 @@ TEST(RandomizedExplain, DeadTransitionsAreNeverClearedInTheReferenceSemantics) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         const ParseResult reading = read_string(random_cylinder(random, true), "cylinder");
-        ASSERT_TRUE(reading.model) << reading.complaints();
+        ASSERT_TRUE(reading.model) << reading.diagnostics_text();
         const Grain grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased;
         const auto network = network_for(*reading.model, ModelOptions{{}, grain});
         ASSERT_TRUE(network);
@@ -807,7 +807,7 @@ TEST(RandomizedExplain, DeadTransitionsOfAnUntimedLoopAreDeadInItsNetworkWithout
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         const ParseResult reading = read_string(random_cylinder(random, true), "cylinder");
-        ASSERT_TRUE(reading.model) << reading.complaints();
+        ASSERT_TRUE(reading.model) << reading.diagnostics_text();
         ModelOptions how{{}, seed % 2 == 0 ? Grain::Atomic : Grain::Phased};
         how.untimed.plant = PlantApproach::Automata;
         const auto network = network_for(*reading.model, how);

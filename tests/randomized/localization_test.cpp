@@ -245,7 +245,7 @@ TEST(RandomizedLocalization, DefaultChecksOfUntimedLoopsGiveTheVerdictsOfTheSymb
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         const ParseResult reading = read_string(loop_of_cells(random), "cells");
-        ASSERT_TRUE(reading.model) << reading.complaints();
+        ASSERT_TRUE(reading.model) << reading.diagnostics_text();
         ModelOptions how{.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased};
         how.untimed = {.plant = PlantApproach::Automata,
                        .time = seed % 3 == 0 ? TimeModel::Discrete : TimeModel::Abstract};
@@ -264,7 +264,7 @@ TEST(RandomizedLocalization, LocalizationOfUntimedLoopsGivesTheVerdictsOfTheSymb
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         const ParseResult reading = read_string(loop_of_cells(random), "cells");
-        ASSERT_TRUE(reading.model) << reading.complaints();
+        ASSERT_TRUE(reading.model) << reading.diagnostics_text();
         for (const TimeModel time : {TimeModel::Abstract, TimeModel::Discrete}) {
             ModelOptions how{.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased};
             how.untimed = {.plant = PlantApproach::Automata, .time = time};

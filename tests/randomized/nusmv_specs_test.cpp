@@ -36,7 +36,7 @@ void expect_agreement(const System& system, Compared& compared, Ours of = Ours::
     std::ostringstream out;
     nusmv::emit(system, out);
     const NusmvModel text = read_nusmv(out.str());
-    ASSERT_EQ(text.complaint, "") << out.str();
+    ASSERT_EQ(text.error_text, "") << out.str();
     const std::vector<NusmvModel::Specification>& specs = text.modules.front().specifications;
     const std::vector<std::string> names = nusmv::spelling(system).properties;
     const SymbolicResult ours = of == Ours::Engine ? check_symbolic(system) : SymbolicResult();

@@ -73,7 +73,7 @@ std::string difference(const System& system) {
     std::ostringstream out;
     nusmv::emit(system, out);
     NusmvModel text = read_nusmv(out.str());
-    if (!text.complaint.empty()) return text.complaint + "\n" + out.str();
+    if (!text.error_text.empty()) return text.error_text + "\n" + out.str();
     for (const Id<System::Module> id : system.modules.ids()) {
         const std::string found = module_difference(system, id, text);
         if (!found.empty()) return found + "\n" + out.str();

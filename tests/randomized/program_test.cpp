@@ -20,7 +20,7 @@ struct Met {
     int scans = 0, faults = 0, overflows = 0, timers = 0, changes = 0, intervals = 0;
 };
 
-std::string complaints(const Diagnostics& diagnostics, const Sources& sources) {
+std::string error_texts(const Diagnostics& diagnostics, const Sources& sources) {
     std::ostringstream text;
     render_text(diagnostics.all(), sources, Colour::Plain, text);
     return text.str();
@@ -82,9 +82,9 @@ TEST(RandomizedProgram, InterpreterAgreesWithEquations) {
         Sources sources;
         Diagnostics diagnostics;
         const auto read = read_program(sources.add({"random.st", text}), sources, diagnostics);
-        ASSERT_TRUE(read) << "seed " << seed << '\n' << complaints(diagnostics, sources) << text;
+        ASSERT_TRUE(read) << "seed " << seed << '\n' << error_texts(diagnostics, sources) << text;
         const auto scan = scan_of(read->program(), diagnostics);
-        ASSERT_TRUE(scan) << "seed " << seed << '\n' << complaints(diagnostics, sources) << text;
+        ASSERT_TRUE(scan) << "seed " << seed << '\n' << error_texts(diagnostics, sources) << text;
         ASSERT_EQ(verify(scan->equations), std::vector<std::string>()) << text;
         ASSERT_EQ(disagreement(read->program(), *scan, random, met), "") << "seed " << seed << '\n' << text;
     }

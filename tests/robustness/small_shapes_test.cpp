@@ -119,7 +119,7 @@ TEST(SmallShapes, AreAcceptedByEveryCommand) {
             const fuzz::VerbRun& run = runs[next++ % runs.size()];
             const bool looped = run.of_loop || next % 2 == 0;
             const std::string file = folder.write("small.grafcet", looped ? loop : chart);
-            ASSERT_EQ(fuzz::complaint(run, file, looped ? *with_loop : *alone, folder.file("written")), "");
+            ASSERT_EQ(fuzz::error_text(run, file, looped ? *with_loop : *alone, folder.file("written")), "");
         }
     }
     std::cout << legal << " charts of " << all.size() << " are legal\n";
@@ -135,7 +135,7 @@ TEST(SmallShapes, EmptyOnesAreRejectedByName) {
         SCOPED_TRACE(text);
         const std::string file = folder.write("nothing.grafcet", text);
         for (const fuzz::VerbRun& run : fuzz::command_runs())
-            EXPECT_EQ(fuzz::complaint(run, file, {}, folder.file("written")), "");
+            EXPECT_EQ(fuzz::error_text(run, file, {}, folder.file("written")), "");
     }
 }
 

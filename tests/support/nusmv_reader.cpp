@@ -61,9 +61,9 @@ struct Reader {
         return true;
     }
     void expect(std::string_view expected) {
-        if (accept(expected) || !model.complaint.empty()) return;
-        model.complaint = "expected `" + std::string(expected) + "`, got `" + std::string(peek()) + "`";
-        if (at > 0) model.complaint += " after `" + std::string(token[at - 1]) + "`";
+        if (accept(expected) || !model.error_text.empty()) return;
+        model.error_text = "expected `" + std::string(expected) + "`, got `" + std::string(peek()) + "`";
+        if (at > 0) model.error_text += " after `" + std::string(token[at - 1]) + "`";
         at = token.size();
     }
     bool at_section() const { return peek().empty() || std::ranges::find(keywords, peek()) != keywords.end(); }

@@ -42,7 +42,7 @@ struct NusmvModel {
     Exprs exprs = {};                           ///< Variable leaves refer to `identifiers` by index
     std::vector<std::string> identifiers = {};  ///< as written: `x`, `instance.x`
     std::vector<Module> modules = {};
-    std::string complaint = {};  ///< the first element that could not be read; empty: none
+    std::string error_text = {};  ///< the first element that could not be read; empty: none
 
     Id<Expr> leaf(std::string_view identifier);
 };

@@ -17,7 +17,7 @@ public:
             header();
             body();
         } catch (const std::exception& failure) {
-            file_.complaint = failure.what();
+            file_.error_text = failure.what();
         }
         return std::move(file_);
     }

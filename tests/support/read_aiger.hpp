@@ -21,7 +21,7 @@ struct AigerFile {
     std::vector<std::vector<std::uint32_t>> justice = {};
     std::vector<And> ands = {};
     std::vector<std::string> symbols = {};  ///< the lines of the symbol table
-    std::string complaint = {};             ///< the reason why the file is invalid
+    std::string error_text = {};            ///< the reason why the file is invalid
 };
 
 AigerFile read_aiger(const std::string& text);

@@ -16,7 +16,7 @@ class Btor2File {
 public:
     explicit Btor2File(const std::string& text);
 
-    const std::string& complaint() const { return complaint_; }
+    const std::string& error_text() const { return complaint_; }
     /// The names of the bad states, in order.
     const std::vector<std::string>& bads() const { return bads_; }
     /// One state: its true bad states, with the inputs that `input` returns by name; then one step.

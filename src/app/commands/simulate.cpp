@@ -249,9 +249,9 @@ ExitCode follow_script(Simulation& simulation, const std::string& path, const St
     const auto source = read_source(path, job);
     if (!source) return ExitCode::Input;
     const Script script = script_of(job.sources[*source].text);
-    for (const auto& [number, what] : script.complaints)
+    for (const auto& [number, what] : script.error_texts)
         streams.err << fmt::format("{}:{}: error: {}\n", printable(path), number, printable(what));
-    if (!script.complaints.empty()) return ExitCode::Input;
+    if (!script.error_texts.empty()) return ExitCode::Input;
     Session session(simulation, streams);
     session.begin(false);
     ScriptRun run(script, path, session, simulation, streams);

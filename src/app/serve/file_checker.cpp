@@ -292,7 +292,7 @@ private:
                       {"file", options_.operands[0]},
                       {"readable", piece.reading.model.has_value()},
                       {"errors", piece.reading.diagnostics.errors()},
-                      {"diagnostics", piece.reading.complaints()},
+                      {"diagnostics", piece.reading.diagnostics_text()},
                       {"charts", std::move(charts)},
                       {"models", std::move(models)}};
         {

@@ -107,11 +107,11 @@ private:
         job.options.timeout_ms = time;
         job.options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(time);
         std::istringstream nothing;
-        std::ostringstream page, complaints;
-        report(job, {nothing, page, complaints});
+        std::ostringstream page, error_texts;
+        report(job, {nothing, page, error_texts});
         if (!page.str().empty()) return {200, "text/html", std::move(page).str()};
-        render_text(job.diagnostics.all(), job.sources, Colour::Plain, complaints);
-        return {409, "text/plain", std::move(complaints).str()};
+        render_text(job.diagnostics.all(), job.sources, Colour::Plain, error_texts);
+        return {409, "text/plain", std::move(error_texts).str()};
     }
 
     const Options& options_;

@@ -31,7 +31,7 @@ struct PlayRequest {
     bool everything = false;             ///< of a loop: each edge is a separate choice
 };
 
-Json complaint(const std::string& words) { return {{"complaint", printable(words)}}; }
+Json error_text(const std::string& words) { return {{"error", printable(words)}}; }
 
 std::optional<PlayRequest> wish_of(const std::string& request) {
     // No exceptions and no deep nesting: invalid input is treated as no request.
@@ -242,12 +242,12 @@ Json marks_of(const Chart& chart, const ElementIds& ids) {
 }
 
 Json played(const CheckedFile& piece, const Options& options, const PlayRequest& wish) {
-    if (!piece.reading.model) return complaint("the file has errors and cannot be simulated; correct them");
+    if (!piece.reading.model) return error_text("the file has errors and cannot be simulated; correct them");
     const Model& model = *piece.reading.model;
     if (!wish.loop.empty()) {
         const auto loop = find_loop(model, wish.loop);
         if (!loop || !piece.networks[loop->index])
-            return complaint("there is no closed loop `" + wish.loop + "` that can be simulated");
+            return error_text("there is no closed loop `" + wish.loop + "` that can be simulated");
         std::vector<ElementIds> ids;
         for (const ClosedLoop::Controller& controller : model.loops[*loop].controllers)
             ids.push_back(element_ids(model.charts[controller.chart], drawing_prefix(controller.chart)));
@@ -257,7 +257,7 @@ Json played(const CheckedFile& piece, const Options& options, const PlayRequest&
     }
     const auto chart = find_chart(model, wish.chart);
     if (!chart || !piece.runs[chart->index])
-        return complaint("there is no chart `" + wish.chart + "` that can be simulated");
+        return error_text("there is no chart `" + wish.chart + "` that can be simulated");
     Simulation simulation(model.charts[*chart], execution_mode(model, *chart, options.mode),
                           wish.everything ? Detail::Everything : Detail::Chart);
     return MovePlayer(simulation, {element_ids(model.charts[*chart], drawing_prefix(*chart))}, {}).play(wish);
@@ -286,10 +286,10 @@ std::string play(const CheckedFile& piece, const Options& options, const std::st
     const std::optional<PlayRequest> wish = wish_of(request);
     Json answer;
     if (!wish)
-        answer = complaint("malformed request; send an object with `loop` or `chart`, and `moves`, a list of strings");
+        answer = error_text("malformed request; send an object with `loop` or `chart`, and `moves`, a list of strings");
     else if (wish->moves.size() > most_moves || wish->random > most_random_moves)
-        answer = complaint("too many moves: at most " + std::to_string(most_moves) + " in total and " +
-                           std::to_string(most_random_moves) + " at random per request");
+        answer = error_text("too many moves: at most " + std::to_string(most_moves) + " in total and " +
+                            std::to_string(most_random_moves) + " at random per request");
     else answer = played(piece, options, *wish);
     return json_text(answer, -1);
 }

@@ -7,7 +7,7 @@ int main(int, char** arguments) {
     grafverif::ParseResult file = grafverif::read_file(arguments[1]);
     std::optional<grafverif::Report> report;
     if (file.model) report = check(*file.model, *file.model->loops.ids().begin(), {}, {}, file.diagnostics);
-    std::cerr << file.complaints();
+    std::cerr << file.diagnostics_text();
     if (report) std::cout << text_of(*report);
     return report ? 0 : 2;
 }

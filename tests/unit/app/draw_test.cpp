@@ -32,7 +32,7 @@ TEST(Draw, ElementsDoNotOverlapInAnySampleOrElementOfTheStandard) {
         for (const auto& entry : fs::recursive_directory_iterator(folder)) {
             if (entry.path().extension() != ".grafcet") continue;
             const ParseResult reading = read_file(entry.path().string());
-            ASSERT_TRUE(reading.model) << reading.complaints();
+            ASSERT_TRUE(reading.model) << reading.diagnostics_text();
             for (const Id<Chart> chart : reading.model->charts.ids())
                 for (const Notation notation : {Notation::Iec, Notation::Text}) {
                     const Drawing drawing = drawing_of(*reading.model, chart, {.notation = notation}, reading.sources);
@@ -174,7 +174,7 @@ TEST(Draw, FramesOfPartialChartsFillThePage) {
     part("Long", 9);
     for (int k = 0; k < 30; ++k) part("P" + std::to_string(k), 2);
     const ParseResult reading = read_string(text + "}\n", "parts.grafcet");
-    ASSERT_TRUE(reading.model) << reading.complaints();
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
     const Drawing drawing = drawing_of(*reading.model, Id<Chart>{0});
     EXPECT_EQ(faults(drawing), std::vector<std::string>());
     std::int64_t framed = 0;

@@ -145,7 +145,7 @@ TEST(FirstUse, OptionWithoutEffectIsRejected) {
     const std::string file = folder.write("one.grafcet", "grafcet c { input x; output o; initial step 0 { o; } }\n");
     struct Case {
         std::vector<std::string> arguments = {};
-        std::string complaint = {};
+        std::string error_text = {};
     };
     for (const Case& each : std::vector<Case>{
              {{"check", file, "--from", "3"}, "`--from` needs `--trace-svg`"},
@@ -170,8 +170,8 @@ TEST(FirstUse, OptionWithoutEffectIsRejected) {
              {{"manual", "chekc"}, "unknown command `chekc`; did you mean `check`?"},
          }) {
         const Result result = grafverif(each.arguments);
-        EXPECT_EQ(result.code, ExitCode::Input) << each.complaint;
-        EXPECT_NE(result.err.find("grafverif: error: " + each.complaint), std::string::npos) << result.err;
+        EXPECT_EQ(result.code, ExitCode::Input) << each.error_text;
+        EXPECT_NE(result.err.find("grafverif: error: " + each.error_text), std::string::npos) << result.err;
     }
 }
 

@@ -40,7 +40,7 @@ TEST(Aiger, IsWrittenInBothFormsWithAMapToTheChart) {
         ASSERT_EQ(result.code, ExitCode::Done) << result.err;
         EXPECT_EQ(folder.read("tanks." + form).substr(0, 4), form + " ");
         const AigerFile file = read_aiger(folder.read("tanks." + form));
-        EXPECT_EQ(file.complaint, "");
+        EXPECT_EQ(file.error_text, "");
         EXPECT_EQ(file.justice.size(), 1u) << "back_to_rest";
         EXPECT_GE(file.bads.size(), 4u);
         const auto map = nlohmann::json::parse(folder.read("tanks." + form + ".json"));
@@ -71,7 +71,7 @@ TEST(Btor2, ContainsPropertiesOfStatesAndNamesTheOthers) {
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
     EXPECT_NE(result.err.find("property `back_to_rest` is omitted from the BTOR2 model"), std::string::npos);
     const Btor2File file(result.out);
-    EXPECT_EQ(file.complaint(), "");
+    EXPECT_EQ(file.error_text(), "");
     ASSERT_GE(file.bads().size(), 4u);
     EXPECT_EQ(file.bads()[0], "no_overflow");
 }

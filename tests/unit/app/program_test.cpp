@@ -22,7 +22,7 @@ TEST(Program, PrintsItsDescriptionAndVersion) {
 TEST(Program, RejectsWrongUsageWithExitCodeTwo) {
     struct Case {
         std::vector<std::string> arguments;
-        std::string complaint;
+        std::string error_text;
     };
     for (const Case& c : std::vector<Case>{
              {{}, "missing command"},
@@ -38,10 +38,10 @@ TEST(Program, RejectsWrongUsageWithExitCodeTwo) {
              {{"build", station, "--frob"}, "unknown option `--frob`"},
              {{"uppaal", station, "-o"}, "the required argument for option '--output' is missing"},
          }) {
-        SCOPED_TRACE(c.complaint);
+        SCOPED_TRACE(c.error_text);
         const Result result = grafverif(c.arguments);
         EXPECT_EQ(result.code, ExitCode::Input);
-        EXPECT_NE(result.err.find(c.complaint), std::string::npos) << result.err;
+        EXPECT_NE(result.err.find(c.error_text), std::string::npos) << result.err;
         EXPECT_NE(result.err.find("--help`"), std::string::npos);
         EXPECT_EQ(result.out, "");
     }

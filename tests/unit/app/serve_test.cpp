@@ -153,7 +153,7 @@ TEST(ServeFileChecker, ReportsVerdictsAndErrorsAndFollowsTheFile) {
     folder.write("lamp.grafcet", lamp_text + "nonsense");
     const Json broken = bystander.wait_for([](const Json& state) { return state["readable"] == false; });
     EXPECT_NE(broken["diagnostics"].get<std::string>().find("^"), std::string::npos) << "a caret";
-    EXPECT_EQ(bystander.play({{"chart", "lamp"}})["complaint"],
+    EXPECT_EQ(bystander.play({{"chart", "lamp"}})["error"],
               "the file has errors and cannot be simulated; correct them");
 
     fs::remove(file);
@@ -396,18 +396,18 @@ TEST(Play, AnswersAnyRequest) {
     const Folder folder;
     Bystander bystander(folder.write("lamp.grafcet", lamp_in_a_loop));
     bystander.wait_for([](const Json& state) { return state["readable"] == true; });
-    const auto complaint = [&](const Json& request) { return bystander.play(request).value("complaint", ""); };
+    const auto error_text = [&](const Json& request) { return bystander.play(request).value("error", ""); };
     for (const Json& request : std::vector<Json>{Json(), Json(3), Json::array(), {{"moves", 3}}, {{"moves", {1, 2}}}})
-        EXPECT_NE(complaint(request), "") << request;
-    EXPECT_EQ(complaint({{"chart", "nobody"}}), "there is no chart `nobody` that can be simulated");
-    EXPECT_EQ(complaint({{"loop", "lamp"}}), "there is no closed loop `lamp` that can be simulated");
-    EXPECT_NE(complaint({{"chart", "lamp"}, {"moves", std::vector<std::string>(most_moves + 1, "wait 1s")}}), "");
-    EXPECT_NE(complaint({{"chart", "lamp"}, {"random", most_random_moves + 1}}), "");
+        EXPECT_NE(error_text(request), "") << request;
+    EXPECT_EQ(error_text({{"chart", "nobody"}}), "there is no chart `nobody` that can be simulated");
+    EXPECT_EQ(error_text({{"loop", "lamp"}}), "there is no closed loop `lamp` that can be simulated");
+    EXPECT_NE(error_text({{"chart", "lamp"}, {"moves", std::vector<std::string>(most_moves + 1, "wait 1s")}}), "");
+    EXPECT_NE(error_text({{"chart", "lamp"}, {"random", most_random_moves + 1}}), "");
     const Json stopped = bystander.play({{"chart", "lamp"}, {"moves", {"ON = true", "ON = 7", "OFF = true"}}});
     EXPECT_EQ(stopped["moves"], Json({"ON = true", "ON = 7"}));
     EXPECT_EQ(stopped["problem"], "`ON` is Boolean and cannot be 7; use true or false");
     EXPECT_EQ(bystander.play({{"chart", "lamp"}, {"moves", {"back"}}})["problem"], "`back` is not a valid move");
-    EXPECT_NE(Json::parse(play(CheckedFile(), Options(), std::string(100'000, '['))).value("complaint", ""), "");
+    EXPECT_NE(Json::parse(play(CheckedFile(), Options(), std::string(100'000, '['))).value("error", ""), "");
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeObeyed) {
     const Folder folder;
     struct Case {
         const char* script;
-        const char* complaint;
+        const char* error_text;
     };
     for (const Case& c : std::vector<Case>{
              {"BUTTON = true\n", ":1: error: no move can make `BUTTON` true now\n"},
@@ -148,7 +148,7 @@ TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeObeyed) {
         const std::string script = folder.write("script.txt", c.script);
         const Result result = grafverif({"simulate", blinker, "--script", script});
         EXPECT_EQ(result.code, ExitCode::Input);
-        EXPECT_EQ(result.err, script + c.complaint);
+        EXPECT_EQ(result.err, script + c.error_text);
     }
     EXPECT_EQ(grafverif({"simulate", blinker, "--script", folder.file("none.txt")}).code, ExitCode::Input);
 }
@@ -436,7 +436,7 @@ TEST(SimulateChart, RejectsInvalidInputsAndUndoesTheLastCommand) {
     const std::string file = folder.write("press.grafcet", press);
     struct Case {
         const char* script;
-        const char* complaint;
+        const char* error_text;
     };
     for (const Case& c : std::vector<Case>{
              {"LOCK = true\n", ":1: error: unknown input `LOCK`\n"},
@@ -452,7 +452,7 @@ TEST(SimulateChart, RejectsInvalidInputsAndUndoesTheLastCommand) {
         const std::string script = folder.write("script.txt", c.script);
         const Result result = grafverif({"simulate", file, "--script", script});
         EXPECT_EQ(result.code, ExitCode::Input);
-        EXPECT_EQ(result.err, script + c.complaint);
+        EXPECT_EQ(result.err, script + c.error_text);
     }
 }
 

@@ -162,7 +162,7 @@ TEST(TestCommand, MakesTheTestOfTheChartItself) {
 TEST(TestCommand, RejectsTablesThatAreNotATest) {
     struct Case {
         const char* table;
-        const char* complaint;
+        const char* error_text;
     };
     const std::string head = "s,h1,h2,l1,l2,V1,V2,W1,W2";
     for (const Case& c : {
@@ -189,7 +189,7 @@ TEST(TestCommand, RejectsTablesThatAreNotATest) {
         const Result result =
             grafverif({"test", tanks_chart, "--against", "exit 1", "--sequence", folder.write("t.csv", c.table)});
         EXPECT_EQ(result.code, ExitCode::Input);
-        EXPECT_NE(result.err.find(c.complaint), std::string::npos) << result.err;
+        EXPECT_NE(result.err.find(c.error_text), std::string::npos) << result.err;
         EXPECT_NE(result.err.find("[bad-sequence]"), std::string::npos) << result.err;
     }
 }

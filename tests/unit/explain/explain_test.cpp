@@ -19,10 +19,10 @@ Report report_of(const std::string& chart, const std::string& properties, Grain 
     ParseResult reading = read_string(
         chart + " closed_loop requested { controller c; environment A = push_button(OUT = a); " + properties + " }\n",
         "c");
-    EXPECT_TRUE(reading.model) << reading.complaints();
+    EXPECT_TRUE(reading.model) << reading.diagnostics_text();
     if (!reading.model) return {};
     const auto report = check(*reading.model, {0}, {{}, grain}, {}, reading.diagnostics);
-    EXPECT_TRUE(report) << reading.complaints();
+    EXPECT_TRUE(report) << reading.diagnostics_text();
     return report.value_or(Report{});
 }
 
@@ -32,12 +32,12 @@ Report untimed_report_of(const std::string& chart, const std::string& properties
     ParseResult reading = read_string(
         chart + " closed_loop requested { controller c; environment A = push_button(OUT = a); " + properties + " }\n",
         "c");
-    EXPECT_TRUE(reading.model) << reading.complaints();
+    EXPECT_TRUE(reading.model) << reading.diagnostics_text();
     if (!reading.model) return {};
     ModelOptions how;
     how.untimed.plant = plant;
     const auto report = check_untimed(*reading.model, Id<ClosedLoop>{0}, how, {}, reading.diagnostics);
-    EXPECT_TRUE(report) << reading.complaints();
+    EXPECT_TRUE(report) << reading.diagnostics_text();
     return report.value_or(Report{});
 }
 
@@ -130,9 +130,9 @@ const std::string blocked_belts =
 
 TEST(Explain, TimelockNamesEveryInstanceAndInvariantThatBlockTime) {
     ParseResult reading = read_string(stuck_belts, "c");
-    ASSERT_TRUE(reading.model) << reading.complaints();
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
     const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
-    ASSERT_TRUE(report) << reading.complaints();
+    ASSERT_TRUE(report) << reading.diagnostics_text();
     EXPECT_EQ(notes(*report, "time"), blocked_belts);
     EXPECT_NE(json_of(*report).find("invariant `t <= 2s`"), std::string::npos);
     // The input abstraction and the complete search report the same.
@@ -143,12 +143,12 @@ TEST(Explain, TimelockNamesEveryInstanceAndInvariantThatBlockTime) {
 
 TEST(Explain, TimelockInDiscreteTimeNamesTheBlockingInvariants) {
     ParseResult reading = read_string(stuck_belts, "c");
-    ASSERT_TRUE(reading.model) << reading.complaints();
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
     ModelOptions how;
     how.untimed.plant = PlantApproach::Automata;
     how.untimed.time = TimeModel::Discrete;
     const auto report = check_untimed(*reading.model, Id<ClosedLoop>{0}, how, {}, reading.diagnostics);
-    ASSERT_TRUE(report) << reading.complaints();
+    ASSERT_TRUE(report) << reading.diagnostics_text();
     EXPECT_EQ(answer(*report, "time").verdict.outcome, Outcome::Violated);
     const std::string found = notes(*report, "time");
     EXPECT_NE(found.find(blocked_belts), std::string::npos) << found;
@@ -170,9 +170,9 @@ closed_loop requested {
     property time: no timelock;
 })",
                                       "c");
-    ASSERT_TRUE(reading.model) << reading.complaints();
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
     const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
-    ASSERT_TRUE(report) << reading.complaints();
+    ASSERT_TRUE(report) << reading.diagnostics_text();
     EXPECT_EQ(answer(*report, "time").verdict.outcome, Outcome::Violated);
     EXPECT_NE(notes(*report, "time").find("`Flicker` repeat forever within one instant"), std::string::npos)
         << notes(*report, "time");
@@ -387,11 +387,11 @@ TEST(Explain, TheChangeThatAChartAloneBecomesStableWithoutIsNamed) {
     transition t1: 1 -> 0 when a && b;
 })",
                                       "c");
-    ASSERT_TRUE(reading.model) << reading.complaints();
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
     CheckOptions options;
     options.properties = {"stabilises"};
     const auto report = check_untimed(*reading.model, Id<Chart>{0}, {}, options, reading.diagnostics);
-    ASSERT_TRUE(report) << reading.complaints();
+    ASSERT_TRUE(report) << reading.diagnostics_text();
     const ChartRun& run = report->answers.at(0).trace.value();
     EXPECT_EQ(verify(run), std::vector<std::string>{});
     EXPECT_EQ(run.counterfactual_values.size(), 1U);
@@ -414,7 +414,7 @@ TEST(Explain, ProofWithoutAssumptionsHasAnEmptyCore) {
                         "property apart: never X0 && X1; property idle: always X0 && X1 => red && green;"
                         "property on: reachable red; }",
                     "c");
-    ASSERT_TRUE(reading.model) << reading.complaints();
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
     const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
     const ProofExplanation why = why_it_holds(*reading.model, {0}, {}, {}, report.value());
     ASSERT_EQ(why.grounds.size(), 3U);
@@ -444,7 +444,7 @@ component lift(input UP; output TOP; TRAVEL = 2s) {
 closed_loop requested { controller c; environment A = push_button(OUT = a); plant Lift = lift(UP = up, TOP = top); )" +
                               properties + " }",
                           "c");
-    EXPECT_TRUE(reading.model) << reading.complaints();
+    EXPECT_TRUE(reading.model) << reading.diagnostics_text();
     if (!reading.model) return {};
     const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
     return why_it_holds(*reading.model, {0}, {}, {}, report.value());
@@ -499,7 +499,7 @@ closed_loop requested {
     property full: reachable low == 3; property filled: never low == 4;
 })",
                                       "c");
-    ASSERT_TRUE(reading.model) << reading.complaints();
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
     const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
     const ProofExplanation why = why_it_holds(*reading.model, {0}, {}, {}, report.value());
     ASSERT_EQ(why.grounds.size(), 2U);
@@ -513,7 +513,7 @@ TEST(Explain, UntriedElementsAreOmittedAtTheTimeLimit) {
                                           " closed_loop requested { controller c; environment A = push_button(OUT = a);"
                                           "property apart: never X0 && X1; }",
                                       "c");
-    ASSERT_TRUE(reading.model) << reading.complaints();
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
     const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
     CheckOptions options;
     options.limits.deadline = std::chrono::steady_clock::now();

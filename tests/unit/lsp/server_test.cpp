@@ -99,7 +99,7 @@ TEST(LspServer, SkipsAMessageThatIsTooLarge) {
         999);
     const auto first = framing.next(), second = framing.next();
     ASSERT_TRUE(first && second);
-    EXPECT_EQ(first->complaint, "a message of 1000 bytes exceeds the limit of 999");
+    EXPECT_EQ(first->error_text, "a message of 1000 bytes exceeds the limit of 999");
     EXPECT_EQ(second->body, "{}");
     EXPECT_FALSE(framing.next());
 }

@@ -37,7 +37,7 @@ inline std::size_t count_of(const std::string& text, const std::string& part) {
 
 inline Made page_of_text(const std::string& text, const std::string& name = "test.grafcet", std::string date = "") {
     Made made{read_string(text, name)};
-    EXPECT_TRUE(made.reading.model) << made.reading.complaints();
+    EXPECT_TRUE(made.reading.model) << made.reading.diagnostics_text();
     if (!made.reading.model) return made;
     const Model& model = *made.reading.model;
     PageContent content{.model = model, .sources = made.reading.sources, .file = name, .version = "1"};

@@ -44,7 +44,7 @@ grafcet line {
 }
 )",
                                             "test.grafcet");
-    ASSERT_TRUE(reading.model) << reading.complaints();
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
     const Json chart = chart_json(reading.model->charts[{0}]);
     std::vector<std::string> from;
     for (const Json& step : chart["transitions"][1]["from"]) from.push_back(chart["steps"][step.get<std::size_t>()]);
@@ -71,7 +71,7 @@ closed_loop room {
 }
 )",
                                             "test.grafcet");
-    ASSERT_TRUE(reading.model) << reading.complaints();
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
     const auto claim = [&](const std::string& name) {
         return expectation_text(*reading.model, Id<ClosedLoop>{0}, name, reading.sources);
     };
@@ -102,7 +102,7 @@ closed_loop moving {
 }
 )";
     const ParseResult reading = read_string(text, "test.grafcet");
-    ASSERT_TRUE(reading.model) << reading.complaints();
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
     const ClosedLoop& loop = reading.model->loops[{1}];
     const Json property = property_json(*reading.model, loop, loop.properties[{0}]);
     EXPECT_EQ(property["pattern"], "never");
@@ -130,7 +130,7 @@ grafcet two {
 }
 )",
                                             "test.grafcet");
-    ASSERT_TRUE(reading.model) << reading.complaints();
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
     const Json chart = chart_json(reading.model->charts[{0}]);
     const Json& both = node(chart, chart["transitions"][1]["condition"]);
     const Json& lamp = node(chart, both["args"][0]);

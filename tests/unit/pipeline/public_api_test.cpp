@@ -32,7 +32,7 @@ closed_loop lamp_loop {
 
 ParseResult lamp_reading() {
     ParseResult reading = read_string(lamp_text, "lamp.grafcet");
-    EXPECT_TRUE(reading.model) << reading.complaints();
+    EXPECT_TRUE(reading.model) << reading.diagnostics_text();
     return reading;
 }
 
@@ -47,11 +47,11 @@ TEST(PublicApi, ReportsErrorsOfATextAsTheProgramDoes) {
     const ParseResult reading =
         read_string("grafcet g { initial step 0; transition t: 0 -> 9 when true; }\n", "wrong.grafcet");
     EXPECT_FALSE(reading.model);
-    EXPECT_NE(reading.complaints().find("wrong.grafcet:1:"), std::string::npos) << reading.complaints();
-    EXPECT_NE(reading.complaints().find('^'), std::string::npos);
+    EXPECT_NE(reading.diagnostics_text().find("wrong.grafcet:1:"), std::string::npos) << reading.diagnostics_text();
+    EXPECT_NE(reading.diagnostics_text().find('^'), std::string::npos);
     const ParseResult missing = read_file("/nowhere/x.grafcet");
     EXPECT_FALSE(missing.model);
-    EXPECT_NE(missing.complaints().find("no such file"), std::string::npos) << missing.complaints();
+    EXPECT_NE(missing.diagnostics_text().find("no such file"), std::string::npos) << missing.diagnostics_text();
 }
 
 TEST(PublicApi, PropertiesNameEveryStateOfThePlantInEveryEngine) {
@@ -84,7 +84,7 @@ closed_loop park {
     property stays: never Gate.X == 3 && TOP;
 })",
                                             "park.grafcet");
-    ASSERT_TRUE(reading.model) << reading.complaints();
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
     Diagnostics diagnostics;
     const Id<ClosedLoop> park{0};
     ModelOptions discrete;
@@ -132,7 +132,7 @@ closed_loop room {
 
 TEST(PublicApi, ObserversAgreeInContinuousAndDiscreteTime) {
     const ParseResult reading = read_string(blinking, "room.grafcet");
-    ASSERT_TRUE(reading.model) << reading.complaints();
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
     Diagnostics diagnostics;
     ModelOptions discrete;
     discrete.untimed.plant = PlantApproach::Automata;
@@ -251,7 +251,7 @@ TEST(PublicApi, ViolationsOfEveryFormAreExplainedEventByEvent) {
         {"once", "`LAMP` at 1 s; `LAMP` at 7 s; more than once"},
         {"once_after", "`LAMP` at 1 s; `X2` at 5 s; `X2` at 11 s; more than once"}};
     const ParseResult reading = read_string(forms, "forms.grafcet");
-    ASSERT_TRUE(reading.model) << reading.complaints();
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
     Diagnostics diagnostics;
     const auto report = check(*reading.model, Id<ClosedLoop>{0}, {}, {}, diagnostics);
     ASSERT_TRUE(report);
@@ -271,12 +271,12 @@ TEST(PublicApi, IncludesComeFromTheFoldersOfTheCaller) {
         return "grafcet part { initial step 0; }\n";
     };
     const ParseResult reading = read_string("include \"part.grafcet\";\n", "main.grafcet", options);
-    ASSERT_TRUE(reading.model) << reading.complaints();
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
     EXPECT_EQ(requested, std::vector<std::string>{"part.grafcet"});
     EXPECT_TRUE(find_chart(*reading.model, "part"));
     EXPECT_FALSE(find_chart(*reading.model, "other"));
     const ParseResult refused = read_string("include \"far.grafcet\";\n", "main.grafcet", options);
-    EXPECT_NE(refused.complaints().find("it is not here"), std::string::npos) << refused.complaints();
+    EXPECT_NE(refused.diagnostics_text().find("it is not here"), std::string::npos) << refused.diagnostics_text();
 }
 
 TEST(PublicApi, DecidesALoopWithAndWithoutTime) {
@@ -284,7 +284,7 @@ TEST(PublicApi, DecidesALoopWithAndWithoutTime) {
     const auto loop = find_loop(*file.model, "lamp_loop");
     ASSERT_TRUE(loop);
     const auto timed = check(*file.model, *loop, {}, {}, file.diagnostics);
-    ASSERT_TRUE(timed) << file.complaints();
+    ASSERT_TRUE(timed) << file.diagnostics_text();
     EXPECT_EQ(outcome(*timed, "lit"), Outcome::Holds);
     EXPECT_EQ(outcome(*timed, "never_lit"), Outcome::Violated);
     EXPECT_EQ(timed->failures, std::vector<std::string>{});
@@ -296,7 +296,7 @@ TEST(PublicApi, DecidesALoopWithAndWithoutTime) {
     EXPECT_NE(json_of(*timed).find("\"lamp_loop\""), std::string::npos);
 
     const auto untimed = check_untimed(*file.model, *loop, {}, {}, file.diagnostics);
-    ASSERT_TRUE(untimed) << file.complaints();
+    ASSERT_TRUE(untimed) << file.diagnostics_text();
     EXPECT_EQ(outcome(*untimed, "lit"), Outcome::Holds);
     EXPECT_FALSE(untimed->answers.front().preservation.empty());
 }
@@ -305,14 +305,14 @@ TEST(PublicApi, UnknownPropertyIsAnError) {
     ParseResult file = lamp_reading();
     const CheckOptions options{.properties = {"litt"}};
     EXPECT_FALSE(check(*file.model, {0}, {}, options, file.diagnostics));
-    EXPECT_NE(file.complaints().find("litt"), std::string::npos) << file.complaints();
+    EXPECT_NE(file.diagnostics_text().find("litt"), std::string::npos) << file.diagnostics_text();
     EXPECT_FALSE(check_untimed(*file.model, Id<ClosedLoop>{0}, {}, options, file.diagnostics));
     EXPECT_FALSE(check_untimed(*file.model, Id<Chart>{0}, {}, options, file.diagnostics));
 }
 
 TEST(PublicApi, LimitsEndTheWorkWithTheResultsSoFar) {
     ParseResult file = read_file(samples + "testing_station/testing_station.grafcet");
-    ASSERT_TRUE(file.model) << file.complaints();
+    ASSERT_TRUE(file.model) << file.diagnostics_text();
     CheckOptions options;
     options.limits.states = 10;
     const auto bounded = check(*file.model, {0}, {}, options, file.diagnostics);
@@ -332,7 +332,7 @@ TEST(PublicApi, LimitsEndTheWorkWithTheResultsSoFar) {
 
 TEST(PublicApi, ProgressCallbackMayEndTheWork) {
     ParseResult file = read_file(samples + "tanks/tanks.grafcet");
-    ASSERT_TRUE(file.model) << file.complaints();
+    ASSERT_TRUE(file.model) << file.diagnostics_text();
     std::atomic<bool> stop = false;
     std::string words;
     CheckOptions options;
@@ -355,7 +355,7 @@ TEST(PublicApi, ExportsModelsAsText) {
     const auto network = network_of(*file.model, {0}, {}, file.diagnostics);
     const auto system = transition_system_of(*file.model, Id<ClosedLoop>{0}, {}, file.diagnostics);
     const auto equations = equations_of(*file.model, {0}, file.diagnostics);
-    ASSERT_TRUE(network && system && equations) << file.complaints();
+    ASSERT_TRUE(network && system && equations) << file.diagnostics_text();
     const UppaalProject uppaal = uppaal_project(*network, file.diagnostics);
     EXPECT_NE(uppaal.project.find("<nta>"), std::string::npos);
     EXPECT_NE(uppaal.queries.find("A[]"), std::string::npos) << uppaal.queries;
@@ -368,7 +368,7 @@ TEST(PublicApi, ExportsModelsAsText) {
 TEST(PublicApi, ChecksChartsAlone) {
     ParseResult file = lamp_reading();
     const auto report = check_untimed(*file.model, Id<Chart>{0}, {}, {}, file.diagnostics);
-    ASSERT_TRUE(report) << file.complaints();
+    ASSERT_TRUE(report) << file.diagnostics_text();
     EXPECT_EQ(outcome(*report, "reachable.X1"), Outcome::Holds);
     EXPECT_EQ(outcome(*report, "stabilises"), Outcome::Holds);
     const auto analysis = analysis_of(*file.model, {0}, {}, {}, file.diagnostics);
@@ -377,7 +377,7 @@ TEST(PublicApi, ChecksChartsAlone) {
     const auto automaton = automaton_of(*file.model, {0}, {}, file.diagnostics);
     const auto machine = mealy_of(*file.model, {0}, {}, file.diagnostics);
     const auto test = test_of(*file.model, {0}, {}, file.diagnostics);
-    ASSERT_TRUE(automaton && machine && test) << file.complaints();
+    ASSERT_TRUE(automaton && machine && test) << file.diagnostics_text();
     EXPECT_TRUE(automaton->complete);
     EXPECT_TRUE(verify(*machine).empty());
     EXPECT_FALSE(test->sequences.empty());

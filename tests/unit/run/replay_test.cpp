@@ -15,7 +15,7 @@
 namespace grafverif {
 namespace {
 
-std::string complaint(const LoopUnderTest& loop, const Run& run) {
+std::string error_text(const LoopUnderTest& loop, const Run& run) {
     const auto found = disagreement(project(loop.network, run), loop.charts());
     return found ? "move " + std::to_string(found->move) + ", " + found->where + ": " + found->what : "";
 }
@@ -40,7 +40,7 @@ TEST(Replay, EveryWalkThroughTheSamplesReplays) {
                 Random random(static_cast<std::uint64_t>(seed));
                 const auto run = random_walk(loop.network, random, 300);
                 EXPECT_EQ(run.moves.size(), 300u);
-                ASSERT_EQ(complaint(loop, run), "");
+                ASSERT_EQ(error_text(loop, run), "");
                 for (const Move& move : run.moves) cleared += std::holds_alternative<Fire>(move);
             }
         }
@@ -80,7 +80,7 @@ TEST(RandomizedReplay, EveryWalkThroughARandomLoopReplays) {
         for (const ComposeOptions& options : all_options()) {
             const LoopUnderTest loop = composed_loop(model, options);
             const auto run = random_walk(loop.network, random, 150);
-            ASSERT_EQ(complaint(loop, run), "") << network_text(loop.network);
+            ASSERT_EQ(error_text(loop, run), "") << network_text(loop.network);
             meet(loop.network, run, met);
         }
         ++met.loops;
@@ -109,7 +109,7 @@ TEST(RandomizedReplay, ADelayMayEndInTheVeryInstantThatItsTermFalls) {
         const LoopUnderTest loop = read_loop(text, options);
         for (int seed = 1; seed <= test_size(5); ++seed) {
             Random random(static_cast<std::uint64_t>(seed));
-            ASSERT_EQ(complaint(loop, random_walk(loop.network, random, 1000)), "") << "seed " << seed;
+            ASSERT_EQ(error_text(loop, random_walk(loop.network, random, 1000)), "") << "seed " << seed;
         }
     }
 }
@@ -133,7 +133,7 @@ TEST(Replay, CatchesADroppedAssignment) {
             bool seen = false;
             for (std::uint64_t seed = 1; seed <= 4 && !seen; ++seed) {
                 Random random(seed);
-                seen = !complaint(mutant, random_walk(mutant.network, random, 500)).empty();
+                seen = !error_text(mutant, random_walk(mutant.network, random, 500)).empty();
             }
             ++mutants;
             caught += seen;
@@ -179,13 +179,13 @@ TEST(Replay, ChecksTimersAgainstTheAgesOfSteps) {
     )";
     LoopUnderTest loop = read_loop(pulse);
     Random random(3);
-    EXPECT_EQ(complaint(loop, random_walk(loop.network, random, 300)), "");
+    EXPECT_EQ(error_text(loop, random_walk(loop.network, random, 300)), "");
     // A timer of 4 s replaces one of 5 s.
     for (Network::Process& process : loop.network.processes)
         if (process.kind == Network::ProcessKind::Timer)
             process.arguments[0] = std::int64_t{4} * 1000 / loop.network.time_unit_ms;
     Random again(3);
-    EXPECT_NE(complaint(loop, random_walk(loop.network, again, 300)).find("by the rules its age is"),
+    EXPECT_NE(error_text(loop, random_walk(loop.network, again, 300)).find("by the rules its age is"),
               std::string::npos);
 }
 

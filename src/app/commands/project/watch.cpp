@@ -38,7 +38,7 @@ struct Command {
     CliCommand verb = {};
     std::vector<std::string> words = {};
     Options options = {};
-    std::string complaint = {};
+    std::string error_text = {};
 };
 
 Command command_of(const std::vector<std::string>& words) {
@@ -46,21 +46,21 @@ Command command_of(const std::vector<std::string>& words) {
     Command command{{}, words, {}, {}};
     const std::vector<CliCommand> verbs = all_commands();
     const auto found = std::ranges::find(verbs, words[0], &CliCommand::name);
-    if (found == verbs.end()) return command.complaint = unknown_command(words[0]), command;
+    if (found == verbs.end()) return command.error_text = unknown_command(words[0]), command;
     command.verb = *found;
     if (!accepts(command.verb, OptionGroup::File) || std::ranges::find(endless, words[0]) != endless.end())
-        return command.complaint =
+        return command.error_text =
                    fmt::format("`watch` cannot run `{}`; use a command that reads a file and terminates", words[0]),
                command;
     const ParsedOptions parsed = parse_options(command.verb, std::span(words).subspan(1));
-    command.complaint = parsed.complaint;
+    command.error_text = parsed.error_text;
     if (!parsed.options) return command;
     command.options = *parsed.options;
     std::vector<std::string> files = command.options.operands;
     for (const NamedPath& one : named_paths(command.options))
         if (one.use == PathUse::Read) files.push_back(one.path);
     for (const std::string& file : files)
-        if (names_input(file)) command.complaint = "standard input cannot be watched; pass a file name";
+        if (names_input(file)) command.error_text = "standard input cannot be watched; pass a file name";
     return command;
 }
 
@@ -114,9 +114,9 @@ void wait_for_change(const FileWatcher& seen, const std::atomic<bool>& end_reque
 
 ExitCode watch(CommandContext& job, const Streams& streams) {
     const Command command = command_of(job.options.operands);
-    if (!command.complaint.empty()) {
+    if (!command.error_text.empty()) {
         streams.err << fmt::format("grafverif: error: {}; see `grafverif watch --help`\n",
-                                   printable(command.complaint));
+                                   printable(command.error_text));
         return ExitCode::Input;
     }
     if (command.options.help) return print_help(command.verb, streams.out), ExitCode::Done;

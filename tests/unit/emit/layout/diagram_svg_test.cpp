@@ -166,7 +166,7 @@ TEST(DiagramSvg, AComponentShowsItsInvariantsGuardsAndAssignments) {
         "timed moves -> shut when OPEN && t == STEP && WIDE < WIDE_max do WIDE := WIDE + 1;\n"
         "timed lost -> shut; }\n",
         "door.grafcet");
-    ASSERT_TRUE(reading.model) << reading.complaints();
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
     const Diagram drawn = diagram(*reading.model->components.begin());
     ASSERT_EQ(drawn.nodes.size(), 3u) << "what nothing leads to is drawn too";
     EXPECT_EQ(drawn.nodes[1].lines, (std::vector<std::string>{"moves", "t <= STEP"}));

@@ -295,7 +295,7 @@ TEST(EmitNusmv, BreaksLongLinesBetweenTokens) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 118U) << line;
     const NusmvModel model = read_nusmv(text);
-    ASSERT_EQ(model.complaint, "");
+    ASSERT_EQ(model.error_text, "");
     std::string expected = "an_input_0";
     for (int k = 1; k < 60; ++k) expected += " & an_input_" + std::to_string(k);
     EXPECT_EQ(model.modules[0].specifications[0].formula, expected);
