@@ -117,6 +117,7 @@ public:
         complete_->search_complete();
     }
 
+    bool is_stopped() const { return options_.stop && options_.stop->load(std::memory_order_relaxed); }
     std::uint64_t states() { return complete_ ? complete_->found().states : result_.states; }
     bool is_large() { return complete_ && std::ranges::any_of(complete_->found().verdicts, is_open); }
     TimedResult result() { return complete_ ? complete_->result() : std::move(result_); }
@@ -151,14 +152,19 @@ std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Deadlin
         });
     std::vector<std::size_t> open(searches.size());
     std::iota(open.begin(), open.end(), std::size_t{0});
-    for (const std::uint64_t states : input_rounds) {
+    const auto refine = [&](std::uint64_t states) {
         std::size_t left = open.size();
         std::erase_if(open, [&](std::size_t i) {
             bool again = false;
             step(i, [&](StagedSearch& search) { again = search.refine(states, share_of(abstract, left--)); });
             return !again;
         });
-    }
+    };
+    // A search may take what the others leave of the time, so the one of most properties is the last.
+    std::ranges::reverse(open);
+    for (const std::uint64_t states : input_rounds) refine(states);
+    const auto is_stopped = [&] { return is_over(abstract) || searches.front()->is_stopped(); };
+    while (!open.empty() && !is_stopped()) refine(std::ranges::max(input_rounds));
     open.clear();
     for (std::size_t i = 0; i < searches.size(); ++i)
         if (searches[i]->needs_whole()) open.push_back(i);

@@ -6,9 +6,9 @@
 #include <queue>
 #include <set>
 #include <string>
-#include <unordered_set>
 #include <utility>
 
+#include "check/inputs/found_states.hpp"
 #include "check/timed/machine.hpp"
 #include "check/timed/property_queries.hpp"
 #include "ir/junction.hpp"
@@ -79,7 +79,8 @@ std::vector<Sampling> samplings(const AbstractRun& run) {
     return found;
 }
 
-/// The steps and internal variables of all controllers.
+}  // namespace
+
 std::vector<Id<Network::Variable>> signature_variables(const Network& network) {
     std::vector<Id<Network::Variable>> found;
     for (const Id<Network::Variable> id : network.variables.ids()) {
@@ -89,6 +90,13 @@ std::vector<Id<Network::Variable>> signature_variables(const Network& network) {
     }
     return found;
 }
+
+bool is_over(const FollowLimits& limits) {
+    if (limits.stop && limits.stop->load(std::memory_order_relaxed)) return true;
+    return limits.deadline && std::chrono::steady_clock::now() >= *limits.deadline;
+}
+
+namespace {
 
 /// The goals of a stage are those of the cycle that leads to it; the last stage has those of the last sampling.
 std::vector<Stage> stages_of(const AbstractRun& run, const std::vector<Id<Network::Variable>>& signature) {
@@ -274,14 +282,14 @@ public:
     ConcreteRun search() {
         if (!layout_.fits()) return {};
         add(timed::packed_initial(network_, layout_).data(), 0, 0, Delay{0});
-        for (std::size_t polls = 0; !shown_ && !open_.empty() && seen_.size() < limits_.states; ++polls) {
-            if (polls % poll_every == 0 && stopped()) break;
+        for (std::size_t polls = 0; !shown_ && !open_.empty() && states_.size() < limits_.states; ++polls) {
+            if (polls % poll_every == 0 && is_over(limits_)) break;
             const std::size_t node = open_.top().node;
             open_.pop();
             expand(node);
         }
         ConcreteRun result;
-        if (shown_) result.run = run_to(*shown_);
+        if (shown_) result.run = states_.run_to(*shown_);
         else result.blamed = blamed();
         return result;
     }
@@ -293,19 +301,6 @@ private:
         std::size_t stages_left = 0, distance = 0, node = 0;
         auto operator<=>(const Open&) const = default;
     };
-    struct Node {
-        std::size_t parent = 0;
-        std::size_t stage = 0;
-        Move move = {};
-    };
-
-    bool stopped() const {
-        if (limits_.stop && limits_.stop->load(std::memory_order_relaxed)) return true;
-        return limits_.deadline && std::chrono::steady_clock::now() >= *limits_.deadline;
-    }
-
-    const Word* words(std::size_t node) const { return states_.data() + node * layout_.words; }
-
     /// The number of variables of the signature that differ from those of a stage.
     std::size_t distance(const Word* words, std::size_t stage) const {
         std::size_t differing = 0;
@@ -323,18 +318,14 @@ private:
 
     void add(const Word* at, std::size_t parent, std::size_t from_stage, const Move& move) {
         const std::size_t stage = stage_of(at, from_stage);
-        std::string key(reinterpret_cast<const char*>(at), layout_.stored * sizeof(Word));
-        key.append(reinterpret_cast<const char*>(&stage), sizeof(stage));
-        if (!seen_.insert(std::move(key)).second) return;
-        const std::size_t node = nodes_.size();
-        nodes_.push_back({parent, stage, move});
-        states_.insert(states_.end(), at, at + layout_.words);
+        const std::optional<std::size_t> node = states_.add(at, parent, stage, move);
+        if (!node) return;
         const std::size_t next = std::min(stage + 1, stages_.size() - 1);
-        open_.push({stages_.size() - stage, distance(at, next), node});
+        open_.push({stages_.size() - stage, distance(at, next), *node});
         last_stage_ = std::max(last_stage_, stage);
-        if (!shown_ && watch_.wants(machine_, words(node), registers_)) {
-            watch_.look(machine_, 0, words(node), registers_);
-            if (questions_.shown(0)) shown_ = node;
+        if (!shown_ && watch_.wants(machine_, at, registers_)) {
+            watch_.look(machine_, static_cast<std::uint32_t>(*node), at, registers_);
+            shown_ = questions_.state_found(0);
         }
     }
 
@@ -352,8 +343,8 @@ private:
     }
 
     void expand(std::size_t node) {
-        const std::size_t stage = nodes_[node].stage;
-        const std::vector<Word> at(words(node), words(node) + layout_.words);
+        const std::size_t stage = states_.mark(node);
+        const std::vector<Word> at(states_.words(node), states_.words(node) + layout_.words);
         machine_.expand(at.data(), moves_);
         const bool urgent = moves_.urgent;
         for (std::size_t i = 0; i < moves_.edges.size() && !shown_; ++i) {
@@ -363,18 +354,6 @@ private:
         }
         std::vector<Word> later = at;
         if (!urgent && !shown_ && machine_.delay(later.data())) add(later.data(), node, stage, Delay{1});
-    }
-
-    Run run_to(std::size_t node) const {
-        std::vector<Move> moves;
-        for (; node != 0; node = nodes_[node].parent) moves.push_back(nodes_[node].move);
-        Run run;
-        for (auto move = moves.rbegin(); move != moves.rend(); ++move) {
-            Delay* const before = run.moves.empty() ? nullptr : std::get_if<Delay>(&run.moves.back());
-            if (before && std::holds_alternative<Delay>(*move)) before->units += 1;
-            else run.moves.push_back(*move);
-        }
-        return run;
     }
 
     /// The instances whose values the stage after the last one needs; if there are none, those that any stage needs.
@@ -401,9 +380,7 @@ private:
     std::vector<Id<Network::Variable>> signature_;
     std::vector<Stage> stages_;
     std::vector<std::size_t> instance_of_;  // per process, or none
-    std::vector<Node> nodes_ = {};
-    std::vector<Word> states_ = {};
-    std::unordered_set<std::string> seen_ = {};
+    FoundStates states_ = FoundStates(layout_);
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open_ = {};
     std::size_t last_stage_ = 0;
     std::optional<std::size_t> shown_ = {};

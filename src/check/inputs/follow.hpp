@@ -34,6 +34,12 @@ struct FollowLimits {
     const std::atomic<bool>* stop = nullptr;
 };
 
+/// True after the deadline, or if a stop is requested.
+bool is_over(const FollowLimits& limits);
+
+/// The steps and internal variables of all controllers.
+std::vector<Id<Network::Variable>> signature_variables(const Network& network);
+
 struct ConcreteRun {
     std::optional<Run> run = {};           ///< of the complete network, to a state that decides the property
     std::vector<std::size_t> blamed = {};  ///< without a run: the instances that the last stage waits for

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "check/inputs/follow.hpp"
+#include "check/inputs/novelty.hpp"
 #include "check/timed/property_queries.hpp"
 #include "ir/patterns.hpp"
 #include "ir/slots.hpp"
@@ -43,6 +44,7 @@ public:
     bool run(std::uint64_t states, const Deadline& deadline) {
         round_ = states;
         deadline_ = deadline;
+        const bool explores = explore();
         while (!tasks_.empty() && !stopped()) {
             const Task task = std::move(tasks_.front());
             tasks_.pop_front();
@@ -50,7 +52,7 @@ public:
             else search(task);
         }
         std::ranges::move(std::exchange(postponed_, {}), std::back_inserter(tasks_));
-        return !tasks_.empty();
+        return !tasks_.empty() || explores;
     }
 
 private:
@@ -75,7 +77,10 @@ private:
         return round_ < bound_of(task) && !found.complete && found.states >= round_;
     }
 
+    bool is_open(std::size_t verdict) const { return result_.verdicts[verdict].outcome == Outcome::Unknown; }
+
     void collect();
+    bool explore();
     Levels first_levels(const Property& property, bool coarse) const;
     void refine(std::size_t verdict, const Task& task, const Levels& levels, std::vector<Task>& tasks) const;
     void search(const Task& task);
@@ -85,6 +90,7 @@ private:
                          const Task& task);
     void conclude(std::size_t verdict, const Verdict& found, const Task& task);
     std::optional<Run> real_run(std::size_t verdict, const AbstractRun& abstract, const Task& task, Levels& raised);
+    Run in_units(Run run) const;
     bool first_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const;
     InputsAbstracted abstracted(const Levels& levels) const;
     Property single(std::size_t verdict) const;
@@ -101,6 +107,8 @@ private:
     const Network complete_;                        // in its longest time unit
     std::vector<std::set<std::uint32_t>> writers_;  // processes, per variable of observed_
     std::deque<Task> tasks_ = {}, postponed_ = {};
+    std::vector<std::size_t> explored_ = {};  // verdicts that `novelty_` looks for, in its order
+    std::optional<NoveltySearch> novelty_ = {};
     std::uint64_t round_ = 0;  // bound of its searches
     Deadline deadline_ = {};
 };
@@ -119,6 +127,7 @@ void InputAbstractionCheck::collect() {
         const Property& property = observed_.properties[verdict.about];
         if (!is_about_single_states(property.pattern) && property.pattern != Pattern::ReachableAllSteps) continue;
         if (property.at_stable && !result_.settles) continue;
+        explored_.push_back(k);
         Levels levels = first_levels(property, false);
         Levels coarser = first_levels(property, true);
         const bool coarse = coarser != levels;
@@ -129,7 +138,40 @@ void InputAbstractionCheck::collect() {
         task.verdicts.push_back(k);
     }
     for (auto& [order, task] : groups) tasks_.push_back(std::move(task));
-    if (!passing.verdicts.empty()) tasks_.push_back(std::move(passing));
+    if (!passing.verdicts.empty()) tasks_.push_front(std::move(passing));
+}
+
+/// Looks for runs of the complete loop. False if a further round finds no other run. An observer multiplies the states.
+bool InputAbstractionCheck::explore() {
+    const bool has_observer = observed_.processes.size() != loop_.processes.size();
+    const std::uint64_t states = std::min(round_, limits_.explored);
+    bool more = !has_observer && states > 0 && std::ranges::any_of(explored_, [&](auto k) { return is_open(k); });
+    if (more && !novelty_) {
+        std::vector<Property> properties;
+        for (const std::size_t k : explored_) properties.push_back(single(k));
+        novelty_.emplace(complete_, std::move(properties), instances_);
+    }
+    if (more) {
+        const std::size_t before = novelty_->states();
+        more = novelty_->run({.states = states, .deadline = deadline_, .stop = options_.stop});
+        result_.states += novelty_->states() - before;
+        const Task complete{.levels = Levels(instances_.size(), InputLevel::Complete)};
+        for (std::size_t i = 0; i < explored_.size(); ++i) {
+            std::optional<Run> run = is_open(explored_[i]) ? novelty_->run_of(i) : std::nullopt;
+            if (!run) continue;
+            Verdict found;
+            found.outcome = is_about_all_states(single(explored_[i]).pattern) ? Outcome::Violated : Outcome::Holds;
+            found.run = in_units(std::move(*run));
+            found.states = std::to_string(novelty_->states());
+            conclude(explored_[i], found, complete);
+        }
+        more = more && states < limits_.explored;
+    }
+    if (!more) {
+        explored_.clear();
+        novelty_.reset();
+    }
+    return more;
 }
 
 /// `property` is one of observe(loop): it also reads the variables and processes that its observer reads.
@@ -244,10 +286,11 @@ void InputAbstractionCheck::search_passing(const Task& task) {
     options.properties = {timed::undeclared_timelock(loop_).name};
     options.timelock = true;
     const TimedResult found = searched(in_longest_unit(expand(abstraction.network)), abstraction, options, task);
-    if (ends_with_round(task, found) || (!found.complete && stopped())) return postponed_.push_back(task);
     const auto passes = std::ranges::find_if(found.verdicts, [&](const Verdict& verdict) {
         return !verdict.about.valid() || timed::about_time(abstraction.network.properties[verdict.about]);
     });
+    const bool open = passes == found.verdicts.end() || passes->outcome == Outcome::Unknown;
+    if (ends_with_round(task, found) || (open && stopped())) return postponed_.push_back(task);
     if (passes == found.verdicts.end() || passes->outcome != Outcome::Holds || !found.complete) return;
     const bool lively = std::ranges::any_of(instances_, &AbstractableProcess::lively);
     for (const std::size_t k : task.verdicts) {
@@ -264,9 +307,11 @@ void InputAbstractionCheck::search(const Task& task) {
     TimedOptions options = options_;
     options.properties.clear();
     for (const std::size_t k : task.verdicts) {
+        if (!is_open(k)) continue;
         const std::string& name = observed_.properties[result_.verdicts[k].about].name;
         if (std::ranges::find(options.properties, name) == options.properties.end()) options.properties.push_back(name);
     }
+    if (options.properties.empty()) return;
     options.timelock = false;
     options.paths = true;
     options.until_decided = true;
@@ -275,6 +320,7 @@ void InputAbstractionCheck::search(const Task& task) {
     std::vector<Task> next;
     std::vector<std::size_t> open;
     for (const std::size_t k : task.verdicts) {
+        if (!is_open(k)) continue;
         const auto at = std::ranges::find(found.verdicts, result_.verdicts[k].property, &Verdict::property);
         if (at == found.verdicts.end()) continue;
         const std::vector<AbstractState>& path = found.paths[static_cast<std::size_t>(at - found.verdicts.begin())];
@@ -330,6 +376,14 @@ Property InputAbstractionCheck::single(std::size_t k) const {
     return property;
 }
 
+/// A run of `complete_` in the time unit of `observed_`.
+Run InputAbstractionCheck::in_units(Run run) const {
+    for (Move& move : run.moves)
+        if (Delay* const delay = std::get_if<Delay>(&move))
+            delay->units *= complete_.time_unit_ms / observed_.time_unit_ms;
+    return run;
+}
+
 /// If there is no real run, `raised` are the levels to try next.
 std::optional<Run> InputAbstractionCheck::real_run(std::size_t k, const AbstractRun& abstract, const Task& task,
                                                    Levels& raised) {
@@ -339,12 +393,7 @@ std::optional<Run> InputAbstractionCheck::real_run(std::size_t k, const Abstract
                         .deadline = deadline_,
                         .stop = options_.stop};
     ConcreteRun followed = follow(complete_, single(k), abstract, limits);
-    if (followed.run) {
-        for (Move& move : followed.run->moves)
-            if (Delay* const delay = std::get_if<Delay>(&move))
-                delay->units *= complete_.time_unit_ms / observed_.time_unit_ms;
-        return std::move(followed.run);
-    }
+    if (followed.run) return in_units(std::move(*followed.run));
     if ((!task.coarse && first_impossible(abstract, true, raised)) || first_impossible(abstract, false, raised))
         return {};
     for (const std::size_t i : followed.blamed)

@@ -9,7 +9,8 @@
 // remains open begins again with autonomous instances abstracted only.
 //
 // The searches run in rounds with growing bounds on states. A search that ends at the bound of a round is repeated in
-// the next round. So a property that a small search decides does not wait for one that needs a large search.
+// the next round. So a property that a small search decides does not wait for one that needs a large search. Each round
+// begins with a search for runs of the complete loop (novelty.hpp).
 //
 // An abstraction with a model error gives no verdict, since the states after the error are not explored.
 #pragma once
@@ -29,9 +30,10 @@ struct InputLimits {
     std::uint64_t states = std::uint64_t{1} << 24U;         ///< of one search of an abstraction
     std::uint64_t coarse_states = std::uint64_t{1} << 22U;  ///< while plants are abstracted
     std::size_t followed = 200'000;                         ///< states of one guided search
-    std::size_t followed_coarse = 20'000;  ///< the same while instances that read the loop are abstracted
-    std::size_t rounds = 8;                ///< searches of one property
-    std::size_t coarse_rounds = 32;        ///< before those, with instances that read the loop abstracted
+    std::size_t followed_coarse = 20'000;              ///< the same while instances that read the loop are abstracted
+    std::uint64_t explored = std::uint64_t{1} << 20U;  ///< of the complete loop, before the abstractions; 0: none
+    std::size_t rounds = 8;                            ///< searches of one property
+    std::size_t coarse_rounds = 32;                    ///< before those, with instances that read the loop abstracted
 };
 
 /// Bounds of the rounds.

@@ -29,9 +29,11 @@ public:
     /// The verdicts, after a search that `ended`.
     std::vector<Verdict> answers(Graph& graph, UnknownReason ended, const std::vector<ModelError>& errors,
                                  const Limits& limits);
-    /// True if the search has found the state that decides a property about single states; in the order of the
-    /// verdicts.
-    bool shown(std::size_t verdict) const { return watch_.found(questions_[verdict].watch) != PropertyMonitor::none; }
+    /// The state that decides a property about single states, if the search has found it; in the order of the verdicts.
+    std::optional<std::size_t> state_found(std::size_t verdict) const {
+        const std::uint32_t state = watch_.found(questions_[verdict].watch);
+        return state == PropertyMonitor::none ? std::nullopt : std::optional<std::size_t>(state);
+    }
     /// Per verdict the content of TimedResult::paths.
     std::vector<std::vector<AbstractState>> paths(Graph& graph) const;
 

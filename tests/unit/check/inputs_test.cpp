@@ -15,8 +15,10 @@
 namespace grafverif {
 namespace {
 
-/// The verdict that input abstractions give on the only property of a loop.
-Verdict decided(const std::string& text, const InputLimits& limits = {}, const InputAblations& ablations = {}) {
+/// The verdict that input abstractions give on the only property of a loop. Without other limits, no run is searched in
+/// the complete loop first.
+Verdict decided(const std::string& text, const InputLimits& limits = {.explored = 0},
+                const InputAblations& ablations = {}) {
     const Network loop = expand(read_loop(text).network);
     const Observe observe = [&](const Network& of) { return observed(of, watched(of)); };
     TimedOptions options{.max_states = 6, .timelock = false};
@@ -74,7 +76,7 @@ TEST(InputAbstraction, LeavesTheVerdictOpenIfNoRoundIsLeft) {
                                   "initial step 0; step 1 { L; } step 2; transition t0: 0 -> 1 when A; "
                                   "transition t1: 1 -> 2 when !A;",
                                   "environment EA = push_button(OUT = A, GAP = 2s);", "X1 holds for 2s");
-    const Verdict found = decided(text, {.rounds = 1});
+    const Verdict found = decided(text, {.explored = 0, .rounds = 1});
     EXPECT_EQ(found.outcome, Outcome::Unknown);
     EXPECT_FALSE(found.abstraction);
 }
@@ -189,7 +191,8 @@ TEST(InputAbstraction, RaisesATimerToCompleteWhereItsTimeMatters) {
 TEST(InputAbstraction, IgnoresWhatQuiescenceSaysOfOmittedInstances) {
     const std::string text = two_followers("never Q && X1 at stable");
     EXPECT_EQ(decided(text).outcome, Outcome::Violated);
-    EXPECT_EQ(decided(text, {.rounds = 1, .coarse_rounds = 1}, {.keep_quiescence = true}).outcome, Outcome::Holds)
+    EXPECT_EQ(decided(text, {.explored = 0, .rounds = 1, .coarse_rounds = 1}, {.keep_quiescence = true}).outcome,
+              Outcome::Holds)
         << "the test would not detect that the premise is violated";
 }
 
@@ -209,7 +212,8 @@ TEST(InputAbstraction, ProvesThatTimePassesForAllValuations) {
         ASSERT_TRUE(stable.abstraction) << property;
         EXPECT_EQ(stable.abstraction->chosen.size(), 2U);
         EXPECT_EQ(decided(unstable("A && B", property)).outcome, Outcome::Unknown) << property;
-        EXPECT_EQ(decided(unstable("A && B", property), {}, {.initial_values = true}).outcome, Outcome::Holds)
+        EXPECT_EQ(decided(unstable("A && B", property), {.explored = 0}, {.initial_values = true}).outcome,
+                  Outcome::Holds)
             << "the test would not detect that the premise is violated";
     }
 }

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// The search for runs in rare situations, compared with a breadth-first search of as many states.
+#include "check/inputs/novelty.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "check/timed/timed.hpp"
+#include "support/read_loop.hpp"
+#include "unit/check/networks.hpp"
+
+namespace grafverif {
+namespace {
+
+/// A chart of `steps` steps, each left by another one of four buttons and a plant that takes 2 s.
+std::string chain(int steps, const std::string& property) {
+    std::string text =
+        "component slow(input P; output S) { clock t; initial location off; location going invariant t <= 2s; "
+        "location on; urgent off -> going when P do t := 0; timed going -> on when t == 2s do S := true; "
+        "urgent on -> off when !P do S := false; }\n"
+        "grafcet c { input B0, B1, B2, B3, S; output Q;\n";
+    for (int step = 0; step <= steps; ++step)
+        text += (step == 0 ? "initial step " : "step ") + std::to_string(step) + (step % 2 == 1 ? " { Q; }\n" : ";\n");
+    for (int step = 0; step < steps; ++step)
+        text += "transition t" + std::to_string(step) + ": " + std::to_string(step) + " -> " +
+                std::to_string(step + 1) + " when B" + std::to_string(step % 4) + (step % 2 == 1 ? " && S" : " && !S") +
+                ";\n";
+    text += "}\nclosed_loop l { controller c; plant Lamp = slow(P = Q, S = S);\n";
+    for (const char* const button : {"0", "1", "2", "3"})
+        text += std::string("environment E") + button + " = push_button(OUT = B" + button + ", GAP = 1s);\n";
+    return text + "property p: " + property + ";\n}\n";
+}
+
+struct Searched {
+    explicit Searched(const std::string& text)
+        : network(expand(read_loop(text).network)),
+          search(network, {*network.properties.begin()}, abstractable_processes(network)) {}
+
+    const Network network;
+    NoveltySearch search;
+};
+
+TEST(Novelty, FindsARunThatABreadthFirstSearchOfAsManyStatesDoesNot) {
+    constexpr std::size_t bound = 20'000;
+    Searched loop(chain(8, "reachable X8"));
+    loop.search.run({.states = bound});
+    const auto run = loop.search.run_of(0);
+    ASSERT_TRUE(run);
+    EXPECT_TRUE(replay(loop.network, *run));
+    const TimedResult breadth_first = check_timed(loop.network, {.max_states = bound, .timelock = false});
+    EXPECT_EQ(breadth_first.verdicts.front().outcome, Outcome::Unknown);
+}
+
+TEST(Novelty, ContinuesWithTheNextBound) {
+    Searched loop(chain(8, "never X8"));
+    EXPECT_TRUE(loop.search.run({.states = 100}));
+    EXPECT_FALSE(loop.search.run_of(0));
+    EXPECT_FALSE(loop.search.run({.states = 1'000'000})) << "all properties have their runs";
+    EXPECT_TRUE(loop.search.run_of(0));
+}
+
+TEST(Novelty, EndsWithAllStates) {
+    Searched loop(chain(1, "reachable X0 && X1"));
+    EXPECT_FALSE(loop.search.run({.states = 1'000'000}));
+    EXPECT_FALSE(loop.search.run_of(0));
+}
+
+}  // namespace
+}  // namespace grafverif
