@@ -28,7 +28,7 @@ using std::chrono::steady_clock;
 #define __SANITIZE_ADDRESS__ 1
 #endif
 #endif
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool sanitized = true;  // its memory cannot be limited
 #else
 constexpr bool sanitized = false;

@@ -80,7 +80,7 @@ TEST(BddLimits, SpaceWithoutMemoryReportsIt) {
     EXPECT_LE(space.bytes(), 1000u);
 }
 
-#if !defined(__SANITIZE_ADDRESS__)
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 /// The size of the address space of this process, in bytes.
 rlim_t address_space() {
     std::ifstream pages("/proc/self/statm");
