@@ -267,7 +267,8 @@ std::vector<Option> options_for_checks() {
         toggle(OptionGroup::Stats, "stats", &Options::stats,
                "print the components and clocks that contribute most states (timed engine)"),
         text(OptionGroup::Verdicts, "properties", "FILE", &Options::property_file,
-             "check FILE operands as PLC programs (Structured Text), with the properties of this YAML file"),
+             "check FILE operands as PLC programs (Structured Text, PLCopen XML), with the properties of this YAML "
+             "file"),
         toggle(OptionGroup::Verdicts, "why", &Options::why,
                "print the elements that each proof depends on (timed engine)"),
         text(OptionGroup::Search, "junit", "FILE", &Options::junit, "write a JUnit report to FILE"),

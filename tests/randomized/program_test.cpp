@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Randomized test: the interpreter of PLC programs agrees with the equations of one scan, scan by scan: every variable,
-// divisions by zero and overflows.
+// Randomized tests: the interpreter of PLC programs agrees with the equations of one scan, scan by scan: every variable,
+// divisions by zero and overflows. Programs of ladder diagrams agree with a direct evaluation of the rungs.
 #include "read/program/program.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <sstream>
+#include <string>
 
 #include "derive/program/scan.hpp"
 #include "run/program/interpreter.hpp"
+#include "support/random_diagram.hpp"
 #include "support/random_program.hpp"
+#include "support/row_counts.hpp"
 #include "support/test_size.hpp"
 
 namespace grafverif {
@@ -90,6 +94,44 @@ TEST(RandomizedProgram, InterpreterAgreesWithEquations) {
     }
     for (const int count : {met.scans, met.faults, met.overflows, met.timers, met.changes, met.intervals})
         EXPECT_GT(count, programs / 100);
+}
+
+TEST(RandomizedProgram, LadderDiagramsAgreeWithTheirRungs) {
+    std::map<std::string, int> seen;
+    Met met;
+    for (int seed = 1; seed <= test_size(200); ++seed) {
+        Random random(static_cast<unsigned>(seed));
+        Rungs rungs = random_rungs(random);
+        const std::string text = xml_of(rungs, random);
+        Sources sources;
+        Diagnostics diagnostics;
+        const auto read = read_program(sources.add({"random.xml", text}), sources, diagnostics);
+        ASSERT_TRUE(read) << "seed " << seed << '\n' << error_texts(diagnostics, sources) << text;
+        const auto equations = scan_of(read->program(), diagnostics);
+        ASSERT_TRUE(equations) << "seed " << seed << '\n' << error_texts(diagnostics, sources) << text;
+        ASSERT_EQ(disagreement(read->program(), *equations, random, met), "") << "seed " << seed << '\n' << text;
+        ProgramRun run(read->program());
+        std::vector<std::int64_t> inputs(Rungs::inputs);
+        for (int scan = 1; scan <= 20; ++scan) {
+            for (std::int64_t& input : inputs) input = chance(random, 40) ? 1 - input : input;
+            const std::vector<bool> before = rungs.values;
+            run.scan(inputs, 10);
+            rungs.scan(inputs);
+            for (std::size_t i = Rungs::inputs; i < rungs.values.size(); ++i) {
+                const auto cell = std::ranges::find(run.layout().cells, diagram_variable(i), &ProgramCell::name);
+                ASSERT_NE(cell, run.layout().cells.end()) << diagram_variable(i);
+                const bool value = run.cells()[static_cast<std::size_t>(cell - run.layout().cells.begin())] != 0;
+                ASSERT_EQ(value, rungs.values[i])
+                    << "seed " << seed << ", scan " << scan << ", " << diagram_variable(i) << '\n'
+                    << text;
+                if (rungs.values[i] != before[i]) ++seen["changes of outputs"];
+            }
+        }
+        for (const Rungs::Rung& rung : rungs.rungs) ++seen[rung.latch ? "latches" : "rungs without latch"];
+    }
+    print_counts(seen);
+    EXPECT_GT(seen["changes of outputs"], test_size(100));
+    EXPECT_GT(seen["latches"], test_size(20));
 }
 
 }  // namespace

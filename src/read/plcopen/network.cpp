@@ -64,8 +64,8 @@ st::Association association(PlcopenReader& reader, pugi::xml_node action) {
     const pugi::xml_node text = child(child(action, "inline"), "ST");
     if (text) made.body = reader.statements(reader.xml.text(text));
     else
-        reader.draft.refuse(made.where, "an action that is neither a reference nor Structured Text",
-                            "write it in Structured Text");
+        reader.refuse(made.where, "an action that is neither a reference nor Structured Text",
+                      "write it in Structured Text");
     return made;
 }
 
@@ -102,9 +102,8 @@ void codesys_actions(PlcopenReader& reader, pugi::xml_node node, st::Step& step)
                     made.action = {written.word, written.where};
                     step.actions.push_back(std::move(made));
                 } else {
-                    reader.draft.refuse(written.where,
-                                        "the action `" + reader.xml.content(entry) + "` of another block",
-                                        "move it into the block of the chart");
+                    reader.refuse(written.where, "the action `" + reader.xml.content(entry) + "` of another block",
+                                  "move it into the block of the chart");
                 }
             }
         }
@@ -114,8 +113,8 @@ void codesys_actions(PlcopenReader& reader, pugi::xml_node node, st::Step& step)
 /// Reports the negation of a step or action block, whose meaning is unspecified.
 void refuse_negation(PlcopenReader& reader, pugi::xml_node element) {
     if (reader.flag(element, "negated"))
-        reader.draft.refuse(reader.xml.where(element, "negated"),
-                            "a negated `" + std::string(local_name(element.name())) + '`', "negate conditions");
+        reader.refuse(reader.xml.where(element, "negated"),
+                      "a negated `" + std::string(local_name(element.name())) + '`', "negate conditions");
 }
 
 void read_actions(PlcopenReader& reader, const PlcopenNetwork& network, const std::vector<Step>& steps,
@@ -180,22 +179,29 @@ PlcopenNetwork network_of(PlcopenReader& reader, pugi::xml_node body) {
     return network;
 }
 
-std::vector<pugi::xml_node> sources_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point) {
-    std::vector<pugi::xml_node> sources;
+std::vector<PlcopenLine> lines_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point) {
+    std::vector<PlcopenLine> lines;
     if (is(point, "continuation")) {  // continues at the end of the connector with this name
         for (const pugi::xml_node& element : network.elements)
-            if (is(element, "connector") && value(element, "name") == value(point, "name")) sources.push_back(element);
-        return sources;
+            if (is(element, "connector") && value(element, "name") == value(point, "name"))
+                lines.push_back({element, {}});
+        return lines;
     }
     for (const pugi::xml_node& in : children(point, "connectionPointIn")) {
         for (const pugi::xml_node& connection : children(in, "connection")) {
             const pugi::xml_node source = network.find(value(connection, "refLocalId"));
-            if (source) sources.push_back(source);
+            if (source) lines.push_back({source, value(connection, "formalParameter")});
             else
                 reader.diagnostics().add(messages::dangling_reference(reader.xml.where(connection, "refLocalId"),
                                                                       value(connection, "refLocalId"), "element"));
         }
     }
+    return lines;
+}
+
+std::vector<pugi::xml_node> sources_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point) {
+    std::vector<pugi::xml_node> sources;
+    for (const PlcopenLine& line : lines_of(reader, network, point)) sources.push_back(line.source);
     return sources;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PlcopenNetwork: the elements of one Sequential Function Chart in PLCopen XML, and the connections between them.
+// PlcopenNetwork: the elements of one graphical body in PLCopen XML, and the connections between them.
 #pragma once
 
 #include <string>
@@ -16,8 +16,11 @@ struct PlcopenReader {
     const Xml& xml;
     const Sources& sources;
     Draft& draft;
+    bool of_program = false;  ///< the result is executed, not converted to a chart
     st::File file = {};
 
+    /// Reports a construct that cannot be read.
+    void refuse(Span where, std::string_view what, std::string_view hint);
     Diagnostics& diagnostics() { return draft.diagnostics(); }
     st::Name name(const std::string& text, Span where) { return {file.intern(text), where}; }
     /// Invalid after an error.
@@ -30,7 +33,7 @@ struct PlcopenReader {
 };
 
 struct PlcopenNetwork {
-    pugi::xml_node body = {};                                    ///< `SFC`
+    pugi::xml_node body = {};                                    ///< `SFC`, `LD`, `FBD`
     std::vector<pugi::xml_node> elements = {};                   ///< in order
     std::unordered_map<std::string, pugi::xml_node> by_id = {};  ///< by `localId`
 
@@ -40,7 +43,16 @@ struct PlcopenNetwork {
 /// Reports duplicate ids.
 PlcopenNetwork network_of(PlcopenReader& reader, pugi::xml_node body);
 
-/// The elements connected to the `connectionPointIn`s of `point`. Reports dangling connections.
+/// A connection: the element that it begins at, and the name of its output; empty: the first one.
+struct PlcopenLine {
+    pugi::xml_node source = {};
+    std::string output = {};
+};
+
+/// The connections that end at the `connectionPointIn`s of `point`. Reports dangling connections.
+std::vector<PlcopenLine> lines_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point);
+
+/// The elements that they begin at.
 std::vector<pugi::xml_node> sources_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point);
 
 /// Reads the steps and transitions of the chart; the expansions of macro-steps are appended as separate networks.

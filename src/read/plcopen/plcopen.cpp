@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "read/plcopen/plcopen.hpp"
 
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <optional>
+#include <regex>
 #include <string>
+#include <unordered_set>
 
+#include "read/plcopen/diagram.hpp"
 #include "read/plcopen/network.hpp"
 #include "support/messages.hpp"
+#include "support/messages_program.hpp"
 
 namespace grafverif {
 
@@ -23,6 +31,11 @@ Id<st::Expr> PlcopenReader::make(st::Op op, const std::vector<Id<st::Expr>>& ope
     const Id<st::Expr> id = file.exprs.add(expr);
     for (const Id<st::Expr> one : operands) st::append(file.exprs, id, one);
     return id;
+}
+
+void PlcopenReader::refuse(Span where, std::string_view what, std::string_view hint) {
+    if (of_program) diagnostics().add(messages::not_in_program(where, what, hint));
+    else draft.refuse(where, what, hint);
 }
 
 namespace {
@@ -70,7 +83,10 @@ void read_variables(PlcopenReader& reader, pugi::xml_node list, std::vector<st::
         const std::string type = st::capitals(reader.file.text(variable.type.name));
         const bool simple = type == "BOOL" || type == "TIME" || type.ends_with("INT") || type.ends_with("BYTE") ||
                             type.ends_with("WORD");
-        if (initial && simple && !variable.type.composite)
+        if (reader.of_program && child(node, "initialValue") && !initial)
+            reader.refuse(reader.xml.where(child(node, "initialValue")), "an initial value in parts",
+                          "assign the parts in the program");
+        if (initial && (simple || reader.of_program) && !variable.type.composite)
             variable.initial = reader.expression(reader.xml.text(initial, "value"));
         variables.push_back(std::move(variable));
     }
@@ -140,6 +156,126 @@ st::File read_plcopen(const Xml& xml, const Sources& sources, Draft& draft) {
         unit.where = xml.where(program);
         reader.file.units.push_back(std::move(unit));
     }
+    return std::move(reader.file);
+}
+
+namespace {
+
+/// The descendants of `root` with one of the names, in the order of the file; not those in one of them.
+std::vector<pugi::xml_node> all_of(pugi::xml_node root, std::initializer_list<std::string_view> names) {
+    std::vector<pugi::xml_node> found;
+    for (pugi::xml_node node = root.first_child(); node;) {
+        const bool wanted = std::ranges::find(names, local_name(node.name())) != names.end();
+        if (wanted) found.push_back(node);
+        if (node.first_child() && !wanted) {
+            node = node.first_child();
+            continue;
+        }
+        while (node && node != root && !node.next_sibling()) node = node.parent();
+        node = node == root ? pugi::xml_node() : node.next_sibling();
+    }
+    return found;
+}
+
+void read_body(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit,
+               const std::unordered_set<std::string>& functions) {
+    const std::vector<pugi::xml_node> bodies = children(pou, "body");
+    if (bodies.size() > 1) reader.refuse(reader.xml.where(bodies[1]), "a second body of a unit", "combine the bodies");
+    const pugi::xml_node body = bodies.empty() ? pugi::xml_node() : bodies.front();
+    for (const pugi::xml_node& action : children(child(pou, "actions"), "action"))
+        reader.refuse(reader.xml.where(action), "an action of a unit", "write its statements instead of the call");
+    for (const pugi::xml_node& node : body.children()) {
+        if (node.type() != pugi::node_element || is(node, "addData") || is(node, "documentation")) continue;
+        if (is(node, "ST")) unit.body = reader.statements(reader.xml.text(node));
+        else if (is(node, "LD") || is(node, "FBD")) unit.body = statements_of(reader, unit, node, functions);
+        else
+            reader.refuse(reader.xml.where(node), "a body in `" + std::string(local_name(node.name())) + '`',
+                          "write it in Structured Text, LD or FBD");
+    }
+}
+
+/// The milliseconds of an xsd:duration of days and smaller units, such as `PT0.01S`; empty for other texts.
+std::optional<std::int64_t> milliseconds(const std::string& text) {
+    static const std::regex pattern(
+        R"(P(?:(\d{1,6})D)?(?:T(?:(\d{1,6})H)?(?:(\d{1,6})M)?(?:(\d{1,6})(?:\.(\d{1,3})0*)?S)?)?)");
+    std::smatch match;
+    if (text.size() > 64 || !std::regex_match(text, match, pattern)) return {};
+    std::int64_t total = 0;
+    constexpr std::array<std::int64_t, 4> units = {86'400'000, 3'600'000, 60'000, 1'000};
+    for (std::size_t i = 0; i < units.size(); ++i)
+        if (match[i + 1].matched) total += std::stoll(match[i + 1].str()) * units[i];
+    if (match[5].matched) total += std::stoll((match[5].str() + "00").substr(0, 3));
+    return total;
+}
+
+/// The interval of a task: a duration of IEC 61131-3 or of XML Schema.
+Id<st::Expr> interval_of(PlcopenReader& reader, pugi::xml_node task) {
+    const auto known = milliseconds(value(task, "interval"));
+    if (!known) return reader.expression(reader.xml.text(task, "interval"));
+    const Id<st::Expr> interval = reader.make(st::Op::Time, {}, reader.xml.where(task, "interval"));
+    reader.node(interval).value = *known;
+    return interval;
+}
+
+void read_tasks(PlcopenReader& reader, pugi::xml_node resource) {
+    const auto instance = [&](pugi::xml_node node, st::Name task) {
+        const std::string_view type = attribute(node, "typeName") ? "typeName" : "type";
+        reader.file.instances.push_back({reader.name(value(node, "name"), reader.xml.where(node, "name")),
+                                         task,
+                                         reader.name(value(node, type), reader.xml.where(node, type)),
+                                         {},
+                                         reader.xml.where(node)});
+    };
+    for (const pugi::xml_node& node : children(resource, "task")) {
+        st::Task task{reader.name(value(node, "name"), reader.xml.where(node, "name")), {}, reader.xml.where(node)};
+        if (const pugi::xml_attribute single = attribute(node, "single"); single && *single.value() != '\0')
+            reader.refuse(reader.xml.where(node, "single"), "a task that an event starts", "give the task an interval");
+        if (attribute(node, "interval")) {
+            const Id<st::Expr> interval = interval_of(reader, node);
+            if (interval.valid()) {
+                const Id<st::Expr> argument =
+                    reader.make(st::Op::Argument, {interval}, reader.xml.where(node, "interval"));
+                reader.node(argument).word = reader.file.intern("INTERVAL");
+                task.arguments.push_back(argument);
+            }
+        }
+        for (const pugi::xml_node& each : children(node, "pouInstance")) instance(each, task.name);
+        reader.file.tasks.push_back(std::move(task));
+    }
+    for (const pugi::xml_node& each : children(resource, "pouInstance")) instance(each, {});
+}
+
+}  // namespace
+
+st::File read_plcopen_program(const Xml& xml, const Sources& sources, Diagnostics& diagnostics) {
+    Draft draft(xml.source(), false, diagnostics);
+    PlcopenReader reader{xml, sources, draft, true};
+    reader.file.source = xml.source();
+    for (const pugi::xml_node& type : all_of(xml.root(), {"dataType"}))
+        reader.refuse(xml.where(type), "a data type of the project", "declare it in Structured Text");
+    for (const pugi::xml_node& list : all_of(xml.root(), {"globalVars"}))
+        read_variables(reader, list, reader.file.globals);
+    const std::vector<pugi::xml_node> pous = all_of(xml.root(), {"pou"});
+    std::unordered_set<std::string> functions;
+    for (const pugi::xml_node& pou : pous)
+        if (value(pou, "pouType") == "function") functions.insert(st::capitals(value(pou, "name")));
+    for (const pugi::xml_node& pou : pous) {
+        st::Unit unit;
+        const std::string kind = value(pou, "pouType");
+        unit.kind = kind == "program"    ? st::UnitKind::Program
+                    : kind == "function" ? st::UnitKind::Function
+                                         : st::UnitKind::FunctionBlock;
+        unit.name = reader.name(value(pou, "name"), xml.where(pou, "name"));
+        unit.where = xml.where(pou);
+        const pugi::xml_node interface = child(pou, "interface");
+        if (const pugi::xml_node result = child(interface, "returnType")) unit.result = type_of(reader, result);
+        for (const pugi::xml_node& list : interface.children())
+            if (list.type() == pugi::node_element && local_name(list.name()).ends_with("Vars"))
+                read_variables(reader, list, unit.variables);
+        read_body(reader, pou, unit, functions);
+        reader.file.units.push_back(std::move(unit));
+    }
+    for (const pugi::xml_node& resource : all_of(xml.root(), {"resource"})) read_tasks(reader, resource);
     return std::move(reader.file);
 }
 

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "read/plcopen/plcopen.hpp"
 #include "read/program/scope.hpp"
 #include "read/program/standard_blocks.hpp"
 #include "support/messages_program.hpp"
@@ -36,16 +37,23 @@ std::optional<ProgramText> read_program(Id<Source> source, Sources& sources, Dia
     const Span whole = without_mark({source, 0, static_cast<std::uint32_t>(sources[source].text.size())}, sources);
     if (!is_readable(whole, sources, diagnostics)) return {};
     const std::string_view content = std::string_view(sources[source].text).substr(whole.begin);
-    if (const std::size_t first = content.find_first_not_of(" \t\r\n");
-        first < content.size() && content[first] == '<') {
-        const auto at = static_cast<std::uint32_t>(whole.begin + first);
-        diagnostics.add(messages::not_in_program({source, at, at + 1}, "PLCopen XML", "export Structured Text"));
-        return {};
-    }
     ProgramText text;
     st::File& file = text.inside_->file;
-    file.source = source;
-    if (!st::parse_programs({{whole, false}}, file, sources, diagnostics)) return {};
+    const std::size_t first = content.find_first_not_of(" \t\r\n");
+    if (first < content.size() && content[first] == '<') {
+        const std::optional<Xml> xml = Xml::read(source, sources, diagnostics);
+        if (!xml) return {};
+        if (!is(xml->root(), "project")) {
+            diagnostics.add(messages::not_in_program(xml->where(xml->root()), "an XML document other than PLCopen XML",
+                                                     "export PLCopen XML or Structured Text"));
+            return {};
+        }
+        file = read_plcopen_program(*xml, sources, diagnostics);
+    } else {
+        file.source = source;
+        if (!st::parse_programs({{whole, false}}, file, sources, diagnostics)) return {};
+    }
+    if (diagnostics.errors() != errors) return {};
     const std::size_t user = file.units.size();
     const std::string standard(program::standard_blocks);
     const Id<Source> blocks = sources.add({"standard function blocks", standard});

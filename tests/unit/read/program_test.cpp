@@ -8,45 +8,10 @@
 
 #include "derive/program/scan.hpp"
 #include "run/program/interpreter.hpp"
-#include "support/render.hpp"
+#include "unit/read/program_values.hpp"
 
 namespace grafverif {
 namespace {
-
-struct Reading {
-    Sources sources = {};
-    Diagnostics diagnostics = {};
-    std::optional<ProgramText> text = {};
-
-    explicit Reading(const std::string& program) {
-        text = read_program(sources.add({"test.st", program}), sources, diagnostics);
-        if (text) scan_of(text->program(), diagnostics);
-    }
-    std::string codes() const {
-        std::string list;
-        for (const Diagnostic& one : diagnostics.all()) {
-            const Place at = place(sources[one.where.source].text, one.where.begin);
-            list += std::to_string(at.line) + ":" + std::to_string(at.column) + " " + one.code + "\n";
-        }
-        return list;
-    }
-};
-
-/// The values of `variable` after each scan, with one input per scan.
-std::string values(const std::string& program, const std::string& variable,
-                   const std::vector<std::vector<std::int64_t>>& inputs, std::int64_t elapsed = 10) {
-    const Reading reading(program);
-    if (!reading.text) return reading.codes();
-    ProgramRun run(reading.text->program());
-    std::string list;
-    for (const std::vector<std::int64_t>& each : inputs) {
-        run.scan(each, elapsed);
-        for (std::size_t i = 0; i < run.layout().cells.size(); ++i)
-            if (run.layout().cells[i].name == variable)
-                list += (list.empty() ? "" : " ") + std::to_string(run.cells()[i]);
-    }
-    return list;
-}
 
 std::string block(const std::string& type, const std::string& call) {
     return "PROGRAM p VAR_INPUT a, b : BOOL; END_VAR VAR k : " + type + "; END_VAR\nk(" + call + ");\nEND_PROGRAM";
@@ -128,7 +93,7 @@ TEST(Program, InstancesKeepTheirValuesAndFunctionsDoNot) {
 }
 
 TEST(Program, ReportsAllErrorsOfAFile) {
-    const Reading reading(
+    const ReadProgram reading(
         "FUNCTION_BLOCK f VAR g : f; END_VAR END_FUNCTION_BLOCK\n"
         "FUNCTION h : INT h := h() + k(); END_FUNCTION\n"
         "FUNCTION k : INT k := h(); END_FUNCTION\n"
@@ -149,8 +114,8 @@ TEST(Program, ReportsAllErrorsOfAFile) {
 
 TEST(Program, RejectsWhatItDoesNotExecuteExactly) {
     const auto rejected = [](const std::string& body, const std::string& variables = "") {
-        return Reading("PROGRAM p VAR x : BOOL; n : INT; d : UDINT; w : WORD; t : TIME; END_VAR " + variables + "\n" +
-                       body + "\nEND_PROGRAM")
+        return ReadProgram("PROGRAM p VAR x : BOOL; n : INT; d : UDINT; w : WORD; t : TIME; END_VAR " + variables +
+                           "\n" + body + "\nEND_PROGRAM")
             .codes();
     };
     EXPECT_EQ(rejected("x := x AND_THEN x;"), "2:8 not-in-program\n");
@@ -166,11 +131,11 @@ TEST(Program, RejectsWhatItDoesNotExecuteExactly) {
 TEST(Program, SequencesOfBranchesHaveTermsOfLinearSize) {
     std::string body;
     for (int i = 0; i < 2000; ++i) body += "IF x THEN n := n + 1; ELSE n := n - 1; END_IF;\n";
-    Reading reading("PROGRAM p VAR_INPUT x : BOOL; END_VAR VAR n : INT; END_VAR\n" + body + "END_PROGRAM");
+    ReadProgram reading("PROGRAM p VAR_INPUT x : BOOL; END_VAR VAR n : INT; END_VAR\n" + body + "END_PROGRAM");
     ASSERT_TRUE(reading.text);
     std::string small;
     for (int i = 0; i < 300; ++i) small += "IF x THEN n := n + 1; ELSE n := n - 1; END_IF;\n";
-    Reading smaller("PROGRAM p VAR_INPUT x : BOOL; END_VAR VAR n : INT; END_VAR\n" + small + "END_PROGRAM");
+    ReadProgram smaller("PROGRAM p VAR_INPUT x : BOOL; END_VAR VAR n : INT; END_VAR\n" + small + "END_PROGRAM");
     Diagnostics diagnostics;
     const auto scan = scan_of(smaller.text->program(), diagnostics);
     ASSERT_TRUE(scan);

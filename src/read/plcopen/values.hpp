@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// PlcopenValues: the values at the connections of an LD or FBD network, as expressions: variables, contacts, and blocks
+// for Boolean and arithmetic functions. A derived class adds elements with a state.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "read/plcopen/network.hpp"
+
+namespace grafverif {
+
+class PlcopenValues {
+public:
+    PlcopenValues(PlcopenReader& reader, const PlcopenNetwork& network) : reader_(reader), network_(network) {}
+    PlcopenValues(PlcopenValues&&) = delete;
+    virtual ~PlcopenValues() = default;
+
+    /// Value at a connection point; several incoming lines form an OR. Invalid if it is not connected.
+    Id<st::Expr> at(pugi::xml_node point, std::size_t depth = 0);
+    Id<st::Expr> from(pugi::xml_node source) { return of({source, {}}, 0); }
+    /// Value assigned to the coil or variable at the end of the network.
+    Id<st::Expr> into(pugi::xml_node end) { return passes_on(end) ? negated(end, at(end)) : Id<st::Expr>{}; }
+
+protected:
+    static constexpr std::size_t deepest = 200;  // levels of a network
+
+    /// Value of an output of a block other than the functions with an operator in IEC 61131-3.
+    virtual Id<st::Expr> other_block(pugi::xml_node block, const std::string& output, std::size_t depth);
+    /// Value of a contact or coil with an edge or storage, or of a coil in the middle of a rung.
+    virtual Id<st::Expr> other_element(pugi::xml_node element, std::size_t depth);
+    /// Called with each term that reads variables.
+    virtual void is_read(Id<st::Expr>) {}
+
+    Id<st::Expr> negated(pugi::xml_node node, Id<st::Expr> term, std::string_view mark = "negated");
+    /// True if a variable, contact, coil or pin passes a value without an edge, set or reset; reports it otherwise.
+    bool passes_on(pugi::xml_node node);
+    /// Like at(), but reports an unconnected point.
+    Id<st::Expr> wired(pugi::xml_node point, std::size_t depth, std::string_view what);
+    /// The value of an input pin of a block.
+    Id<st::Expr> pin(pugi::xml_node pin, std::size_t depth);
+    /// The variable of a contact or coil.
+    Id<st::Expr> operand(pugi::xml_node node);
+    Id<st::Expr> unsupported(pugi::xml_node block, std::string_view what);
+
+    PlcopenReader& reader_;
+    const PlcopenNetwork& network_;
+
+private:
+    Id<st::Expr> of(const PlcopenLine& line, std::size_t depth);
+    Id<st::Expr> variable(pugi::xml_node node, std::string_view mark);
+    Id<st::Expr> contact(pugi::xml_node node, std::size_t depth);
+    Id<st::Expr> block(pugi::xml_node node, const std::string& output, std::size_t depth);
+
+    std::size_t values_ = 0;
+    bool too_many_ = false;
+};
+
+/// True if the attribute names an edge, or a storage other than `none`.
+bool is_marked(pugi::xml_node node, std::string_view attribute);
+
+}  // namespace grafverif
