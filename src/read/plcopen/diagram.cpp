@@ -42,8 +42,7 @@ public:
         std::size_t numbered = 0;
         for (std::size_t i = 0; i < network_.elements.size(); ++i) {
             const pugi::xml_node node = network_.elements[i];
-            if (!is_accepted(node)) continue;
-            if (!is_statement(node)) continue;
+            if (!is_accepted(node) || !is_statement(node)) continue;
             order.push_back(i);
             if (execution_order(node) > 0) ++numbered;
         }
@@ -56,9 +55,8 @@ public:
         }
         const auto key = [&](std::size_t i) {
             const auto [x, y] = position(network_.elements[i]);
-            const auto& [top, left, first] = tops_[rungs_[i]];
-            return std::tuple(ordered_ ? execution_order(network_.elements[i]) : 0, ordered_ ? 0 : top,
-                              ordered_ ? 0 : left, ordered_ ? 0 : first, y, x, i);
+            if (ordered_) return std::tuple(execution_order(network_.elements[i]), Top(), y, x, i);
+            return std::tuple(std::int64_t{0}, tops_[rungs_[i]], y, x, i);
         };
         std::ranges::sort(order, {}, key);
         for (const std::size_t i : order) execute(i, 0);
@@ -67,6 +65,7 @@ public:
 
 private:
     enum class Mark : std::uint8_t { New, Open, Done };
+    using Top = std::tuple<double, double, std::size_t>;  // of a network: y, x and number of its first element
 
     // -- order --------------------------------------------------------------------------------------------------------
 
@@ -75,7 +74,9 @@ private:
         return {attribute(at, "x").as_double(), attribute(at, "y").as_double()};
     }
 
-    static std::int64_t execution_order(pugi::xml_node node) { return attribute(node, "executionOrderId").as_llong(); }
+    static std::int64_t execution_order(pugi::xml_node node) {
+        return std::int64_t{attribute(node, "executionOrderId").as_llong()};
+    }
 
     std::size_t number(pugi::xml_node node) const { return numbers_.at(node.hash_value()); }
 
@@ -131,11 +132,6 @@ private:
         return false;
     }
 
-    static bool is_connected(pugi::xml_node point) {
-        return std::ranges::any_of(children(point, "connectionPointIn"),
-                                   [](pugi::xml_node in) { return bool(child(in, "connection")); });
-    }
-
     static bool is_statement(pugi::xml_node node) {
         if (is(node, "coil") || is(node, "outVariable")) return true;
         if (is(node, "inOutVariable")) return is_connected(node);
@@ -170,6 +166,14 @@ private:
         block_.push_back(reader_.file.statements.add(std::move(statement)));
     }
 
+    /// Adds `IF condition THEN statement END_IF`.
+    void add_if(Id<st::Expr> condition, st::Statement statement, pugi::xml_node node) {
+        const Span where = reader_.xml.where(node);
+        statement.where = where;
+        st::Branch branch{{condition}, {reader_.file.statements.add(std::move(statement))}, where};
+        add({.kind = st::StatementKind::If, .branches = {std::move(branch)}}, node);
+    }
+
     void assign(pugi::xml_node node) {
         const Id<st::Expr> from = passes_on(node) ? wired(node, 0, "this variable") : Id<st::Expr>{};
         const Id<st::Expr> flow = negated(node, from, is(node, "outVariable") ? "negated" : "negatedIn");
@@ -196,12 +200,8 @@ private:
                            "use `set` or `reset`, not negated");
             return;
         }
-        const Span where = reader_.xml.where(node);
-        st::Statement stored{.kind = st::StatementKind::Assign, .target = to};
-        stored.value = reader_.make(sets ? st::Op::True : st::Op::False, {}, where);
-        stored.where = where;
-        st::Branch branch{{flow}, {reader_.file.statements.add(std::move(stored))}, where};
-        add({.kind = st::StatementKind::If, .branches = {std::move(branch)}}, node);
+        const Id<st::Expr> state = reader_.make(sets ? st::Op::True : st::Op::False, {}, reader_.xml.where(node));
+        add_if(flow, {.kind = st::StatementKind::Assign, .target = to, .value = state}, node);
         write(to);
     }
 
@@ -238,15 +238,9 @@ private:
                 reader_.refuse(reader_.xml.where(each), "a variable passed by reference", "use an input and an output");
         check_type(node, name);
         if (!complete) return;
-        const Id<st::Expr> value_of_call = reader_.make(st::Op::Call, parts, where);
-        if (!enable.valid()) {
-            add({.kind = st::StatementKind::Call, .value = value_of_call}, node);
-        } else {
-            st::Statement called{.kind = st::StatementKind::Call, .value = value_of_call};
-            called.where = where;
-            st::Branch branch{{enable}, {reader_.file.statements.add(std::move(called))}, where};
-            add({.kind = st::StatementKind::If, .branches = {std::move(branch)}}, node);
-        }
+        st::Statement call{.kind = st::StatementKind::Call, .value = reader_.make(st::Op::Call, parts, where)};
+        if (enable.valid()) add_if(enable, std::move(call), node);
+        else add(std::move(call), node);
         written_[rung_].insert(st::capitals(name));
     }
 
@@ -276,7 +270,7 @@ private:
         add({.kind = st::StatementKind::Call,
              .value = reader_.make(st::Op::Call, {named(name, where), argument}, where)},
             node);
-        edges_[node.hash_value()] = name;
+        edges_.emplace(node.hash_value(), name);
         return with_word(st::Op::Member, named(name, where), "Q", where);
     }
 
@@ -407,7 +401,7 @@ private:
     std::unordered_map<std::string, std::string> types_ = {};    // of variables, in capitals
     std::vector<Mark> marks_ = {};
     std::vector<std::size_t> rungs_ = {};  // per element
-    std::vector<std::tuple<double, double, std::size_t>> tops_ = {};
+    std::vector<Top> tops_ = {};
     std::unordered_map<std::size_t, std::unordered_set<std::string>> written_ = {};  // per network, so far
     std::unordered_map<std::size_t, std::string> edges_ = {};  // contacts and coils: their instances
     bool ordered_ = false;

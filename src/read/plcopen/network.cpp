@@ -179,6 +179,11 @@ PlcopenNetwork network_of(PlcopenReader& reader, pugi::xml_node body) {
     return network;
 }
 
+bool is_connected(pugi::xml_node point) {
+    return std::ranges::any_of(children(point, "connectionPointIn"),
+                               [](pugi::xml_node in) { return bool(child(in, "connection")); });
+}
+
 std::vector<PlcopenLine> lines_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point) {
     std::vector<PlcopenLine> lines;
     if (is(point, "continuation")) {  // continues at the end of the connector with this name

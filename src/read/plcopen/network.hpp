@@ -49,6 +49,9 @@ struct PlcopenLine {
     std::string output = {};
 };
 
+/// True if a connection ends at `point`, also one from an element that is missing.
+bool is_connected(pugi::xml_node point);
+
 /// The connections that end at the `connectionPointIn`s of `point`. Reports dangling connections.
 std::vector<PlcopenLine> lines_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point);
 

@@ -92,6 +92,21 @@ void read_variables(PlcopenReader& reader, pugi::xml_node list, std::vector<st::
     }
 }
 
+/// The unit of a POU with its kind, name and variables.
+st::Unit unit_of(PlcopenReader& reader, pugi::xml_node pou) {
+    st::Unit unit;
+    const std::string kind = value(pou, "pouType");
+    unit.kind = kind == "program"                         ? st::UnitKind::Program
+                : kind == "function" && reader.of_program ? st::UnitKind::Function
+                                                          : st::UnitKind::FunctionBlock;
+    unit.name = reader.name(value(pou, "name"), reader.xml.where(pou, "name"));
+    unit.where = reader.xml.where(pou);
+    for (const pugi::xml_node& list : child(pou, "interface").children())
+        if (list.type() == pugi::node_element && local_name(list.name()).ends_with("Vars"))
+            read_variables(reader, list, unit.variables);
+    return unit;
+}
+
 /// Reads the actions of the POU in Structured Text; actions in other languages are rejected at their uses.
 void read_actions(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit) {
     for (const pugi::xml_node& node : children(child(pou, "actions"), "action")) {
@@ -118,49 +133,6 @@ std::string remarks(PlcopenReader& reader, pugi::xml_node pou) {
     return text;
 }
 
-}  // namespace
-
-st::File read_plcopen(const Xml& xml, const Sources& sources, Draft& draft) {
-    PlcopenReader reader{xml, sources, draft};
-    reader.file.source = xml.source();
-    std::vector<pugi::xml_node> pous;
-    pugi::xml_node program;  // in Structured Text; reported if there is no chart
-    for (pugi::xml_node node = xml.root().first_child(); node;) {
-        if (is(node, "globalVars")) read_variables(reader, node, reader.file.globals);
-        if (is(node, "pou") && child(child(node, "body"), "SFC")) pous.push_back(node);
-        if (is(node, "pou") && child(child(node, "body"), "ST") && !program) program = node;
-        const bool enter = node.first_child() && !is(node, "pou");
-        if (enter) {
-            node = node.first_child();
-            continue;
-        }
-        while (node && node != xml.root() && !node.next_sibling()) node = node.parent();
-        node = node == xml.root() ? pugi::xml_node() : node.next_sibling();
-    }
-    for (const pugi::xml_node& pou : pous) {
-        st::Unit unit;
-        unit.kind = value(pou, "pouType") == "program" ? st::UnitKind::Program : st::UnitKind::FunctionBlock;
-        unit.name = reader.name(value(pou, "name"), xml.where(pou, "name"));
-        unit.where = xml.where(pou);
-        unit.comment = remarks(reader, pou);
-        for (const pugi::xml_node& list : child(pou, "interface").children())
-            if (list.type() == pugi::node_element && local_name(list.name()).ends_with("Vars"))
-                read_variables(reader, list, unit.variables);
-        read_actions(reader, pou, unit);
-        read_network(reader, unit, child(child(pou, "body"), "SFC"), {});
-        reader.file.units.push_back(std::move(unit));
-    }
-    if (pous.empty() && program) {
-        st::Unit unit;
-        unit.name = reader.name(value(program, "name"), xml.where(program, "name"));
-        unit.where = xml.where(program);
-        reader.file.units.push_back(std::move(unit));
-    }
-    return std::move(reader.file);
-}
-
-namespace {
-
 /// The descendants of `root` with one of the names, in the order of the file; not those in one of them.
 std::vector<pugi::xml_node> all_of(pugi::xml_node root, std::initializer_list<std::string_view> names) {
     std::vector<pugi::xml_node> found;
@@ -176,6 +148,36 @@ std::vector<pugi::xml_node> all_of(pugi::xml_node root, std::initializer_list<st
     }
     return found;
 }
+
+}  // namespace
+
+st::File read_plcopen(const Xml& xml, const Sources& sources, Draft& draft) {
+    PlcopenReader reader{xml, sources, draft};
+    reader.file.source = xml.source();
+    std::vector<pugi::xml_node> pous;
+    pugi::xml_node program;  // in Structured Text; reported if there is no chart
+    for (const pugi::xml_node& node : all_of(xml.root(), {"globalVars", "pou"})) {
+        if (is(node, "globalVars")) read_variables(reader, node, reader.file.globals);
+        else if (child(child(node, "body"), "SFC")) pous.push_back(node);
+        else if (child(child(node, "body"), "ST") && !program) program = node;
+    }
+    for (const pugi::xml_node& pou : pous) {
+        st::Unit unit = unit_of(reader, pou);
+        unit.comment = remarks(reader, pou);
+        read_actions(reader, pou, unit);
+        read_network(reader, unit, child(child(pou, "body"), "SFC"), {});
+        reader.file.units.push_back(std::move(unit));
+    }
+    if (pous.empty() && program) {
+        st::Unit unit;
+        unit.name = reader.name(value(program, "name"), xml.where(program, "name"));
+        unit.where = xml.where(program);
+        reader.file.units.push_back(std::move(unit));
+    }
+    return std::move(reader.file);
+}
+
+namespace {
 
 void read_body(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit,
                const std::unordered_set<std::string>& functions) {
@@ -260,18 +262,9 @@ st::File read_plcopen_program(const Xml& xml, const Sources& sources, Diagnostic
     for (const pugi::xml_node& pou : pous)
         if (value(pou, "pouType") == "function") functions.insert(st::capitals(value(pou, "name")));
     for (const pugi::xml_node& pou : pous) {
-        st::Unit unit;
-        const std::string kind = value(pou, "pouType");
-        unit.kind = kind == "program"    ? st::UnitKind::Program
-                    : kind == "function" ? st::UnitKind::Function
-                                         : st::UnitKind::FunctionBlock;
-        unit.name = reader.name(value(pou, "name"), xml.where(pou, "name"));
-        unit.where = xml.where(pou);
-        const pugi::xml_node interface = child(pou, "interface");
-        if (const pugi::xml_node result = child(interface, "returnType")) unit.result = type_of(reader, result);
-        for (const pugi::xml_node& list : interface.children())
-            if (list.type() == pugi::node_element && local_name(list.name()).ends_with("Vars"))
-                read_variables(reader, list, unit.variables);
+        st::Unit unit = unit_of(reader, pou);
+        if (const pugi::xml_node result = child(child(pou, "interface"), "returnType"))
+            unit.result = type_of(reader, result);
         read_body(reader, pou, unit, functions);
         reader.file.units.push_back(std::move(unit));
     }

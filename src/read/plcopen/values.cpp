@@ -53,14 +53,13 @@ Id<st::Expr> PlcopenValues::at(pugi::xml_node point, std::size_t depth) {
 Id<st::Expr> PlcopenValues::of(const PlcopenLine& line, std::size_t depth) {
     const pugi::xml_node node = line.source;
     const Span where = reader_.xml.where(node);
-    if (depth > deepest || too_many_) {
-        if (!too_many_)
-            reader_.refuse(where, "a cyclic network, or one with more than " + std::to_string(deepest) + " levels",
-                           "simplify it");
+    if (values_ > most_values) return {};
+    if (depth > deepest) {
+        reader_.refuse(where, "a cyclic network, or one with more than " + std::to_string(deepest) + " levels",
+                       "simplify it");
         return {};
     }
     if (++values_ > most_values) {
-        too_many_ = true;
         reader_.refuse(where, "a network whose elements share inputs so often", "assign shared values to variables");
         return {};
     }
@@ -160,7 +159,7 @@ Id<st::Expr> PlcopenValues::block(pugi::xml_node node, const std::string& output
     std::vector<Id<st::Expr>> inputs;
     for (const pugi::xml_node& each : children(child(node, "inputVariables"), "variable")) {
         if (st::capitals(value(each, "formalParameter")) == "EN") {
-            if (reader_.of_program && !child(child(each, "connectionPointIn"), "connection")) continue;
+            if (reader_.of_program && !is_connected(each)) continue;
             return unsupported(node, "a block with a separate enable condition");
         }
         const Id<st::Expr> one = pin(each, depth);

@@ -53,7 +53,6 @@ private:
     Id<st::Expr> block(pugi::xml_node node, const std::string& output, std::size_t depth);
 
     std::size_t values_ = 0;
-    bool too_many_ = false;
 };
 
 /// True if the attribute names an edge, or a storage other than `none`.
