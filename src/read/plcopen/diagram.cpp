@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <tuple>
 #include <unordered_map>
@@ -70,8 +71,11 @@ private:
     // -- order --------------------------------------------------------------------------------------------------------
 
     static std::pair<double, double> position(pugi::xml_node node) {
-        const pugi::xml_node at = child(node, "position");
-        return {attribute(at, "x").as_double(), attribute(at, "y").as_double()};
+        const auto number = [at = child(node, "position")](std::string_view name) {
+            const double value = attribute(at, name).as_double();
+            return std::isfinite(value) ? value : 0;  // `nan` has no place in an order
+        };
+        return {number("x"), number("y")};
     }
 
     static std::int64_t execution_order(pugi::xml_node node) {

@@ -110,6 +110,11 @@ Id<st::Expr> PlcopenValues::variable(pugi::xml_node node, std::string_view mark)
         reader_.refuse(reader_.xml.where(node), "a variable that a condition assigns", "assign it in an action");
         return {};
     }
+    if (reader_.of_program && is(node, "inOutVariable") && is_connected(node)) {
+        reader_.refuse(reader_.xml.where(node), "an element that assigns a variable and passes it on",
+                       "assign the variable in one network and read it in the next");
+        return {};
+    }
     const Id<st::Expr> term = reader_.expression(reader_.xml.text(child(node, "expression")));
     if (term.valid()) is_read(term);
     return negated(node, term, mark);

@@ -83,6 +83,13 @@ TEST(Diagram, NetworksAreEvaluatedFromTopToBottom) {
     EXPECT_EQ(values(text(50, 0), "r", {{0, 0}, {1, 0}, {0, 0}}), "0 0 1") << "q of the last scan";
 }
 
+TEST(Diagram, APositionThatIsNoNumberCountsAsZero) {
+    const std::string text = ladder("<contact localId=\"1\"><position x=\"nan\" y=\"nan\"/>" + lines("0") +
+                                    "<variable>a</variable></contact>" + element("coil", 2, 0, "1", "q") +
+                                    element("contact", 3, 50, "0", "q") + element("coil", 4, 50, "3", "r"));
+    EXPECT_EQ(values(text, "r", {{0, 0}, {1, 0}, {0, 0}}), "0 1 0");
+}
+
 TEST(Diagram, EdgesAndLatchesKeepTheirState) {
     const std::string edge = ladder(element("contact", 1, 0, "0", "a", "edge=\"rising\"") +
                                     element("coil", 2, 0, "1", "q", "storage=\"set\"") +
@@ -201,6 +208,12 @@ TEST(Diagram, RejectsWhatHasNoDefinedMeaning) {
                   .find("not-in-program"),
               std::string::npos)
         << "another type than declared";
+    EXPECT_NE(
+        codes(project("", "<FBD>" + element("inVariable", 1, 0, "", "a") + element("inOutVariable", 2, 0, "1", "q") +
+                              element("outVariable", 3, 0, "2", "r") + "</FBD>"))
+            .find("not-in-program"),
+        std::string::npos)
+        << "the value of q may be that before or after its assignment";
     EXPECT_NE(codes(project("", "<SFC/>")).find("not-in-program"), std::string::npos);
 }
 
