@@ -112,9 +112,7 @@ private:
     }
 
     bool is_faulty() const { return symbolic_.fault || circuits_.fault; }
-    bool is_stopped() const {
-        return (options_.stop != nullptr && options_.stop->load()) || is_over(options_.deadline);
-    }
+    bool is_stopped() const { return is_over(options_.deadline, options_.stop); }
     bool goes_on() const { return (!open_.empty() || moot_.empty()) && !is_faulty() && !is_stopped(); }
 
     /// True if diagrams with three quarters of it left a property open.

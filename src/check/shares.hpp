@@ -3,6 +3,7 @@
 // that a later search leaves unknown mentions the states that earlier searches explored.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -16,6 +17,11 @@ namespace grafverif {
 using Deadline = std::optional<std::chrono::steady_clock::time_point>;
 
 inline bool is_over(const Deadline& deadline) { return deadline && std::chrono::steady_clock::now() >= *deadline; }
+
+/// True after the deadline, or if the caller requests a stop.
+inline bool is_over(const Deadline& deadline, const std::atomic<bool>* stop) {
+    return (stop != nullptr && stop->load(std::memory_order_relaxed)) || is_over(deadline);
+}
 
 /// The end of the first of `shares` equal shares of the remaining time; none without a deadline.
 inline Deadline share_of(const Deadline& deadline, std::size_t shares) {

@@ -117,7 +117,6 @@ public:
         complete_->search_complete();
     }
 
-    bool is_stopped() const { return options_.stop && options_.stop->load(std::memory_order_relaxed); }
     std::uint64_t states() { return complete_ ? complete_->found().states : result_.states; }
     bool is_large() { return complete_ && std::ranges::any_of(complete_->found().verdicts, is_open); }
     TimedResult result() { return complete_ ? complete_->result() : std::move(result_); }
@@ -137,7 +136,8 @@ private:
 
 /// Runs all steps of several searches; returns per search the number of states that the others explored before its last
 /// step. The first search is that of the loop without observers.
-std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Deadline& deadline) {
+std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Limits& limits) {
+    const Deadline& deadline = limits.deadline;
     std::vector<std::uint64_t> earlier(searches.size(), 0);
     const auto step = [&](std::size_t i, const auto& search) {
         earlier[i] = 0;
@@ -163,8 +163,7 @@ std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Deadlin
     // A search may take what the others leave of the time, so the one of most properties is the last.
     std::ranges::reverse(open);
     for (const std::uint64_t states : input_rounds) refine(states);
-    const auto is_stopped = [&] { return is_over(abstract) || searches.front()->is_stopped(); };
-    while (!open.empty() && !is_stopped()) refine(std::ranges::max(input_rounds));
+    while (!open.empty() && !is_over(abstract, limits.stop)) refine(std::ranges::max(input_rounds));
     open.clear();
     for (std::size_t i = 0; i < searches.size(); ++i)
         if (searches[i]->needs_whole()) open.push_back(i);
@@ -176,7 +175,7 @@ std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Deadlin
 TimedResult search(const LoopToCheck& loop, const CheckOptions& options) {
     const Observe nothing = std::identity{};
     StagedSearch search(loop, nothing, loop.network, options);
-    run({&search}, options.limits.deadline);
+    run({&search}, options.limits);
     return search.result();
 }
 
@@ -371,7 +370,7 @@ Report check(const LoopToCheck& loop, const CheckOptions& options) {
     std::deque<WatchedCheck> checks;
     for (const Id<Property> id : by_observers)
         if (is_requested(id)) searches.push_back(&checks.emplace_back(loop, id, options).search());
-    const std::vector<std::uint64_t> earlier = run(searches, options.limits.deadline);
+    const std::vector<std::uint64_t> earlier = run(searches, options.limits);
     Report report{alone.name, basis_of(alone, "timed")};
     for (std::size_t i = 0; i < checks.size(); ++i) take(checks[i].report(), earlier[i + 1], report);
     Report made = Reporter(unwatched, rest).report(search.result());

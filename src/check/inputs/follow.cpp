@@ -91,11 +91,6 @@ std::vector<Id<Network::Variable>> signature_variables(const Network& network) {
     return found;
 }
 
-bool is_over(const FollowLimits& limits) {
-    if (limits.stop && limits.stop->load(std::memory_order_relaxed)) return true;
-    return limits.deadline && std::chrono::steady_clock::now() >= *limits.deadline;
-}
-
 namespace {
 
 /// The goals of a stage are those of the cycle that leads to it; the last stage has those of the last sampling.
@@ -283,7 +278,7 @@ public:
         if (!layout_.fits()) return {};
         add(timed::packed_initial(network_, layout_).data(), 0, 0, Delay{0});
         for (std::size_t polls = 0; !shown_ && !open_.empty() && states_.size() < limits_.states; ++polls) {
-            if (polls % poll_every == 0 && is_over(limits_)) break;
+            if (polls % poll_every == 0 && is_over(limits_.deadline, limits_.stop)) break;
             const std::size_t node = open_.top().node;
             open_.pop();
             expand(node);

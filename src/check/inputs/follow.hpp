@@ -9,11 +9,11 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "check/shares.hpp"
 #include "check/timed/timed.hpp"
 #include "ir/network_inputs.hpp"
 
@@ -30,12 +30,9 @@ struct AbstractRun {
 
 struct FollowLimits {
     std::size_t states = 200'000;
-    std::optional<std::chrono::steady_clock::time_point> deadline = {};
+    Deadline deadline = {};
     const std::atomic<bool>* stop = nullptr;
 };
-
-/// True after the deadline, or if a stop is requested.
-bool is_over(const FollowLimits& limits);
 
 /// The steps and internal variables of all controllers.
 std::vector<Id<Network::Variable>> signature_variables(const Network& network);

@@ -65,9 +65,7 @@ private:
         bool passing = false;  // of time: verdicts on `no timelock` and `no deadlock`
     };
 
-    bool stopped() const {
-        return (options_.stop && options_.stop->load(std::memory_order_relaxed)) || is_over(deadline_);
-    }
+    bool stopped() const { return is_over(deadline_, options_.stop); }
     /// Bound on the states of a complete search for the task.
     std::uint64_t bound_of(const Task& task) const {
         return std::min(options_.max_states, task.coarse ? limits_.coarse_states : limits_.states);
@@ -81,6 +79,7 @@ private:
 
     void collect();
     bool explore();
+    bool search_for_runs(std::uint64_t states);
     Levels first_levels(const Property& property, bool coarse) const;
     void refine(std::size_t verdict, const Task& task, const Levels& levels, std::vector<Task>& tasks) const;
     void search(const Task& task);
@@ -88,7 +87,7 @@ private:
     Levels levels_of_resting() const;
     TimedResult searched(const Network& network, const InputAbstraction& abstraction, TimedOptions options,
                          const Task& task);
-    void conclude(std::size_t verdict, const Verdict& found, const Task& task);
+    void conclude(std::size_t verdict, const Verdict& found, const Levels& levels);
     std::optional<Run> real_run(std::size_t verdict, const AbstractRun& abstract, const Task& task, Levels& raised);
     Run in_units(Run run) const;
     bool first_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const;
@@ -143,33 +142,33 @@ void InputAbstractionCheck::collect() {
 
 /// Looks for runs of the complete loop. False if a further round finds no other run. An observer multiplies the states.
 bool InputAbstractionCheck::explore() {
-    const bool has_observer = observed_.processes.size() != loop_.processes.size();
     const std::uint64_t states = std::min(round_, limits_.explored);
-    bool more = !has_observer && states > 0 && std::ranges::any_of(explored_, [&](auto k) { return is_open(k); });
-    if (more && !novelty_) {
+    const bool looks = observed_.processes.size() == loop_.processes.size() && states > 0 &&
+                       std::ranges::any_of(explored_, [&](std::size_t k) { return is_open(k); });
+    if (looks && search_for_runs(states) && states < limits_.explored) return true;
+    explored_.clear();
+    novelty_.reset();
+    return false;
+}
+
+/// Continues up to so many states. False if it cannot continue further.
+bool InputAbstractionCheck::search_for_runs(std::uint64_t states) {
+    if (!novelty_) {
         std::vector<Property> properties;
         for (const std::size_t k : explored_) properties.push_back(single(k));
         novelty_.emplace(complete_, std::move(properties), instances_);
     }
-    if (more) {
-        const std::size_t before = novelty_->states();
-        more = novelty_->run({.states = states, .deadline = deadline_, .stop = options_.stop});
-        result_.states += novelty_->states() - before;
-        const Task complete{.levels = Levels(instances_.size(), InputLevel::Complete)};
-        for (std::size_t i = 0; i < explored_.size(); ++i) {
-            std::optional<Run> run = is_open(explored_[i]) ? novelty_->run_of(i) : std::nullopt;
-            if (!run) continue;
-            Verdict found;
-            found.outcome = is_about_all_states(single(explored_[i]).pattern) ? Outcome::Violated : Outcome::Holds;
-            found.run = in_units(std::move(*run));
-            found.states = std::to_string(novelty_->states());
-            conclude(explored_[i], found, complete);
-        }
-        more = more && states < limits_.explored;
-    }
-    if (!more) {
-        explored_.clear();
-        novelty_.reset();
+    const std::size_t before = novelty_->states();
+    const bool more = novelty_->run({.states = states, .deadline = deadline_, .stop = options_.stop});
+    result_.states += novelty_->states() - before;
+    for (std::size_t i = 0; i < explored_.size(); ++i) {
+        std::optional<Run> run = is_open(explored_[i]) ? novelty_->run_of(i) : std::nullopt;
+        if (!run) continue;
+        Verdict found;
+        found.outcome = is_about_all_states(single(explored_[i]).pattern) ? Outcome::Violated : Outcome::Holds;
+        found.run = in_units(std::move(*run));
+        found.states = std::to_string(novelty_->states());
+        conclude(explored_[i], found, Levels(instances_.size(), InputLevel::Complete));
     }
     return more;
 }
@@ -297,7 +296,7 @@ void InputAbstractionCheck::search_passing(const Task& task) {
         const Verdict& verdict = result_.verdicts[k];
         const bool about_deadlock =
             verdict.about.valid() && observed_.properties[verdict.about].pattern == Pattern::NoDeadlock;
-        if (!about_deadlock || lively) conclude(k, *passes, task);
+        if (!about_deadlock || lively) conclude(k, *passes, task.levels);
     }
 }
 
@@ -330,7 +329,7 @@ void InputAbstractionCheck::search(const Task& task) {
             if (std::optional<Run> run = real_run(k, abstract, task, levels)) {
                 Verdict verdict = *at;
                 verdict.run = std::move(run);
-                conclude(k, verdict, task);
+                conclude(k, verdict, task.levels);
             } else if (stopped()) {
                 open.push_back(k);
             } else {
@@ -339,7 +338,7 @@ void InputAbstractionCheck::search(const Task& task) {
         } else if (found.complete && at->outcome != Outcome::Unknown) {
             Verdict verdict = *at;
             verdict.run.reset();
-            conclude(k, verdict, task);
+            conclude(k, verdict, task.levels);
         } else if (ends || stopped()) {
             open.push_back(k);
         } else {
@@ -353,7 +352,7 @@ void InputAbstractionCheck::search(const Task& task) {
     std::ranges::move(next, std::back_inserter(tasks_));
 }
 
-void InputAbstractionCheck::conclude(std::size_t k, const Verdict& found, const Task& task) {
+void InputAbstractionCheck::conclude(std::size_t k, const Verdict& found, const Levels& levels) {
     Verdict& verdict = result_.verdicts[k];
     verdict.outcome = found.outcome;
     verdict.obstacle = UnknownReason::None;
@@ -363,7 +362,7 @@ void InputAbstractionCheck::conclude(std::size_t k, const Verdict& found, const 
     verdict.run = found.run;
     verdict.states = found.states;
     verdict.transitions = found.transitions;
-    verdict.abstraction = abstracted(task.levels);
+    verdict.abstraction = abstracted(levels);
 }
 
 /// The property of one verdict; for `reachable all steps` the step.

@@ -38,7 +38,7 @@ public:
     bool run(const FollowLimits& limits) {
         for (std::size_t polls = 0; states_.size() < limits.states; ++polls) {
             if (open_.empty() || monitor_.is_over()) return false;
-            if (polls % poll_every == 0 && is_over(limits)) return true;
+            if (polls % poll_every == 0 && is_over(limits.deadline, limits.stop)) return true;
             const std::size_t state = open_.top().state;
             open_.pop();
             expand(state);
