@@ -10,6 +10,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct AbstractRun {
 
 struct FollowLimits {
     std::size_t states = 200'000;
+    std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max();  ///< memory of a NoveltySearch
     Deadline deadline = {};
     const std::atomic<bool>* stop = nullptr;
 };

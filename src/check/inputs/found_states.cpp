@@ -18,6 +18,12 @@ std::optional<std::size_t> FoundStates::add(const timed::Word* words, std::size_
     return {};
 }
 
+std::uint64_t FoundStates::bytes() const {
+    constexpr std::uint64_t entry = sizeof(std::size_t) + 2 * sizeof(void*);  // in a list of the hash table
+    return nodes_.capacity() * sizeof(Node) + words_.capacity() * sizeof(timed::Word) +
+           known_.bucket_count() * sizeof(void*) + known_.size() * entry;
+}
+
 std::size_t FoundStates::Hash::operator()(std::size_t state) const {
     const auto* const bytes = reinterpret_cast<const char*>(states.words(state));
     const std::string_view stored(bytes, states.layout_.stored * sizeof(timed::Word));

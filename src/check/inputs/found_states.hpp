@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <unordered_set>
 #include <vector>
@@ -22,6 +23,8 @@ public:
     std::optional<std::size_t> add(const timed::Word* words, std::size_t parent, std::size_t mark, const Move& move);
 
     std::size_t size() const { return nodes_.size(); }
+    /// Memory in bytes, approximately.
+    std::uint64_t bytes() const;
     const timed::Word* words(std::size_t state) const { return words_.data() + state * layout_.words; }
     std::size_t mark(std::size_t state) const { return nodes_[state].mark; }
     Run run_to(std::size_t state) const;

@@ -159,7 +159,8 @@ bool InputAbstractionCheck::search_for_runs(std::uint64_t states) {
         novelty_.emplace(complete_, std::move(properties), instances_);
     }
     const std::size_t before = novelty_->states();
-    const bool more = novelty_->run({.states = states, .deadline = deadline_, .stop = options_.stop});
+    const bool more = novelty_->run(
+        {.states = states, .bytes = options_.max_memory / 4, .deadline = deadline_, .stop = options_.stop});
     result_.states += novelty_->states() - before;
     for (std::size_t i = 0; i < explored_.size(); ++i) {
         std::optional<Run> run = is_open(explored_[i]) ? novelty_->run_of(i) : std::nullopt;

@@ -37,7 +37,7 @@ public:
 
     bool run(const FollowLimits& limits) {
         for (std::size_t polls = 0; states_.size() < limits.states; ++polls) {
-            if (open_.empty() || monitor_.is_over()) return false;
+            if (open_.empty() || monitor_.is_over() || bytes() > limits.bytes) return false;
             if (polls % poll_every == 0 && is_over(limits.deadline, limits.stop)) return true;
             const std::size_t state = open_.top().state;
             open_.pop();
@@ -85,6 +85,10 @@ private:
         open_.push({std::size_t(std::bit_width(earlier)) + 2 * now.moves, *state});
         if (!monitor_.wants(machine_, words, registers_)) return;
         monitor_.look(machine_, static_cast<std::uint32_t>(*state), words, registers_);
+    }
+
+    std::uint64_t bytes() const {
+        return states_.bytes() + situations_.capacity() * sizeof(Situation) + open_.size() * sizeof(Open);
     }
 
     void expand(std::size_t state) {

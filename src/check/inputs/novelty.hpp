@@ -23,7 +23,8 @@ public:
                   const std::vector<AbstractableProcess>& instances);
     ~NoveltySearch();
 
-    /// Continues up to `limits.states` states in total. False if all states or all required states are found.
+    /// Continues up to `limits.states` states in total. False if all states or all required states are found, or the
+    /// memory is used.
     bool run(const FollowLimits& limits);
     std::size_t states() const;
     /// The run to a state that decides the property.

@@ -61,6 +61,13 @@ TEST(Novelty, ContinuesWithTheNextBound) {
     EXPECT_TRUE(loop.search.run_of(0));
 }
 
+TEST(Novelty, EndsWithItsMemory) {
+    Searched loop(chain(8, "never X8"));
+    EXPECT_FALSE(loop.search.run({.states = 1'000'000, .bytes = 100'000}));
+    EXPECT_FALSE(loop.search.run_of(0));
+    EXPECT_LT(loop.search.states(), 5'000U);
+}
+
 TEST(Novelty, EndsWithAllStates) {
     Searched loop(chain(1, "reachable X0 && X1"));
     EXPECT_FALSE(loop.search.run({.states = 1'000'000}));
