@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Evidence: a path as a run of the chart, replayed by the interpreter according to IEC 60848.
+// Witness traces: a path as a run of the chart, replayed by the interpreter according to IEC 60848.
 #pragma once
 
 #include <optional>

@@ -28,7 +28,7 @@ std::optional<Report> check_by_verifyta(const LoopToCheck& loop, const CheckOpti
         folder.write("query.q", formula + '\n');
         return run_program({program->string(), "model.xml", "query.q"}, "", limits);
     };
-    Report report{network.name, basis_of(network, "verifyta")};
+    Report report{network.name, settings_of(network, "verifyta")};
     for (Verdict& verdict : check_verifyta(network, uppaal.questions, options))
         report.answers.push_back(result_of(network, std::move(verdict), Detail::Chart));
     return report;

@@ -102,7 +102,7 @@ Report check_states(const SystemToCheck& check, const CheckOptions& options, con
 std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOptions& options,
                                       const LocalizationLimits& limits = {.whole = 1U << 15U, .local = 1U << 18U});
 
-/// Checks by the symbolic engine, which localization, PDR and BMC join if it takes long. `alone`: see TogetherOptions;
+/// Checks by the symbolic engine, which localization, PDR and BMC join if it takes long. `alone`: see PortfolioOptions;
 /// about a second, but the same number of steps on any machine.
 Report check_together(const SystemToCheck& check, const CheckOptions& options, std::uint64_t alone = 50'000'000);
 

@@ -189,7 +189,7 @@ public:
           detail_(options.every_move ? Detail::Everything : Detail::Chart) {}
 
     Report report(TimedResult result) {
-        Report report{network_.name, basis_of(network_, "timed")};
+        Report report{network_.name, settings_of(network_, "timed")};
         for (ModelError& error : result.errors) {
             if (!replays(error.run, fmt::format("the trace to `{}`", word(error.kind)))) error.run = {};
             report.error_traces.push_back(error_trace_of(network_, error, detail_));
@@ -371,7 +371,7 @@ Report check(const LoopToCheck& loop, const CheckOptions& options) {
     for (const Id<Property> id : by_observers)
         if (is_requested(id)) searches.push_back(&checks.emplace_back(loop, id, options).search());
     const std::vector<std::uint64_t> earlier = run(searches, options.limits);
-    Report report{alone.name, basis_of(alone, "timed")};
+    Report report{alone.name, settings_of(alone, "timed")};
     for (std::size_t i = 0; i < checks.size(); ++i) take(checks[i].report(), earlier[i + 1], report);
     Report made = Reporter(unwatched, rest).report(search.result());
     report.profile = std::move(made.profile);

@@ -84,7 +84,7 @@ std::vector<std::string> requested_names(const TransitionSystem& system, const s
 SystemReporter::SystemReporter(const SystemToCheck& check, Of of, std::string engine, const CheckOptions& options,
                                const std::vector<Verdict>& verdicts)
     : check_(check), of_(of), options_(options), unproven_(unproven_faults(check.system, verdicts)) {
-    report_ = {check.system.name, basis_of(check.system, std::move(engine), check.abstraction.words)};
+    report_ = {check.system.name, settings_of(check.system, std::move(engine), check.abstraction.words)};
     report_.settings.grain = check.abstraction.grain;
 }
 

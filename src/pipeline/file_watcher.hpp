@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Watch: detects changes of files after they were read. It compares size, times and identity, so it detects that a file
-// is written in place, replaced by another one of its name, deleted, or restored. The modification time can be set
-// back; the time of the last status change cannot.
+// File watcher: detects changes of files after they were read. It compares size, times and identity, so it detects that
+// a file is written in place, replaced by another one of its name, deleted, or restored. The modification time can be
+// set back; the time of the last status change cannot.
 #pragma once
 
 #include <array>

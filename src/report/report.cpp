@@ -21,7 +21,7 @@ std::string mode_text(bool searches, bool cycles) {
 
 }  // namespace
 
-CheckSettings basis_of(const Network& network, std::string engine) {
+CheckSettings settings_of(const Network& network, std::string engine) {
     bool searches = false, cycles = false;
     for (const Network::Controller& controller : network.controllers)
         (controller.words.mode == ExecutionMode::EveryCycle ? cycles : searches) = true;
@@ -30,7 +30,7 @@ CheckSettings basis_of(const Network& network, std::string engine) {
             network.time_unit_ms, {},   network.constants};
 }
 
-CheckSettings basis_of(const TransitionSystem& system, std::string engine, std::string untimed) {
+CheckSettings settings_of(const TransitionSystem& system, std::string engine, std::string untimed) {
     bool searches = false, cycles = false;
     for (const TransitionSystem::Controller& controller : system.controllers)
         (controller.words.mode == ExecutionMode::EveryCycle ? cycles : searches) = true;

@@ -16,9 +16,9 @@
 namespace grafverif {
 
 /// The assumptions for the controllers and the grain of `network`.
-CheckSettings basis_of(const Network& network, std::string engine);
+CheckSettings settings_of(const Network& network, std::string engine);
 /// For an untimed check; it has no grain unless the caller sets one.
-CheckSettings basis_of(const TransitionSystem& system, std::string engine, std::string untimed);
+CheckSettings settings_of(const TransitionSystem& system, std::string engine, std::string untimed);
 
 /// `verdict` with the text of its property; its run is converted to a trace, and removed.
 PropertyResult result_of(const Network& network, Verdict verdict, Detail detail);

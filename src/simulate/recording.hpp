@@ -15,7 +15,7 @@ public:
     /// `simulation` must have begun and must outlive the recording.
     explicit Recording(Simulation& simulation) : simulation_(simulation) {}
 
-    /// Like Simulation::obey; `line`: the text of the command.
+    /// Like Simulation::execute; `line`: the text of the command.
     std::string execute(const Command& command, std::string_view line);
 
     /// The executed commands, without undone and rejected ones; each is followed by an `expect` of the steps, outputs

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Team: thread pool that executes one parallel task at a time together with the thread that owns it.
+// Thread pool: it executes one parallel task at a time together with the thread that owns it.
 //
 // The threads start with the first task; they have small stacks and all signals blocked. If the system provides fewer
 // threads than requested, the available ones do all work.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Randomized tests: the interpreter of PLC programs agrees with the equations of one scan, scan by scan: every variable,
-// divisions by zero and overflows. Programs of ladder diagrams agree with a direct evaluation of the rungs.
+// Randomized tests: the interpreter of PLC programs agrees with the equations of one scan, scan by scan: every
+// variable, divisions by zero and overflows. Programs of ladder diagrams agree with a direct evaluation of the rungs.
 #include "read/program/program.hpp"
 
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 //
 // A breadth-first search of a loop with an operator panel spends its states on combinations of buttons. This search
 // orders states by the number of earlier states with the same signature: steps and internal variables of the PLCs,
-// locations and variables of the plants. Within a signature, states with fewer moves of autonomous instances come first.
-// The order decides only what is found early: each run is one of the loop.
+// locations and variables of the plants. Within a signature, states with fewer moves of autonomous instances come
+// first. The order decides only what is found early: each run is one of the loop.
 #pragma once
 
 #include <memory>
@@ -17,8 +17,8 @@ namespace grafverif {
 
 class NoveltySearch {
 public:
-    /// `network`: complete, expanded, without observers, and must outlive the search. `properties`: about single states,
-    /// or one step of `reachable all steps` each.
+    /// `network`: complete, expanded, without observers, and must outlive the search. `properties`: about single
+    /// states, or one step of `reachable all steps` each.
     NoveltySearch(const Network& network, std::vector<Property> properties,
                   const std::vector<AbstractableProcess>& instances);
     ~NoveltySearch();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Questions: the properties of a system as sets of states, and their evaluation on the reachable states.
+// Queries: the properties of a system as sets of states, and their evaluation on the reachable states.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Watch: searches for single states that decide properties, all properties together. A watch ends when it has found its
-// state, so that decided properties cause no further cost.
+// Monitors: searches for single states that decide properties, all properties together. A monitor ends when it has
+// found its state, so that decided properties cause no further cost.
 #pragma once
 
 #include <cstdint>

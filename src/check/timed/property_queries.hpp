@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Questions: the properties of a network as code and watches before the search, and as verdicts after it.
+// Queries: the properties of a network as code and monitors before the search, and as verdicts after it.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Slice: the moves of a few consecutive states, computed by one thread in parallel with others, while nothing is
-// written to the graph. States that the store does not contain yet are new: they are numbered when the search reaches
-// them.
+// Batch of successors: the moves of a few consecutive states, computed by one thread in parallel with others, while
+// nothing is written to the graph. States that the store does not contain yet are new: they are numbered when the
+// search reaches them.
 #pragma once
 
 #include <cstdint>

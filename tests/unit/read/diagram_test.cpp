@@ -83,7 +83,7 @@ TEST(Diagram, NetworksAreEvaluatedFromTopToBottom) {
     EXPECT_EQ(values(text(50, 0), "r", {{0, 0}, {1, 0}, {0, 0}}), "0 0 1") << "q of the last scan";
 }
 
-TEST(Diagram, APositionThatIsNoNumberCountsAsZero) {
+TEST(Diagram, AnInvalidPositionCountsAsZero) {
     const std::string text = ladder("<contact localId=\"1\"><position x=\"nan\" y=\"nan\"/>" + lines("0") +
                                     "<variable>a</variable></contact>" + element("coil", 2, 0, "1", "q") +
                                     element("contact", 3, 50, "0", "q") + element("coil", 4, 50, "3", "r"));
