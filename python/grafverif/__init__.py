@@ -450,7 +450,7 @@ class Simulation:
 
     @property
     def is_trial(self) -> bool:
-        """True if a step was forced, so that the following rows are not a run of the model."""
+        """True if the user changed the situation by hand, so that the following rows are not a run of the model."""
         return self._core.what_if_row() is not None
 
     @property

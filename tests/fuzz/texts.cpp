@@ -19,7 +19,7 @@ namespace grafverif::fuzz {
 
 namespace {
 
-/// The error in the diagnostics of a text that was accepted or rejected.
+/// The contradiction between the result of reading a text and its diagnostics; empty: none.
 std::string result_complaint_of(bool read, const Diagnostics& diagnostics, const Sources& sources) {
     if (read == diagnostics.has_errors())
         return read ? "it is read, with errors" : "it cannot be read, without an error";

@@ -65,7 +65,7 @@ void pins_chunk_put_at(model_t m, int t, const chunk text, int index) {
     texts[index] = text.data;
 }
 
-/* The states found: a table of hashes with open addresses. */
+/* The states found: a hash table with open addressing. */
 static int *states, *table, count, room = 1024, places = 4096;
 
 static unsigned hash(const int *state) {
