@@ -74,7 +74,7 @@ private:
     }
 
     void advance_timers(std::vector<Id<Expr>>& memory) {
-        if (scan_.layout.timers.empty()) return;
+        if (scan_.layout.longest == 0) return;  // no elapsed time changes
         Id<Expr> step;
         if (program_.interval_ms) {
             step = exprs().integer(*program_.interval_ms);

@@ -37,8 +37,8 @@ std::string quoted(std::string_view text) { return "`" + std::string(text) + "`"
 
 }  // namespace
 
-Reader::Reader(st::File& file, const Sources& sources, Diagnostics& sink)
-    : diagnostics(&sink), file_(&file), sources_(&sources) {
+Reader::Reader(st::File& file, const Sources& sources, Diagnostics& sink, std::vector<Chart> charts)
+    : diagnostics(&sink), file_(&file), sources_(&sources), charts_(std::move(charts)) {
     for (const Elementary& one : elementary_types) {
         const Id<Type> id = program.types.add({one.kind, one.name, one.low, one.high, {}, {}});
         types_[file.intern(one.name).index] = id;
@@ -58,7 +58,9 @@ void Reader::read(std::size_t user) {
     declare_units(user);
     for (std::size_t index = 0; index < file_->units.size(); ++index) {
         unit_ = declared_[index];
-        program.units[unit_].body = block(file_->units[index].body);
+        const bool has_chart = !file_->units[index].networks.empty();
+        Program::Body body = has_chart ? chart(index) : block(file_->units[index].body);
+        program.units[unit_].body = std::move(body);
     }
     check_calls();
     choose_main(user);
@@ -166,9 +168,9 @@ void Reader::declare(std::size_t index) {
     states_[index] = State::Open;
     const st::Unit& from = file_->units[index];
     const Id<Unit> id = declared_[index];
-    if (!from.networks.empty())
-        reject(from.networks.front().where, "a Sequential Function Chart", "use `grafverif import` for it");
-    for (const st::Action& action : from.actions) reject(action.where, "an action", "move its statements to the body");
+    if (from.networks.empty())
+        for (const st::Action& action : from.actions)
+            reject(action.where, "an action without a Sequential Function Chart", "move its statements to the body");
     if (from.kind == st::UnitKind::Function) {
         const auto type = type_of(from.result, from.result.name.where);
         if (type && program.types[*type].kind == Type::Kind::Block)
@@ -181,6 +183,7 @@ void Reader::declare(std::size_t index) {
         scopes_[id.index].variables[from.name.word.index] = 0;
     }
     declare_variables(id, from.variables, from.kind == st::UnitKind::Program);
+    if (!from.networks.empty()) declare_chart(index);
     Unit& unit = program.units[id];
     if (unit.size == 0) {  // an instance has a cell, which bounds their number
         unit.size = 1;

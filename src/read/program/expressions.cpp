@@ -164,6 +164,7 @@ Reader::MaybeTyped Reader::leaf(Id<st::Expr> id) {
             return {};
         }
         if (found->variable->constant) return Typed{number(found->variable->initial, found->type, from.where), false};
+        limit_step_time(*found);
         const Id<Node> node = add(Op::Read, found->type, {}, from.where);
         program.nodes[node].place = found->place;
         return Typed{node, false};
@@ -202,7 +203,7 @@ Reader::MaybeTyped Reader::comparison(Id<st::Expr> id) {
     const st::Expr from = file_->exprs[id];
     const std::vector<Id<st::Expr>> parts = st::operands(*file_, id);
     if (parts.size() != 2) return {};  // reported by the parser
-    const auto left = expression(parts[0]), right = expression(parts[1]);
+    const auto [left, right] = compared(parts);
     if (!left || !right) return {};
     std::vector<Typed> both = {*left, *right};
     if (!unify(both, from.where)) return {};
@@ -449,6 +450,7 @@ std::optional<Reader::Found> Reader::variable(Id<st::Expr> path) {
         reject(from.where, "this variable", "use a name, or an output of an instance");
         return {};
     }
+    if (const auto found = chart_member(path)) return found;
     const st::Expr& owner_expr = file_->exprs[from.first];
     if (any_member_ && owner_expr.op == st::Op::Name &&
         st::capitals(text(owner_expr.word)) == st::capitals(program.units[unit_].name) &&
@@ -467,8 +469,8 @@ std::optional<Reader::Found> Reader::variable(Id<st::Expr> path) {
                           ? nullptr
                           : &program.units[type.unit].variables[known->second];
     const bool readable = any_member_ && found && found->section != Variable::Section::Temporary;
-    const bool visible = found && (readable || found->section == Variable::Section::Input ||
-                                   found->section == Variable::Section::Output);
+    const bool input = found && found->section == Variable::Section::Input && !chart_units_.contains(type.unit.index);
+    const bool visible = found && (readable || input || found->section == Variable::Section::Output);
     if (!visible) {
         std::vector<std::string> candidates;
         for (const Variable& variable : program.units[type.unit].variables)

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: MIT
-// program::Reader: name resolution and type checking of Structured Text, in three files: declarations, expressions and
-// statements.
+// program::Reader: name resolution and type checking of Structured Text and Sequential Function Charts, in four files:
+// declarations, expressions, statements and charts.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "grafverif/support/diagnostic.hpp"
 #include "grafverif/support/source.hpp"
 #include "ir/program/program.hpp"
+#include "read/program/charts.hpp"
 #include "syntax/st/st_tree.hpp"
 
 namespace grafverif::program {
@@ -25,7 +29,8 @@ using Variable = Program::Variable;
 
 class Reader {
 public:
-    Reader(st::File& file, const Sources& sources, Diagnostics& diagnostics);
+    /// `charts`: one for each unit of the file.
+    Reader(st::File& file, const Sources& sources, Diagnostics& diagnostics, std::vector<Chart> charts);
 
     /// `user`: the number of units of the user, which precede the standard ones.
     void read(std::size_t user);
@@ -55,6 +60,8 @@ private:
         std::unordered_map<std::uint32_t, std::uint32_t> variables =
             {};  ///< word -> index in the variables of the unit
         std::unordered_map<std::uint32_t, Span> externals = {};
+        /// Step or action, and member -> index in the variables: a variable may have the name of a step.
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> members = {};
     };
     enum class State { New, Open, Done };
 
@@ -71,6 +78,26 @@ private:
     void choose_main(std::size_t user);
     void task_of(const st::Instance& instance);
     void check_calls();
+
+    // chart.cpp
+    void declare_chart(std::size_t index);
+    Id<Type> step_type(bool initial);
+    std::uint32_t add_cells(Id<Unit> unit, std::string shown, Id<Type> type, Span where,
+                            Variable::Section section = Variable::Section::Local);
+    std::uint32_t add_cells(Id<Unit> unit, st::Name name, std::array<std::string_view, 2> members, Id<Type> type);
+    std::optional<Found> chart_member(Id<st::Expr> path);
+    Program::Body chart(std::size_t index);
+    void evolve(const st::Network& network, const Chart& chart, Program::Body& body);
+    void control(const ChartAction& action, Program::Body& body);
+    void execute(const ChartAction& action, Program::Body& body);
+    Id<Node> read(std::uint32_t cell, Id<Type> type, Span where);
+    Id<Node> flag(Id<st::Word> step, Span where) { return read(cell_of(step), bool_, where); }
+    Id<Node> all(Program::Op op, std::vector<Id<Node>> operands, Span where);
+    void store(std::uint32_t cell, Id<Type> type, Id<Node> value, Span where, Program::Body& body);
+    void add_if(std::vector<Program::Arm> arms, Span where, Program::Body& body);
+    std::uint32_t cell_of(Id<st::Word> step) const;
+    std::array<MaybeTyped, 2> compared(const std::vector<Id<st::Expr>>& sides);
+    void limit_step_time(const Found& read);
 
     // expressions.cpp
     MaybeTyped expression(Id<st::Expr> id);
@@ -122,6 +149,11 @@ private:
     Id<Unit> unit_ = {};                                                      ///< the current one
     bool any_member_ = false;  ///< local variables of instances can be read
     int loops_ = 0;
+    std::vector<Chart> charts_;                       ///< per unit of the file
+    std::array<Id<Type>, 2> step_types_ = {};         ///< of steps, of initial steps
+    std::set<std::uint32_t> chart_units_ = {};        ///< units of steps and action controls
+    bool action_ = false;                             ///< within the body of an action
+    std::optional<std::int64_t> compared_time_ = {};  ///< the current operand is compared with this duration
     Id<Type> bool_ = {}, int_ = {}, dint_ = {}, time_ = {};
 };
 

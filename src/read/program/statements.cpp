@@ -51,7 +51,10 @@ void Reader::statement(Id<st::Statement> id, Program::Body& body) {
         made.arms.push_back(std::move(arm));
         break;
     }
-    case st::StatementKind::Return: made.kind = Kind::Return; break;
+    case st::StatementKind::Return:
+        if (action_) return reject(from.where, "RETURN in an action", "use IF");
+        made.kind = Kind::Return;
+        break;
     case st::StatementKind::Exit:
         if (loops_ == 0) return reject(from.where, "EXIT outside a loop", "remove it, or use RETURN");
         made.kind = Kind::Exit;
@@ -69,6 +72,10 @@ std::optional<Reader::Found> Reader::target(Id<st::Expr> path) {
         return reject(where, "an assignment to an instance", "assign its inputs"), std::nullopt;
     if (found->variable->constant)
         return reject(where, "an assignment to a constant", "declare it without CONSTANT"), std::nullopt;
+    if (found->inside && chart_units_.contains(program.types[found->instance->type].unit.index))
+        return reject(where, "an assignment to a step or to the control of an action",
+                      "write transitions or action blocks"),
+               std::nullopt;
     if (found->inside && found->variable->section != Variable::Section::Input)
         return reject(where, "an assignment to an output of an instance", "assign its inputs"), std::nullopt;
     return found;
@@ -103,6 +110,8 @@ void Reader::invoke(Id<st::Expr> call, Program::Body& body) {
         return reject(callee.where, function ? "a function call as a statement" : "a call of a type",
                       function ? "assign its value" : "declare an instance and call it");
     }
+    if (scopes_[unit_.index].members.contains({callee.word.index, file_->intern("A").index}))
+        return reject(callee.where, "a call of an action", "associate the action with a step");
     const auto found = named(callee.word, callee.where);
     if (!found) return;
     const Type& type = program.types[found->type];

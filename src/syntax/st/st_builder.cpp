@@ -100,7 +100,8 @@ Association Builder::association(Name action, std::vector<Id<Expr>> arguments, S
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const Expr& argument = file_->exprs[arguments[i]];
         if (i == 0 && argument.op == Op::Name) association.qualifier = capitals(file_->text(argument.word));
-        if (i == 1) association.time = arguments[i];
+        else if (i == 1) association.time = arguments[i];
+        else association.unread = true;
     }
     return association;
 }

@@ -149,6 +149,7 @@ struct Association {
     Id<Expr> time = {};
     Block body = {};
     Span where = {};
+    bool unread = false;  ///< has further arguments
 };
 
 struct Step {
