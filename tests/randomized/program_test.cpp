@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Randomized tests: the interpreter of PLC programs agrees with the equations of one scan, scan by scan: every
-// variable, divisions by zero and overflows. Programs of ladder diagrams agree with a direct evaluation of the rungs.
+// variable, divisions by zero and overflows. Programs of ladder diagrams and Sequential Function Charts agree with a
+// direct evaluation of the diagram.
 #include "read/program/program.hpp"
 
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@
 #include "run/program/interpreter.hpp"
 #include "support/random_diagram.hpp"
 #include "support/random_program.hpp"
+#include "support/random_sfc.hpp"
 #include "support/row_counts.hpp"
 #include "support/test_size.hpp"
 
@@ -132,6 +134,69 @@ TEST(RandomizedProgram, LadderDiagramsAgreeWithTheirRungs) {
     print_counts(seen);
     EXPECT_GT(seen["changes of outputs"], test_size(100));
     EXPECT_GT(seen["latches"], test_size(20));
+}
+
+std::int64_t value_of(const ProgramRun& run, const std::string& name) {
+    const auto cell = std::ranges::find(run.layout().cells, name, &ProgramCell::name);
+    EXPECT_NE(cell, run.layout().cells.end()) << name;
+    if (cell == run.layout().cells.end()) return -1;
+    return run.cells()[static_cast<std::size_t>(cell - run.layout().cells.begin())];
+}
+
+/// The first variable whose value differs, or nothing.
+std::string difference(const ProgramRun& run, const RandomSfc& chart) {
+    for (std::size_t i = 0; i < chart.steps.size(); ++i) {
+        const std::string name = "S" + std::to_string(i) + ".X";
+        if (value_of(run, name) != (chart.steps[i].active ? 1 : 0)) return name;
+    }
+    for (std::size_t i = 0; i < chart.actions.size(); ++i) {
+        const RandomSfc::Action& action = chart.actions[i];
+        const std::string index = std::to_string(i), q = "v" + index + (action.variable ? "" : ".Q");
+        if ((action.variable || action.used) && value_of(run, q) != (action.q ? 1 : 0)) return q;
+        if (action.variable) continue;
+        if (value_of(run, "c" + index) != action.count) return "c" + index;
+        if (value_of(run, "m" + index) != (action.copy ? 1 : 0)) return "m" + index;
+    }
+    return {};
+}
+
+TEST(RandomizedProgram, SequentialFunctionChartsAgreeWithTheirRules) {
+    std::map<std::string, int> seen;
+    Met met;
+    for (int seed = 1; seed <= test_size(300); ++seed) {
+        Random random(static_cast<unsigned>(seed));
+        RandomSfc chart = random_sfc(random);
+        const std::string text = chart.text();
+        Sources sources;
+        Diagnostics diagnostics;
+        const auto read = read_program(sources.add({"random.st", text}), sources, diagnostics);
+        ASSERT_TRUE(read) << "seed " << seed << '\n' << error_texts(diagnostics, sources) << text;
+        const auto equations = scan_of(read->program(), diagnostics);
+        ASSERT_TRUE(equations) << "seed " << seed << '\n' << error_texts(diagnostics, sources) << text;
+        ASSERT_EQ(disagreement(read->program(), *equations, random, met), "") << "seed " << seed << '\n' << text;
+        ProgramRun run(read->program());
+        std::vector<std::int64_t> inputs(RandomSfc::inputs);
+        for (int scan = 1; scan <= 60; ++scan) {
+            for (std::int64_t& input : inputs) input = chance(random, 40) ? 1 - input : input;
+            const std::int64_t elapsed = random_number(random, 0, 15);
+            run.scan(inputs, elapsed);
+            chart.scan(inputs, elapsed);
+            ASSERT_EQ(difference(run, chart), "") << "seed " << seed << ", scan " << scan << '\n' << text;
+            seen["cleared transitions"] += chart.cleared;
+            seen["simultaneous clearing"] += chart.cleared > 1 ? 1 : 0;
+            seen["selections"] += chart.selected ? 1 : 0;
+            for (const RandomSfc::Action& action : chart.actions) {
+                if (action.q && !action.timed.empty()) ++seen["actions with " + action.timed];
+                if (action.q) ++seen["actions"];
+                if (!action.q && action.executed) ++seen["final scans"];
+            }
+        }
+    }
+    print_counts(seen);
+    for (const char* what :
+         {"cleared transitions", "simultaneous clearing", "selections", "actions", "final scans", "actions with L",
+          "actions with D", "actions with SD", "actions with DS", "actions with SL"})
+        EXPECT_GT(seen[what], test_size(100)) << what;
 }
 
 }  // namespace

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Random Sequential Function Charts as text, executed by the rules of IEC 61131-3, 2.6, without the program: qualifiers
+// are computed from times of activation instead of function blocks.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "support/random_chart.hpp"
+
+namespace grafverif {
+
+struct RandomSfc {
+    enum class Kind : std::uint8_t { Input, Active, Time, Variable, Action };
+    /// A condition on an input, a step, the time of a step in milliseconds, a variable or the state of an action.
+    struct Literal {
+        Kind kind = Kind::Input;
+        std::size_t index = 0;
+        std::int64_t least = 0;
+        bool negated = false;
+    };
+    struct Transition {
+        std::vector<std::size_t> from = {}, to = {};
+        std::vector<Literal> condition = {};  ///< all of them
+        std::int64_t priority = 0;            ///< 0: none
+    };
+    struct Step {
+        bool active = false;
+        std::int64_t since = 0;                                        ///< the time of its activation
+        std::int64_t lasted = 0;                                       ///< after its deactivation
+        std::vector<std::pair<std::size_t, std::string>> blocks = {};  ///< action and qualifier
+    };
+    /// The times at which a condition became true.
+    struct Stretch {
+        bool on = false, rises = false, falls = false;
+        std::int64_t since = 0;
+        void follow(bool value, std::int64_t now);
+    };
+    struct Action {
+        bool variable = false;
+        std::string timed = {};  ///< its only qualifier with a duration
+        std::int64_t duration = 0;
+        Literal copied = {};  ///< statements assign its value to `m`
+        bool used = false, q = false, executed = false, copy = false, stored = false;
+        Stretch pulse = {}, entry = {}, exit = {}, delay = {};
+        std::int64_t count = 0;
+    };
+
+    static constexpr std::size_t inputs = 3;
+
+    std::vector<Step> steps = {};
+    std::vector<Transition> transitions = {};
+    std::vector<Action> actions = {};
+    std::vector<std::size_t> order = {};  ///< of actions
+    std::array<bool, inputs> values = {};
+    std::int64_t now = 0;
+    bool started = false;
+    int cleared = 0;        ///< in the last scan
+    bool selected = false;  ///< in the last scan, an enabled transition gave way to another
+
+    void scan(const std::vector<std::int64_t>& sampled, std::int64_t elapsed);
+    std::string text() const;
+
+private:
+    bool is_true(const Literal& literal) const;
+    bool is_active(std::size_t action, const std::string& qualifier) const;
+    void evolve();
+    void control(std::size_t action);
+    std::string text(const Literal& literal) const;
+};
+
+RandomSfc random_sfc(Random& random);
+
+}  // namespace grafverif
