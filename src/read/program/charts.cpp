@@ -240,7 +240,7 @@ private:
     }
 
     /// Without regard to conditions, no transition activates an active step. Simultaneous clearing has the effect of
-    /// clearing in sequence.
+    /// clearing in sequence. Not every situation of a chart that has too many is examined: the chart is rejected.
     void check_safety(const st::Network& network) {
         Marking first(index_.size());
         for (const st::Step& step : network.steps)
@@ -248,7 +248,10 @@ private:
         std::set<Marking> seen = {first};
         std::vector<Marking> open = {first};
         std::set<const st::Transition*> reported;
-        while (!open.empty() && seen.size() < most_markings) {
+        while (!open.empty()) {
+            if (seen.size() >= most_markings)
+                return reject(network.where, fmt::format("a chart with more than {} situations", most_markings),
+                              "divide it into several function blocks");
             const Marking marking = std::move(open.back());
             open.pop_back();
             for (const st::Transition& transition : network.transitions) {

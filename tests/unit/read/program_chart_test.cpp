@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// Sequential Function Charts as bodies of programs: qualifiers scan by scan, evolution, and diagnostics.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "unit/read/program_values.hpp"
+
+namespace grafverif {
+namespace {
+
+/// Step S1 is active while `a` is true. `v` is a Boolean variable, `count` an action that increments `n`.
+std::string chart(const std::string& first, const std::string& second) {
+    return fmt::format(
+        "PROGRAM p VAR_INPUT a : BOOL; END_VAR VAR v : BOOL; n : INT; END_VAR\n"
+        "INITIAL_STEP S0: {} END_STEP\nSTEP S1: {} END_STEP\n"
+        "TRANSITION FROM S0 TO S1 := a; END_TRANSITION\nTRANSITION FROM S1 TO S0 := NOT a; END_TRANSITION\n"
+        "ACTION count: n := n + 1; END_ACTION\nEND_PROGRAM\n",
+        first, second);
+}
+
+TEST(ProgramChart, QualifiersOfBooleanVariablesFollowTheStandard) {
+    const auto v = [](const std::string& second, const std::vector<std::vector<std::int64_t>>& inputs,
+                      const std::string& first = "") { return values(chart(first, second), "v", inputs); };
+    const std::vector<std::vector<std::int64_t>> longer = {{0}, {1}, {1}, {1}, {0}, {0}},
+                                                 shorter = {{0}, {1}, {1}, {0}, {0}};
+    EXPECT_EQ(v("v(N);", longer), "0 1 1 1 0 0");
+    EXPECT_EQ(v("v(P);", longer), "0 1 0 0 0 0");
+    EXPECT_EQ(v("v(S);", longer), "0 1 1 1 1 1");
+    EXPECT_EQ(v("v(S);", longer, "v(R);"), "0 1 1 1 0 0");
+    EXPECT_EQ(v("v(S); v(R);", longer), "0 0 0 0 0 0");
+    EXPECT_EQ(v("v(L, T#15ms);", longer), "0 1 1 0 0 0");
+    EXPECT_EQ(v("v(D, T#15ms);", longer), "0 0 0 1 0 0");
+    EXPECT_EQ(v("v(SL, T#25ms);", shorter), "0 1 1 1 0");
+    EXPECT_EQ(v("v(SD, T#15ms);", shorter), "0 0 0 1 1");
+    EXPECT_EQ(v("v(DS, T#15ms);", shorter), "0 0 0 0 0");
+    EXPECT_EQ(v("v(DS, T#15ms);", longer), "0 0 0 1 1 1");
+    EXPECT_EQ(v("v(D, T#0ms);", longer), "0 1 1 1 0 0");
+}
+
+TEST(ProgramChart, StatementsAreExecutedOnceMoreAfterTheirAction) {
+    const auto n = [](const std::string& second) {
+        return values(chart("", second), "n", {{0}, {1}, {1}, {1}, {0}, {0}});
+    };
+    EXPECT_EQ(n("count(N);"), "0 1 2 3 4 4");
+    EXPECT_EQ(n("count(P);"), "0 1 2 2 2 2");
+    EXPECT_EQ(n("count(P1);"), "0 1 1 1 1 1");
+    EXPECT_EQ(n("count(P0);"), "0 0 0 0 1 1");
+    EXPECT_EQ(n("count(P1); count(P0);"), "0 1 1 1 2 2");
+}
+
+TEST(ProgramChart, TheFirstExecutionClearsNoTransition) {
+    EXPECT_EQ(values(chart("", ""), "S0.X", {{1}, {1}, {1}}), "1 0 0");
+    EXPECT_EQ(values(chart("", "v(N);"), "S1.X", {{1}, {1}, {0}, {1}}), "0 1 0 1");
+}
+
+TEST(ProgramChart, FirstTransitionOfASelectionIsClearedUnlessThereArePriorities) {
+    const auto chart = [](const std::string& first, const std::string& second) {
+        return "PROGRAM p VAR_INPUT a, b : BOOL; END_VAR\nINITIAL_STEP S: END_STEP STEP S1: END_STEP STEP S2: "
+               "END_STEP\n"
+               "TRANSITION " +
+               first +
+               " FROM S TO S1 := a; END_TRANSITION\n"
+               "TRANSITION " +
+               second +
+               " FROM S TO S2 := b; END_TRANSITION\n"
+               "TRANSITION FROM S1 TO S := TRUE; END_TRANSITION TRANSITION FROM S2 TO S := TRUE; END_TRANSITION\n"
+               "END_PROGRAM";
+    };
+    EXPECT_EQ(values(chart("", ""), "S1.X", {{1, 1}, {1, 1}}), "0 1");
+    EXPECT_EQ(values(chart("(PRIORITY := 2)", "(PRIORITY := 1)"), "S2.X", {{1, 1}, {1, 1}}), "0 1");
+    EXPECT_EQ(ReadProgram(chart("(PRIORITY := 1)", "(PRIORITY := 1)")).codes(), "4:1 not-in-program\n");
+    EXPECT_EQ(ReadProgram(chart("(PRIORITY := 1)", "")).codes(), "4:1 not-in-program\n");
+}
+
+TEST(ProgramChart, BlocksWithChartsKeepTheirSituation) {
+    EXPECT_EQ(
+        values("FUNCTION_BLOCK f VAR_INPUT a : BOOL; END_VAR VAR_OUTPUT o : BOOL; END_VAR\n"
+               "INITIAL_STEP S0: END_STEP STEP S1: o(N); END_STEP\n"
+               "TRANSITION FROM S0 TO S1 := a; END_TRANSITION\n"
+               "TRANSITION FROM S1 TO S0 := S1.T >= T#20ms; END_TRANSITION\nEND_FUNCTION_BLOCK\n"
+               "PROGRAM p VAR_INPUT a, b : BOOL; END_VAR VAR k, l : f; both : INT; END_VAR\n"
+               "IF b THEN k(a := a); END_IF\nl(a := a); both := 2 * BOOL_TO_INT(k.o) + BOOL_TO_INT(l.o);\nEND_PROGRAM",
+               "both", {{0, 1}, {1, 1}, {0, 0}, {0, 0}, {0, 0}, {0, 1}}),
+        "0 3 3 2 2 0");
+}
+
+TEST(ProgramChart, ReportsAllErrorsOfItsStructure) {
+    const ReadProgram reading(
+        "FUNCTION f : INT\nINITIAL_STEP S0: END_STEP\nEND_FUNCTION\n"
+        "PROGRAM p VAR_INPUT a, b : BOOL; END_VAR VAR v, w : BOOL; END_VAR\n"
+        "INITIAL_STEP S0: act(N); v(P1); v(L, T#1s);\n act(D);\n v(N, T#1s); END_STEP\n"
+        "STEP S1: act(Q);\n v(L, T#2s); END_STEP\n"
+        "STEP S1: END_STEP\n"
+        "INITIAL_STEP S2: END_STEP\n"
+        "TRANSITION FROM S0 TO S9 := a; END_TRANSITION\n"
+        "TRANSITION FROM (S2, S2) TO S0 := a; END_TRANSITION\n"
+        "ACTION act: ; END_ACTION\nACTION act: ; END_ACTION\nEND_PROGRAM\n");
+    EXPECT_EQ(reading.codes(),
+              "2:1 not-in-program\n10:6 duplicate-name\n11:1 not-in-program\n12:23 unknown-step\n13:22 not-in-program\n"
+              "15:8 duplicate-name\n5:26 not-in-program\n6:2 not-in-program\n7:2 not-in-program\n8:10 not-in-program\n"
+              "9:2 not-in-program\n");
+    EXPECT_EQ(ReadProgram("PROGRAM p VAR v : BOOL; END_VAR\nSTEP S0: v(N); END_STEP\nEND_PROGRAM").codes(),
+              "2:1 not-in-program\n");  // no initial step
+}
+
+TEST(ProgramChart, RejectsStatementsThatChangeTheChart) {
+    const auto rejected = [](const std::string& statement) {
+        return ReadProgram(
+                   "PROGRAM p VAR v : BOOL; END_VAR\nINITIAL_STEP S0: act(N); END_STEP\n"
+                   "TRANSITION FROM S0 TO S0 := v; END_TRANSITION\nACTION act:\n" +
+                   statement + "\nEND_ACTION\nEND_PROGRAM")
+            .codes();
+    };
+    EXPECT_EQ(rejected("v := S0.X AND act.Q;"), "");
+    EXPECT_EQ(rejected("S0.X := TRUE;"), "5:1 not-in-program\n");
+    EXPECT_EQ(rejected("RETURN;"), "5:1 not-in-program\n");
+    EXPECT_EQ(rejected("act();"), "5:1 not-in-program\n");
+    EXPECT_EQ(rejected("v := S0.Z;"), "5:6 unknown-variable\n");
+}
+
+TEST(ProgramChart, RejectsChartsWhoseStepsMayBeActivatedTwice) {
+    EXPECT_EQ(
+        ReadProgram("PROGRAM p VAR_INPUT a : BOOL; END_VAR\nINITIAL_STEP S0: END_STEP STEP S1: END_STEP\n"
+                    "STEP S2: END_STEP STEP S3: END_STEP\nTRANSITION FROM S0 TO (S1, S2) := a; END_TRANSITION\n"
+                    "TRANSITION FROM S1 TO S3 := a; END_TRANSITION\nTRANSITION FROM S2 TO S3 := a; END_TRANSITION\n"
+                    "END_PROGRAM")
+            .codes(),
+        "5:1 not-in-program\n6:1 not-in-program\n");
+    std::string steps, all, transitions;  // 2^15 situations
+    for (int i = 0; i < 15; ++i) {
+        steps += fmt::format("STEP A{0}: END_STEP STEP B{0}: END_STEP\n", i);
+        all += fmt::format("{}A{}", i == 0 ? "" : ", ", i);
+        transitions += fmt::format("TRANSITION FROM A{0} TO B{0} := a; END_TRANSITION\n", i);
+    }
+    EXPECT_EQ(ReadProgram("PROGRAM p VAR_INPUT a : BOOL; END_VAR\nINITIAL_STEP S0: END_STEP\n" + steps +
+                          "TRANSITION FROM S0 TO (" + all + ") := a; END_TRANSITION\n" + transitions + "END_PROGRAM")
+                  .codes(),
+              "2:1 not-in-program\n");
+}
+
+}  // namespace
+}  // namespace grafverif
