@@ -166,14 +166,16 @@ TEST(RandomizedProgram, SequentialFunctionChartsAgreeWithTheirRules) {
     for (int seed = 1; seed <= test_size(300); ++seed) {
         Random random(static_cast<unsigned>(seed));
         RandomSfc chart = random_sfc(random);
-        const std::string text = chart.text();
+        const bool drawn = chance(random, 40);
+        const std::string text = drawn ? chart.xml(random) : chart.text();
         Sources sources;
         Diagnostics diagnostics;
-        const auto read = read_program(sources.add({"random.st", text}), sources, diagnostics);
+        const auto read = read_program(sources.add({drawn ? "random.xml" : "random.st", text}), sources, diagnostics);
         ASSERT_TRUE(read) << "seed " << seed << '\n' << error_texts(diagnostics, sources) << text;
         const auto equations = scan_of(read->program(), diagnostics);
         ASSERT_TRUE(equations) << "seed " << seed << '\n' << error_texts(diagnostics, sources) << text;
         ASSERT_EQ(disagreement(read->program(), *equations, random, met), "") << "seed " << seed << '\n' << text;
+        ++seen[drawn ? "drawn charts" : "textual charts"];
         ProgramRun run(read->program());
         std::vector<std::int64_t> inputs(RandomSfc::inputs);
         for (int scan = 1; scan <= 60; ++scan) {

@@ -9,10 +9,10 @@
 
 namespace grafverif {
 
-void RandomSfc::Stretch::follow(bool value, std::int64_t now) {
+void RandomSfc::Stretch::follow(bool value, std::int64_t at) {
     rises = value && !on;
     falls = on && !value;
-    if (rises) since = now;
+    if (rises) since = at;
     on = value;
 }
 
@@ -129,6 +129,16 @@ std::string RandomSfc::text(const Literal& literal) const {
                            : fmt::format("S{}.T >= T#{}ms", literal.index, literal.least);
 }
 
+std::string RandomSfc::condition(const Transition& transition) const {
+    std::string all;
+    for (const Literal& literal : transition.condition) all += (all.empty() ? "(" : " AND (") + text(literal) + ")";
+    return all.empty() ? "TRUE" : all;
+}
+
+std::string RandomSfc::statements(std::size_t action) const {
+    return fmt::format("c{0} := c{0} + 1; m{0} := {1};", action, text(actions[action].copied));
+}
+
 std::string RandomSfc::text() const {
     std::string text = "PROGRAM Main\nVAR_INPUT i0, i1, i2 : BOOL; END_VAR\n";
     for (std::size_t i = 0; i < actions.size(); ++i)
@@ -148,18 +158,64 @@ std::string RandomSfc::text() const {
     };
     for (std::size_t i = 0; i < transitions.size(); ++i) {
         const Transition& one = transitions[i];
-        std::string condition;
-        for (const Literal& literal : one.condition)
-            condition += (condition.empty() ? "" : " AND ") + ("(" + this->text(literal) + ")");
         text += fmt::format("TRANSITION t{}{} FROM {} TO {} := {}; END_TRANSITION\n", i,
                             one.priority == 0 ? "" : fmt::format(" (PRIORITY := {})", one.priority), list(one.from),
-                            list(one.to), condition.empty() ? "TRUE" : condition);
+                            list(one.to), condition(one));
     }
     for (std::size_t i = 0; i < actions.size(); ++i)
-        if (!actions[i].variable)
-            text += fmt::format("ACTION v{0}: c{0} := c{0} + 1; m{0} := {1}; END_ACTION\n", i,
-                                this->text(actions[i].copied));
+        if (!actions[i].variable) text += fmt::format("ACTION v{}: {} END_ACTION\n", i, statements(i));
     return text + "END_PROGRAM\n";
+}
+
+std::string RandomSfc::xml(Random& random) const {
+    const auto id_of = [&](std::size_t transition) { return steps.size() + transition; };
+    const auto connection = [](std::size_t id) { return fmt::format("<connection refLocalId=\"{}\"/>", id); };
+    const auto body = [](const std::string& text) { return fmt::format("<ST><xhtml>{}</xhtml></ST>", text); };
+    std::string elements;
+    std::size_t next = steps.size() + transitions.size();
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        elements +=
+            fmt::format("<step localId=\"{0}\" name=\"S{0}\" initialStep=\"{1}\"><connectionPointIn>", i, i == 0);
+        for (std::size_t j = 0; j < transitions.size(); ++j)
+            if (std::ranges::find(transitions[j].to, i) != transitions[j].to.end()) elements += connection(id_of(j));
+        elements += "</connectionPointIn></step>\n";
+        for (const auto& [action, qualifier] : steps[i].blocks) {
+            const bool timed = qualifier == actions[action].timed;
+            elements += fmt::format(
+                "<actionBlock localId=\"{}\"><connectionPointIn>{}</connectionPointIn><action "
+                "qualifier=\"{}\"{}><reference name=\"v{}\"/></action></actionBlock>\n",
+                next++, connection(i), qualifier,
+                timed ? fmt::format(" duration=\"T#{}ms\"", actions[action].duration) : "", action);
+        }
+    }
+    std::vector<std::size_t> shuffled(transitions.size());
+    std::iota(shuffled.begin(), shuffled.end(), std::size_t{0});
+    std::ranges::shuffle(shuffled, random);
+    for (const std::size_t i : shuffled) {
+        const Transition& one = transitions[i];
+        elements +=
+            fmt::format("<transition localId=\"{}\"{}><position x=\"{}\" y=\"0\"/><connectionPointIn>", id_of(i),
+                        one.priority == 0 ? "" : fmt::format(" priority=\"{}\"", one.priority), 10 * i);
+        for (const std::size_t step : one.from) elements += connection(step);
+        elements += fmt::format("</connectionPointIn><condition><inline>{}</inline></condition></transition>\n",
+                                body(condition(one)));
+    }
+    std::string variables, named;
+    const auto variable = [](const std::string& name, const char* type) {
+        return fmt::format("<variable name=\"{}\"><type><{}/></type></variable>", name, type);
+    };
+    for (std::size_t i = 0; i < actions.size(); ++i) {
+        const std::string index = std::to_string(i);
+        variables += actions[i].variable ? variable("v" + index, "BOOL")
+                                         : variable("c" + index, "INT") + variable("m" + index, "BOOL");
+        if (!actions[i].variable)
+            named += fmt::format("<action name=\"v{}\"><body>{}</body></action>\n", i, body(statements(i)));
+    }
+    return fmt::format(
+        "<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\"><types><dataTypes/><pous><pou name=\"Main\" "
+        "pouType=\"program\"><interface><inputVars>{}</inputVars><localVars>{}</localVars></interface>\n<actions>{}"
+        "</actions>\n<body><SFC>\n{}</SFC></body></pou></pous></types></project>\n",
+        variable("i0", "BOOL") + variable("i1", "BOOL") + variable("i2", "BOOL"), variables, named, elements);
 }
 
 namespace {

@@ -36,7 +36,7 @@ struct RandomSfc {
     struct Stretch {
         bool on = false, rises = false, falls = false;
         std::int64_t since = 0;
-        void follow(bool value, std::int64_t now);
+        void follow(bool value, std::int64_t at);
     };
     struct Action {
         bool variable = false;
@@ -62,6 +62,8 @@ struct RandomSfc {
 
     void scan(const std::vector<std::int64_t>& sampled, std::int64_t elapsed);
     std::string text() const;
+    /// The same chart in PLCopen XML. The transitions are in random order; their positions give the order of the text.
+    std::string xml(Random& random) const;
 
 private:
     bool is_true(const Literal& literal) const;
@@ -69,6 +71,8 @@ private:
     void evolve();
     void control(std::size_t action);
     std::string text(const Literal& literal) const;
+    std::string condition(const Transition& transition) const;
+    std::string statements(std::size_t action) const;
 };
 
 RandomSfc random_sfc(Random& random);

@@ -54,6 +54,7 @@ struct Step {
 st::Association association(PlcopenReader& reader, pugi::xml_node action) {
     st::Association made;
     made.where = reader.xml.where(action);
+    made.unread = attribute(action, "indicator") || child(action, "indicator");
     if (attribute(action, "qualifier")) made.qualifier = st::capitals(value(action, "qualifier"));  // N by default
     if (const std::string duration = value(action, "duration"); !duration.empty())
         made.time = reader.expression(reader.xml.text(action, "duration"));
@@ -92,6 +93,11 @@ void codesys_actions(PlcopenReader& reader, pugi::xml_node node, st::Step& step)
         for (const Known& one : known) {
             for (const pugi::xml_node& entry : children(attributes, "attribute")) {
                 if (value(entry, "guid") != one.guid) continue;
+                if (reader.of_program) {
+                    reader.refuse(reader.xml.where(entry), "an entry, active or exit action of CODESYS",
+                                  "use an action block with the qualifier P1, N or P0");
+                    continue;
+                }
                 st::Association made;
                 made.where = reader.xml.where(entry);
                 made.qualifier = one.qualifier;

@@ -107,7 +107,7 @@ st::Unit unit_of(PlcopenReader& reader, pugi::xml_node pou) {
     return unit;
 }
 
-/// Reads the actions of the POU in Structured Text; actions in other languages are rejected at their uses.
+/// Reads the actions of the POU in Structured Text; actions in other languages are rejected later.
 void read_actions(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit) {
     for (const pugi::xml_node& node : children(child(pou, "actions"), "action")) {
         st::Action action;
@@ -184,15 +184,19 @@ void read_body(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit,
     const std::vector<pugi::xml_node> bodies = children(pou, "body");
     if (bodies.size() > 1) reader.refuse(reader.xml.where(bodies[1]), "a second body of a unit", "combine the bodies");
     const pugi::xml_node body = bodies.empty() ? pugi::xml_node() : bodies.front();
-    for (const pugi::xml_node& action : children(child(pou, "actions"), "action"))
-        reader.refuse(reader.xml.where(action), "an action of a unit", "write its statements instead of the call");
+    const pugi::xml_node chart = child(body, "SFC");
+    if (chart) read_actions(reader, pou, unit);
+    else
+        for (const pugi::xml_node& action : children(child(pou, "actions"), "action"))
+            reader.refuse(reader.xml.where(action), "an action of a unit", "write its statements instead of the call");
     for (const pugi::xml_node& node : body.children()) {
         if (node.type() != pugi::node_element || is(node, "addData") || is(node, "documentation")) continue;
         if (is(node, "ST")) unit.body = reader.statements(reader.xml.text(node));
         else if (is(node, "LD") || is(node, "FBD")) unit.body = statements_of(reader, unit, node, functions);
+        else if (node == chart) read_network(reader, unit, node, {});
         else
             reader.refuse(reader.xml.where(node), "a body in `" + std::string(local_name(node.name())) + '`',
-                          "write it in Structured Text, LD or FBD");
+                          "write it in Structured Text, LD, FBD or SFC");
     }
 }
 

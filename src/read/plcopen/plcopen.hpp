@@ -16,8 +16,8 @@ namespace grafverif {
 /// Errors and unsupported constructs are reported through `draft`.
 st::File read_plcopen(const Xml& xml, const Sources& sources, Draft& draft);
 
-/// All units of a project, with bodies in Structured Text, LD (ladder diagram) and FBD (function block diagram), and
-/// its configuration: the tree of the same program in Structured Text. What cannot be read is an error.
+/// All units of a project, with bodies in Structured Text, LD (ladder diagram), FBD (function block diagram) and
+/// SFC, and its configuration: the tree of the same program in Structured Text. What cannot be read is an error.
 st::File read_plcopen_program(const Xml& xml, const Sources& sources, Diagnostics& diagnostics);
 
 }  // namespace grafverif

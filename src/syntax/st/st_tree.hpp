@@ -149,7 +149,7 @@ struct Association {
     Id<Expr> time = {};
     Block body = {};
     Span where = {};
-    bool unread = false;  ///< has further arguments
+    bool unread = false;  ///< has further arguments, or an indicator variable
 };
 
 struct Step {

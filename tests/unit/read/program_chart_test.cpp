@@ -9,7 +9,7 @@ namespace grafverif {
 namespace {
 
 /// Step S1 is active while `a` is true. `v` is a Boolean variable, `count` an action that increments `n`.
-std::string chart(const std::string& first, const std::string& second) {
+std::string two_steps(const std::string& first, const std::string& second) {
     return fmt::format(
         "PROGRAM p VAR_INPUT a : BOOL; END_VAR VAR v : BOOL; n : INT; END_VAR\n"
         "INITIAL_STEP S0: {} END_STEP\nSTEP S1: {} END_STEP\n"
@@ -20,7 +20,7 @@ std::string chart(const std::string& first, const std::string& second) {
 
 TEST(ProgramChart, QualifiersOfBooleanVariablesFollowTheStandard) {
     const auto v = [](const std::string& second, const std::vector<std::vector<std::int64_t>>& inputs,
-                      const std::string& first = "") { return values(chart(first, second), "v", inputs); };
+                      const std::string& first = "") { return values(two_steps(first, second), "v", inputs); };
     const std::vector<std::vector<std::int64_t>> longer = {{0}, {1}, {1}, {1}, {0}, {0}},
                                                  shorter = {{0}, {1}, {1}, {0}, {0}};
     EXPECT_EQ(v("v(N);", longer), "0 1 1 1 0 0");
@@ -39,7 +39,7 @@ TEST(ProgramChart, QualifiersOfBooleanVariablesFollowTheStandard) {
 
 TEST(ProgramChart, StatementsAreExecutedOnceMoreAfterTheirAction) {
     const auto n = [](const std::string& second) {
-        return values(chart("", second), "n", {{0}, {1}, {1}, {1}, {0}, {0}});
+        return values(two_steps("", second), "n", {{0}, {1}, {1}, {1}, {0}, {0}});
     };
     EXPECT_EQ(n("count(N);"), "0 1 2 3 4 4");
     EXPECT_EQ(n("count(P);"), "0 1 2 2 2 2");
@@ -49,12 +49,12 @@ TEST(ProgramChart, StatementsAreExecutedOnceMoreAfterTheirAction) {
 }
 
 TEST(ProgramChart, TheFirstExecutionClearsNoTransition) {
-    EXPECT_EQ(values(chart("", ""), "S0.X", {{1}, {1}, {1}}), "1 0 0");
-    EXPECT_EQ(values(chart("", "v(N);"), "S1.X", {{1}, {1}, {0}, {1}}), "0 1 0 1");
+    EXPECT_EQ(values(two_steps("", ""), "S0.X", {{1}, {1}, {1}}), "1 0 0");
+    EXPECT_EQ(values(two_steps("", "v(N);"), "S1.X", {{1}, {1}, {0}, {1}}), "0 1 0 1");
 }
 
 TEST(ProgramChart, FirstTransitionOfASelectionIsClearedUnlessThereArePriorities) {
-    const auto chart = [](const std::string& first, const std::string& second) {
+    const auto selection = [](const std::string& first, const std::string& second) {
         return "PROGRAM p VAR_INPUT a, b : BOOL; END_VAR\nINITIAL_STEP S: END_STEP STEP S1: END_STEP STEP S2: "
                "END_STEP\n"
                "TRANSITION " +
@@ -66,10 +66,10 @@ TEST(ProgramChart, FirstTransitionOfASelectionIsClearedUnlessThereArePriorities)
                "TRANSITION FROM S1 TO S := TRUE; END_TRANSITION TRANSITION FROM S2 TO S := TRUE; END_TRANSITION\n"
                "END_PROGRAM";
     };
-    EXPECT_EQ(values(chart("", ""), "S1.X", {{1, 1}, {1, 1}}), "0 1");
-    EXPECT_EQ(values(chart("(PRIORITY := 2)", "(PRIORITY := 1)"), "S2.X", {{1, 1}, {1, 1}}), "0 1");
-    EXPECT_EQ(ReadProgram(chart("(PRIORITY := 1)", "(PRIORITY := 1)")).codes(), "4:1 not-in-program\n");
-    EXPECT_EQ(ReadProgram(chart("(PRIORITY := 1)", "")).codes(), "4:1 not-in-program\n");
+    EXPECT_EQ(values(selection("", ""), "S1.X", {{1, 1}, {1, 1}}), "0 1");
+    EXPECT_EQ(values(selection("(PRIORITY := 2)", "(PRIORITY := 1)"), "S2.X", {{1, 1}, {1, 1}}), "0 1");
+    EXPECT_EQ(ReadProgram(selection("(PRIORITY := 1)", "(PRIORITY := 1)")).codes(), "4:1 not-in-program\n");
+    EXPECT_EQ(ReadProgram(selection("(PRIORITY := 1)", "")).codes(), "4:1 not-in-program\n");
 }
 
 TEST(ProgramChart, BlocksWithChartsKeepTheirSituation) {
@@ -101,6 +101,46 @@ TEST(ProgramChart, ReportsAllErrorsOfItsStructure) {
               "9:2 not-in-program\n");
     EXPECT_EQ(ReadProgram("PROGRAM p VAR v : BOOL; END_VAR\nSTEP S0: v(N); END_STEP\nEND_PROGRAM").codes(),
               "2:1 not-in-program\n");  // no initial step
+}
+
+/// A chart in PLCopen XML; `action`: the attributes and content of an action, `step`: content of its step.
+std::string drawn_chart(const std::string& action, const std::string& step = "") {
+    return "<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\"><types><dataTypes/><pous><pou name=\"p\" "
+           "pouType=\"program\"><interface><inputVars><variable name=\"a\"><type><BOOL/></type></variable></inputVars>"
+           "<localVars><variable name=\"v\"><type><BOOL/></type></variable><variable name=\"r\"><type><INT/></type>"
+           "</variable></localVars></interface><actions><action name=\"count\"><body><ST><xhtml>r := r + "
+           "1;</xhtml></ST>"
+           "</body></action></actions><body><SFC>\n"
+           "<step localId=\"1\" name=\"S0\" initialStep=\"true\"><connectionPointIn><connection refLocalId=\"4\"/>"
+           "</connectionPointIn></step>\n<step localId=\"2\" name=\"S1\"><connectionPointIn><connection "
+           "refLocalId=\"3\"/></connectionPointIn>" +
+           step +
+           "</step>\n<transition localId=\"3\"><connectionPointIn><connection refLocalId=\"1\"/></connectionPointIn>"
+           "<condition><inline><ST><xhtml>a</xhtml></ST></inline></condition></transition>\n"
+           "<transition localId=\"4\"><connectionPointIn><connection refLocalId=\"2\"/></connectionPointIn>"
+           "<condition negated=\"true\"><inline><ST><xhtml>a</xhtml></ST></inline></condition></transition>\n"
+           "<actionBlock localId=\"5\"><connectionPointIn><connection "
+           "refLocalId=\"2\"/></connectionPointIn>\n<action " +
+           action + "</action></actionBlock></SFC></body></pou></pous></types></project>";
+}
+
+TEST(ProgramChart, ChartsInPlcopenXmlAreReadAsThoseInText) {
+    const std::vector<std::vector<std::int64_t>> inputs = {{0}, {1}, {1}, {1}, {0}, {0}};
+    EXPECT_EQ(values(drawn_chart("qualifier=\"D\" duration=\"T#15ms\"><reference name=\"v\"/>"), "v", inputs),
+              "0 0 0 1 0 0");
+    EXPECT_EQ(values(drawn_chart("qualifier=\"N\"><reference name=\"count\"/>"), "r", inputs), "0 1 2 3 4 4");
+    EXPECT_EQ(values(drawn_chart("qualifier=\"P1\"><inline><ST><xhtml>r := 5;</xhtml></ST></inline>"), "r", inputs),
+              "0 5 5 5 5 5");
+    EXPECT_EQ(ReadProgram(drawn_chart("qualifier=\"N\" indicator=\"v\"><reference name=\"count\"/>")).codes(),
+              "7:2 not-in-program\n");
+    EXPECT_EQ(ReadProgram(drawn_chart("><inline><LD/></inline>")).codes(), "7:2 not-in-program\n");
+    EXPECT_EQ(
+        ReadProgram(drawn_chart("><reference name=\"v\"/>",
+                                "<addData><data><attributes><attribute "
+                                "guid=\"700a583f-b4d4-43e4-8c14-629c7cd3bec8\">count</attribute></attributes></data>"
+                                "</addData>"))
+            .codes(),
+        "3:124 not-in-program\n");
 }
 
 TEST(ProgramChart, RejectsStatementsThatChangeTheChart) {
