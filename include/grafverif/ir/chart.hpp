@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Chart: a GRAFCET (IEC 60848) as written, after names are resolved and before any evolution rule is applied.
 //
-// It can represent the complete standard, even if a later stage rejects a part of it: `unsupported` (derive) names the
-// rejected constructs. Expressions are stored in `exprs`; their leaves are Variable (-> variables), Step (-> steps: the
-// step variable) and Timed (-> time_conditions).
+// A Chart can represent the complete standard. `unsupported` (derive) names the constructs that a later stage rejects.
+// Expressions are stored in `exprs`; their leaves are Variable (-> variables), Step (-> steps: the step variable) and
+// Timed (-> time_conditions).
 //
 // Invariants (see verify): every id is in its table; every condition is Boolean; every value has the type of its
 // target. Names are unique in their scope (variables in the chart, steps in their partial chart, transitions in the
@@ -39,8 +39,8 @@ struct Chart {
         std::string name = {};  ///< `2` for the step variable `X2`
         StepKind kind = StepKind::Ordinary;
         bool initial = false;              ///< IEC 60848, initial step
-        bool activation_link = false;      ///< activated by the enclosing step
-        bool entry = false, exit = false;  ///< of the expansion of a macro-step (clause 7)
+        bool activation_link = false;      ///< activated when the enclosing step is activated
+        bool entry = false, exit = false;  ///< entry or exit step of the expansion of a macro-step (clause 7)
         Id<PartialChart> chart = {};
         Span origin = {};
         bool operator==(const Step&) const = default;
@@ -66,7 +66,8 @@ struct Chart {
         bool operator==(const Transition&) const = default;
     };
 
-    /// `t1/v/t2` (IEC 60848, time-dependent conditions): true `rise_ms` after v rises, until `fall_ms` after it falls.
+    /// `t1/v/t2` (IEC 60848, time-dependent conditions): becomes true `rise_ms` after v rises, false `fall_ms` after v
+    /// falls.
     struct TimeCondition {
         std::int64_t rise_ms = 0;
         Id<Expr> watched = {};  ///< a Boolean term
@@ -95,7 +96,7 @@ struct Chart {
         Id<Transition> transition = {};  ///< only for Clearing
         Id<Variable> target = {};
         Id<Expr> value = {};
-        Id<Expr> event = {};  ///< only for Event
+        Id<Expr> event = {};  ///< triggering event, only for Event
         Span origin = {};
         bool operator==(const StoredAction&) const = default;
     };
@@ -105,20 +106,20 @@ struct Chart {
         Id<Step> step = {};
         Id<PartialChart> forced = {};
         ForcedTo to = ForcedTo::Empty;
-        std::vector<Id<Step>> situation = {};  ///< for ForcedTo::Steps
+        std::vector<Id<Step>> situation = {};  ///< the forced situation, only for ForcedTo::Steps
         Span origin = {};
         bool operator==(const ForcingOrder&) const = default;
     };
 
-    /// An assumption on the inputs (`constraint`): combinations outside it never occur. It restricts only free inputs;
-    /// with a plant it is a property to prove.
+    /// An assumption on the inputs (`constraint`): input combinations that violate it never occur. It restricts only
+    /// free inputs. In a closed loop with a plant it is a property to prove.
     struct Constraint {
-        Id<Expr> condition = {};  ///< over inputs only
+        Id<Expr> condition = {};  ///< Boolean condition over inputs only
         Span origin = {};
         bool operator==(const Constraint&) const = default;
     };
 
-    /// `accept CODE SUBJECT "reason"`: accepts a finding about the chart.
+    /// `accept CODE SUBJECT "reason"` accepts a finding about the chart.
     struct Acceptance {
         std::string code = {};     ///< see ir/finding.hpp
         std::string subject = {};  ///< `X4`, `t3`, `LOCK`; empty: any subject
@@ -133,7 +134,7 @@ struct Chart {
     Table<PartialChart> partial_charts = {};
     Table<Step> steps = {};
     Table<Transition> transitions = {};
-    Table<TimeCondition> time_conditions = {};  ///< distinct ones, in order of first use
+    Table<TimeCondition> time_conditions = {};  ///< distinct time conditions, in order of first use
     Table<ContinuousAction> continuous = {};
     Table<StoredAction> stored = {};
     Table<ForcingOrder> forcing = {};
@@ -146,17 +147,17 @@ struct Chart {
 
 StepName name_of(const Chart& chart, Id<Chart::Step> step);
 
-/// Its step variable: `X2`, or `G2.X2` for a step of the named partial chart G2.
+/// Returns the step variable of `step`: `X2`, or `G2.X2` for a step of the named partial chart G2.
 std::string step_variable(const Chart& chart, Id<Chart::Step> step);
 
-/// Terms that are read by a transition, an action, or a time condition that is read.
+/// Terms that are read by a transition, by an action, or by a time condition that is itself read.
 struct ReadTerms {
-    std::vector<bool> terms = {};            ///< per term of Chart::exprs
+    std::vector<bool> terms = {};            ///< per term of Chart::exprs: true if it is read
     std::vector<bool> time_conditions = {};  ///< per time condition: true if it is read
 };
 ReadTerms read_terms(const Chart& chart);
 
-/// The violated invariants, one sentence each; empty for a well-formed chart.
+/// Returns the violated invariants, one sentence each; empty for a well-formed chart.
 std::vector<std::string> verify(const Chart& chart);
 
 }  // namespace grafverif

@@ -24,7 +24,7 @@ namespace grafverif {
 
 struct ClosedLoop {
     struct Controller {
-        std::string name = {};  ///< the chart's name
+        std::string name = {};  ///< name of the chart
         Id<Chart> chart = {};   ///< in Model::charts
         ExecutionMode mode = ExecutionMode::StabilitySearch;
         Span origin = {};
@@ -36,15 +36,15 @@ struct ClosedLoop {
         std::string name = {};
         Type type = {};  ///< for a plant variable: the range declared by its writer, with arguments applied
         Id<Controller> reader =
-            {};  ///< the first controller with this input (others have one of that name); otherwise invalid
-        Id<Controller> writer = {};         ///< the controller whose output it is; otherwise invalid
-        Id<Chart::Variable> variable = {};  ///< in the chart of the writer, otherwise of the reader, if one is valid
+            {};  ///< the first controller with this input (others may have an input of that name); otherwise invalid
+        Id<Controller> writer = {};         ///< the controller that writes it; otherwise invalid
+        Id<Chart::Variable> variable = {};  ///< variable of the writer's chart, otherwise of the reader's chart
         Span origin = {};
         bool operator==(const Shared&) const = default;
     };
 
     /// Value bound to a parameter of the component: a shared variable, a constant (Booleans 0 and 1, durations in ms),
-    /// or for an input a term over shared variables in `exprs`, which replaces the input in the component.
+    /// or, for an input, a term over shared variables in `exprs`. The term replaces the input in the component.
     using Argument = std::variant<Id<Shared>, std::int64_t, Id<Expr>>;
 
     struct Instance {
@@ -58,7 +58,7 @@ struct ClosedLoop {
     };
 
     /// A monitoring automaton (DESDES06 section 4, Fig. 6): in each step of an untimed model it takes the first of its
-    /// edges whose guard holds, or stays. Guards are expressions of the loop, like the operands of properties.
+    /// edges whose guard holds, or stays. Guards and operands of properties are expressions of the loop.
     struct ObserverLocation {
         std::string name = {};
         Span origin = {};
@@ -79,13 +79,13 @@ struct ClosedLoop {
         bool operator==(const Observer&) const = default;
     };
 
-    /// A condition on the inputs of the controllers: assumed if they are free, a property to prove if there are plant
-    /// automata. It is declared in the loop, in the chart of a controller, or in a component for its outputs.
+    /// A condition on the inputs of the controllers. It is assumed if they are free and is a property to prove if there
+    /// are plant automata. It is declared in the loop, in the chart of a controller, or in a component for its outputs.
     struct Constraint {
         std::string name = {};  ///< `constraint_1`, `H_Cyl_constraint_1`
         Id<Expr> condition = {};
-        Id<Controller> controller = {};  ///< that declares it in its chart; otherwise invalid
-        Id<Instance> instance = {};      ///< that declares it in its component; otherwise invalid
+        Id<Controller> controller = {};  ///< the controller whose chart declares it; otherwise invalid
+        Id<Instance> instance = {};      ///< the instance whose component declares it; otherwise invalid
         Span origin = {};
         bool operator==(const Constraint&) const = default;
     };
@@ -116,15 +116,15 @@ struct ClosedLoop {
         Id<Component::Variable> variable = {};
         bool operator==(const OwnSymbol&) const = default;
     };
-    /// The output of a timer of a chart: what `t1/v/t2` reads in addition to v (IEC 60848, time-dependent conditions).
+    /// The output of a timer of a chart, which `t1/v/t2` reads in addition to v (IEC 60848, time-dependent conditions).
     struct TimeSymbol {
         Id<Controller> controller = {};
-        Id<Chart::TimeCondition> condition = {};  ///< in the chart; invalid: the time of continuous actions of `step`
+        Id<Chart::TimeCondition> condition = {};  ///< in the chart; invalid: of actions of `step`
         Id<Chart::Step> step = {};
-        std::int64_t rise_ms = 0;  ///< for `step`: their delay, or the end of their limit
+        std::int64_t rise_ms = 0;  ///< for `step`: delay of the actions, or end of their time limit
         bool operator==(const TimeSymbol&) const = default;
     };
-    /// An observer is in a location.
+    /// States that an observer is in a location.
     struct ObserverSymbol {
         Id<Observer> observer = {};
         Id<ObserverLocation> location = {};
@@ -135,17 +135,17 @@ struct ClosedLoop {
 
     std::string name = {};
     Grain grain = Grain::Phased;
-    std::optional<std::int64_t> time_unit_ms = {};  ///< if declared; otherwise the greatest common divisor
+    std::optional<std::int64_t> time_unit_ms = {};  ///< declared time unit; empty: the gcd of all durations
     std::vector<NamedConstant> constants = {};
     Table<Controller> controllers = {};
     Table<Shared> shared = {};
     Table<Instance> instances = {};
-    Exprs exprs = {};  ///< for properties, constraints, observers; Variable leaves -> symbols
+    Exprs exprs = {};  ///< expressions of properties, constraints and observers; Variable leaves -> symbols
     Table<Symbol> symbols = {};
     Table<Property> properties = {};
     Table<Constraint> constraints = {};
     Table<Observer> observers = {};
-    std::optional<Schedule> schedule = {};  ///< declared schedule; otherwise interleaved
+    std::optional<Schedule> schedule = {};  ///< declared schedule; empty: interleaved
     Span time_unit_origin = {};
     Span origin = {};
 
@@ -154,7 +154,7 @@ struct ClosedLoop {
 
 struct Model {
     Table<Chart> charts = {};
-    Table<Component> components = {};  ///< those in the input and the used ones of the library
+    Table<Component> components = {};  ///< components of the input, and library components that it uses
     Table<ClosedLoop> loops = {};
 
     bool operator==(const Model&) const = default;
@@ -162,22 +162,22 @@ struct Model {
 
 std::vector<std::string> verify(const ClosedLoop& loop, const Model& model);
 
-/// The shared variables that an argument reads or writes, each once.
+/// Returns the shared variables that an argument reads or writes, without duplicates.
 std::vector<Id<ClosedLoop::Shared>> shared_in(const ClosedLoop& loop, const ClosedLoop::Argument& argument);
 
-/// Index of the variable in the arguments of its process in a Network: after those of parameters that are not terms.
+/// Index of the variable in the arguments of its process in a Network. It follows all arguments that are not terms.
 std::size_t own_argument(const ClosedLoop& loop, const ClosedLoop::OwnSymbol& symbol);
 
-/// True if the chart reads the time condition, so that it has a timer.
+/// True if the chart reads the time condition and therefore has a timer for it.
 bool is_waited_for(const Chart& chart, const ClosedLoop::TimeSymbol& symbol);
-/// True if all timers that a property of the loop reads exist; in a chart that was changed afterwards they may not.
+/// True if all timers that a property of the loop reads exist. In a chart that was changed later they may be missing.
 bool has_its_timers(const ClosedLoop& loop, const Property& property, const Model& model);
-/// The variable for the output of that timer in the equations of its controller's chart. Requires is_waited_for.
+/// Returns the variable for that timer output in the equations of its controller's chart. Requires is_waited_for.
 Id<Equations::Variable> end_of(const Equations& equations, const ClosedLoop::TimeSymbol& symbol);
 
-/// True if an operand of `property` reads the location of an observer; only untimed models have observers.
+/// True if an operand of `property` reads the location of an observer; observers exist only in untimed models.
 bool reads_observer(const ClosedLoop& loop, const Property& property);
-/// Checks every chart, component and loop.
+/// Returns the violated invariants of all charts, components and loops.
 std::vector<std::string> verify(const Model& model);
 
 }  // namespace grafverif

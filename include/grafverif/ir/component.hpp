@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Component: a timed automaton with discrete data and parameters (TADD; CEP13 section 2), as written in the input
-// language, names resolved. An edge is the 7-tuple (l, g, t, u, a, r, l') of CEP13 2.3: guard over data, clock
+// language and with resolved names. An edge is the 7-tuple (l, g, t, u, a, r, l') of CEP13 2.3: guard over data, clock
 // constraint, urgency, assignments, clock resets.
 //
 // Expressions are stored in `exprs`; their leaves are Parameter (-> parameters) and Variable (-> internal variables of
@@ -25,13 +25,13 @@ namespace grafverif {
 
 struct Component {
     enum class ParameterKind { Input, Output, Constant };
-    enum class ValueKind { Boolean, Integer, Duration };  ///< Duration: constants only
+    enum class ValueKind { Boolean, Integer, Duration };  ///< Duration is allowed only for constants
     struct Parameter {
         std::string name = {};
         ParameterKind kind = ParameterKind::Input;
         ValueKind value = ValueKind::Boolean;
-        std::optional<Id<Expr>> low = {}, high = {};  ///< range of an integer output, over earlier constants
-        std::optional<Id<Expr>> initial = {};  ///< constant: default; output: value at power-on (default 0 or `low`)
+        std::optional<Id<Expr>> low = {}, high = {};  ///< range of an integer output, over constants declared before it
+        std::optional<Id<Expr>> initial = {};  ///< default of a constant; value of an output at power-on (0 or `low`)
         Span origin = {};
         bool operator==(const Parameter&) const = default;
     };
@@ -72,7 +72,7 @@ struct Component {
     struct Location {
         std::string name = {};
         std::vector<ClockConstraint> invariant = {};
-        std::vector<Assignment> initially = {};  ///< values at power-on if the instance starts here (`with`)
+        std::vector<Assignment> initially = {};  ///< values at power-on if an instance starts here
         Span origin = {};
         bool operator==(const Location&) const = default;
     };
@@ -81,14 +81,14 @@ struct Component {
         Id<Location> from = {}, to = {};
         bool urgent = false;
         Id<Expr> guard = {};
-        std::vector<ClockConstraint> constraint = {};  ///< a conjunction
-        std::vector<Assignment> assignments = {};      ///< in order; each uses the results of those before it
+        std::vector<ClockConstraint> constraint = {};  ///< conjunction of clock constraints
+        std::vector<Assignment> assignments = {};      ///< in order; each uses the results of the previous ones
         std::vector<Id<Clock>> resets = {};
         Span origin = {};
         bool operator==(const Edge&) const = default;
     };
 
-    /// A condition on the outputs that holds for all inputs.
+    /// A condition on the outputs that holds for all input values.
     struct Constraint {
         Id<Expr> condition = {};
         Span origin = {};

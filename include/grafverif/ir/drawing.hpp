@@ -18,7 +18,7 @@ namespace grafverif {
 
 struct Drawing {
     struct Point {
-        int x = 0, y = 0;  ///< pixels; y grows downwards
+        int x = 0, y = 0;  ///< position in pixels; y grows downwards
         bool operator==(const Point&) const = default;
     };
     struct Size {
@@ -28,19 +28,19 @@ struct Drawing {
     struct Box {
         Point at = {};  ///< upper left corner
         Size size = {};
-        int cut = 0;          ///< length cut off at each corner
-        bool filled = false;  ///< a bar or mark; otherwise only its outline is drawn
+        int cut = 0;          ///< length that is cut off at each corner
+        bool filled = false;  ///< a bar or mark; false: only its outline is drawn
         bool operator==(const Box&) const = default;
     };
     /// Horizontal and vertical segments.
     struct Line {
         std::vector<Point> points = {};
-        bool arrow = false;  ///< at its end
+        bool arrow = false;  ///< true if the line ends with an arrow
         bool operator==(const Line&) const = default;
     };
     struct Run {
         std::string text = {};
-        bool over = false;  ///< with an overline: negated
+        bool over = false;  ///< true if drawn with an overline (negation)
         bool operator==(const Run&) const = default;
     };
     enum class Anchor { Start, Middle, End };
@@ -49,14 +49,14 @@ struct Drawing {
         Point at = {};  ///< anchor on the base line
         std::vector<Run> runs = {};
         Anchor anchor = Anchor::Start;
-        int size = 12;          ///< font size
-        int width = 0;          ///< upper bound for its width in all fonts of `font_family`
+        int size = 12;          ///< font size in pixels
+        int width = 0;          ///< upper bound of its width in all fonts of `font_family`
         std::string kind = {};  ///< class: `name`, `label`, `reference`
         bool operator==(const Text&) const = default;
     };
     struct Element {
-        std::string id = {};                                         ///< may be empty
-        std::string classes = {};                                    ///< separated by spaces
+        std::string id = {};                                         ///< element id; may be empty
+        std::string classes = {};                                    ///< class names separated by spaces
         std::string title = {};                                      ///< tooltip and text for screen readers
         std::vector<std::pair<std::string, std::string>> data = {};  ///< `from`, `to` for a link
         std::vector<Box> boxes = {};
@@ -72,17 +72,18 @@ struct Drawing {
     bool operator==(const Drawing&) const = default;
 };
 
-/// Notation of logic: `a·b̅` of the standard, or `a && !b` of the input language.
+/// Notation of logic: `a·b̅` as in the standard, or `a && !b` as in the input language.
 enum class Notation { Iec, Text };
 
 struct DrawOptions {
     Notation notation = Notation::Iec;
     std::vector<Id<Chart::Step>> situation = {};  ///< steps to be marked as active
-    int columns = 0;                              ///< into which long charts are folded; 0: chosen by page shape
-    std::string prefix = {};                      ///< of all ids, for several charts on one page
+    int columns = 0;  ///< number of columns into which a long chart is folded; 0: chosen according to the page shape
+    std::string prefix = {};  ///< prefix of all ids, for several charts on one page
 };
 
-/// The ids of a chart's elements, in the order of its tables: unique, with letters, digits, `-` and `_` only.
+/// The ids of a chart's elements, in the order of its tables. They are unique and consist of letters, digits, `-` and
+/// `_`.
 struct ElementIds {
     std::vector<std::string> steps = {}, transitions = {}, conditions = {}, partial_charts = {};
     std::vector<std::string> continuous = {}, stored = {}, forcing = {};

@@ -10,20 +10,20 @@
 //   (c) outputs             o  = or over the actions of X_s' and the assignation condition              CEP13 (13)
 //                           observed terms: V_e' = e; timers: T = X_s' or V_e'
 // Leaves of `exprs` are only Variable. The terms of (b) and (s) read firing conditions (of this cycle), step
-// activities, internals, previous values and inputs before the cycle; those of (a) and (e) all of these except firing
-// conditions. The terms of (c) read step activities and internals after the cycle, and the inputs and timer outputs
-// sampled at its start. Hence an edge is true only in the first cycle after the change.
+// activities, internals, previous values and inputs before the cycle; the terms of (a) and (e) read the same variables
+// except firing conditions. The terms of (c) read step activities and internals after the cycle, and the inputs and
+// timer outputs sampled at its start. Hence an edge is true only in the first cycle after the change.
 //
 // Time: a timer observes its variable after the previous cycle. If an input may have changed since, the term contains
 // it explicitly: `3s/a` is `a and T_a_3s_Q`, `a/2s` is `a or T_a_2s_Q`. A delayed action has the condition 3s/X_s, a
 // time-limited one its negation (IEC 60848, continuous actions).
 //
 // The first evolution activates the initial steps: no transition is cleared, the actions on activation of the initial
-// steps are executed (Stored::first), there is no edge, and previous values and observed terms get their values.
-// Everything else is unchanged (JESA13: the evolution that leaves INIT).
+// steps are executed (Stored::first), there is no edge, and previous values and observed terms are initialized. All
+// other values are unchanged (JESA13: the evolution that leaves INIT).
 //
-// Invariants (see verify): ids in their tables; each step, output, stored variable has one equation; conditions are
-// Boolean; firing conditions read no firing condition.
+// Invariants (see verify): ids are in their tables; each step, output and stored variable has one equation; conditions
+// are Boolean; firing conditions do not read firing conditions.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +41,7 @@ namespace grafverif {
 struct Equations {
     enum class Role { Input, Output, Internal, Step, FiringCondition, TimerEnd, Previous, Watched };
     struct Variable {
-        std::string name = {};  ///< `START`, `X_2`, `CF_T0`, `T_X2_3s_Q`, `P_START`, `V_START`
+        std::string name = {};  ///< name such as `START`, `X_2`, `CF_T0`, `T_X2_3s_Q`, `P_START`, `V_START`
         Role role = Role::Input;
         Type type = {};
         std::int64_t initial = 0;
@@ -60,7 +60,7 @@ struct Equations {
     struct StepActivity {
         Id<Variable> variable = {};  ///< X_s
         Id<Expr> next = {};
-        Id<Expr> activated = {};    ///< X_s' and not X_s, over firing conditions and X_s
+        Id<Expr> activated = {};    ///< X_s' and not X_s, as a term over firing conditions and X_s
         Id<Expr> deactivated = {};  ///< X_s and not X_s'
         StepName step = {};
         Span origin = {};
@@ -74,36 +74,37 @@ struct Equations {
         bool operator==(const Output&) const = default;
     };
 
-    /// One stored action: `value` is stored if `trigger` holds in the cycle.
+    /// One stored action. `value` is stored if `trigger` holds in the cycle.
     struct Write {
         Id<Expr> trigger = {};
         Id<Expr> value = {};
-        bool initial = false;  ///< on activation of an initial step: also executed in the first evolution
+        bool initial = false;  ///< activation of an initial step: also executed in the first evolution
         Span origin = {};
         bool operator==(const Write&) const = default;
     };
     struct Stored {
-        Id<Variable> variable = {};  ///< an internal, or an output with stored actions
-        Id<Expr> next = {};   ///< Conditional chain over `writes`, otherwise the variable itself; if only Boolean
-                              ///< constants are stored: `set or (v and not reset)`
-        Id<Expr> race = {};   ///< two writes of different values are triggered together; constant false if impossible
-        Id<Expr> first = {};  ///< the value after the first evolution
+        Id<Variable> variable = {};  ///< internal variable, or output with stored actions
+        /// Conditional chain over `writes`, ending in the variable itself. If only Boolean constants are stored: `set
+        /// or (v and not reset)`.
+        Id<Expr> next = {};
+        Id<Expr> race = {};   ///< two writes of different values are triggered; false if impossible
+        Id<Expr> first = {};  ///< value after the first evolution
         Id<Expr> first_race = {};
         std::vector<Write> writes = {};
         bool operator==(const Stored&) const = default;
     };
 
-    /// Two contradictory forcing orders are active after the cycle: a fault like a race.
+    /// Two contradictory forcing orders are active after the cycle. This is a fault, as a race is.
     struct Conflict {
-        Id<Expr> condition = {};  ///< over firing conditions and values before the cycle
-        Span origin = {};         ///< one of the orders
+        Id<Expr> condition = {};  ///< term over firing conditions and values before the cycle
+        Span origin = {};         ///< position of one of the orders
         bool operator==(const Conflict&) const = default;
     };
 
-    /// The value of a term whose edges are read, in the previous cycle.
+    /// The value, in the previous cycle, of a term whose edges are read.
     struct Previous {
         Id<Variable> variable = {};  ///< P_e
-        Id<Expr> value = {};         ///< e, over values before the cycle; in the first evolution over initial values
+        Id<Expr> value = {};         ///< e, over values before the cycle; in the first evolution, over initial values
         Span origin = {};
         bool operator==(const Previous&) const = default;
     };
@@ -120,17 +121,17 @@ struct Equations {
     /// rise_ms, `end` is true from r + rise_ms to f + fall_ms.
     struct Timer {
         std::string name = {};      ///< `T_X2_3s`
-        Id<Variable> watched = {};  ///< X_2, or the V_e of a watch: the level of v after the previous cycle
+        Id<Variable> watched = {};  ///< X_2, or the V_e of an observed term: its level after the previous cycle
         Id<Variable> end = {};      ///< T_X2_3s_Q
-        std::int64_t rise_ms = 0;   ///< t1; 0: none
-        std::int64_t fall_ms = 0;   ///< t2; 0: none
+        std::int64_t rise_ms = 0;   ///< t1; 0 if there is none
+        std::int64_t fall_ms = 0;   ///< t2; 0 if there is none
         Span origin = {};
         bool operator==(const Timer&) const = default;
     };
 
     /// An assumption on the inputs of the chart (`constraint`), for models with free inputs.
     struct Assumption {
-        Id<Expr> condition = {};  ///< over inputs only
+        Id<Expr> condition = {};  ///< condition over inputs only
         Span origin = {};
         bool operator==(const Assumption&) const = default;
     };
@@ -145,11 +146,11 @@ struct Equations {
     std::vector<Previous> previous = {};
     std::vector<ObservedTerm> watches = {};
     std::vector<Timer> timers = {};
-    std::vector<Id<Timer>> conditions = {};  ///< per time condition of the chart: its timer; invalid if it is not read
+    std::vector<Id<Timer>> conditions = {};  ///< timer per time condition; invalid: not read
     std::vector<Output> outputs = {};
     std::vector<Assumption> assumptions = {};
-    /// One more cycle with the same inputs would change nothing: no firing condition holds, no stored variable changed,
-    /// no previous value differs from the current one. Over firing conditions and values before the cycle.
+    /// True if one more cycle with the same inputs would change nothing: no firing condition holds, no stored variable
+    /// changed, no previous value differs from the current one. Over firing conditions and values before the cycle.
     Id<Expr> stable = {};
     Span origin = {};
 
@@ -158,29 +159,29 @@ struct Equations {
 
 std::vector<std::string> verify(const Equations& equations);
 
-/// A value passed to the next cycle. All next values are computed before any is changed, except those `after`.
+/// A value passed to the next cycle. All next values are computed before any value changes, except those with `after`.
 struct Kept {
     Id<Equations::Variable> variable = {};
     Id<Expr> next = {};
-    Id<Expr> first = {};  ///< after the first evolution; invalid: as at power-on
-    bool after = false;   ///< both are over the values after the cycle; otherwise over those before it
+    Id<Expr> first = {};  ///< value after the first evolution; invalid: as at power-on
+    bool after = false;   ///< both are over values after the cycle; otherwise over values before it
 };
-/// Stored variables (`next`), previous values, step activities, observed levels, in this order.
+/// Returns stored variables (`next`), previous values, step activities and observed levels, in this order.
 std::vector<Kept> kept(const Equations& equations);
-/// The previous values and observed levels among them: the state apart from the situation and stored variables.
+/// Returns only the previous values and observed levels: the state without the situation and the stored variables.
 std::vector<Kept> remembered(const Equations& equations);
 
-/// A condition that ends the run if it holds in a cycle: two writes of different values to `variable`, or (`variable`
-/// invalid) two contradictory orders. Undefined and out-of-range values are also faults, but of the stored terms.
+/// A condition that ends the run if it holds in a cycle: two different values are written to `variable`, or, if it is
+/// invalid, two forcing orders are contradictory. Undefined and out-of-range values are faults of the stored terms.
 struct Fault {
     Id<Equations::Variable> variable = {};
     Id<Expr> condition = {};
-    Id<Expr> first = {};  ///< the same for the first evolution
+    Id<Expr> first = {};  ///< the condition for the first evolution
 };
-/// The faults that are possible, and every conflict of orders.
+/// Returns all possible faults, including every conflict of forcing orders.
 std::vector<Fault> faults(const Equations& equations);
 
-/// True if stored actions are executed, or race, in the first evolution.
+/// True if the first evolution executes stored actions or has a race.
 bool acts_at_first(const Equations& equations);
 
 }  // namespace grafverif

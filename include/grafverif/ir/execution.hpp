@@ -4,11 +4,11 @@
 // ScheduleOptions: selects the untimed model of a closed loop.
 //
 // Approach (DESDES06 sections 3, 5.1, 5.2):
-//   none          the controllers alone; their inputs are free
-//   constraints   the same, and the constraints of the loop and of its components hold for the inputs in every state
+//   none          the controllers without plant automata; their inputs are free
+//   constraints   as `none`; the constraints of the loop and of its components hold for the inputs in every state
 //   automata      one automaton per instance of the plant
 // Schedule, with plant automata only:
-//   interleaved   one automaton, or the PLC, moves in each step; any enabled one
+//   interleaved   in each step one enabled automaton, or the PLC, moves
 //   synchronous   the controllers run one cycle and every automaton takes one edge in each step (DESDES06)
 //   sequenced     plant and controllers alternate; the controllers see the plant only when it is quiescent (WODES06)
 // Time, with plant automata and interleaved only:
@@ -24,26 +24,26 @@ namespace grafverif {
 /// Execution mode (JESA13 section 3.2, Algorithms 1 and 2): outputs are written once stable, or in every cycle.
 enum class ExecutionMode { StabilitySearch, EveryCycle };
 
-/// `stability-search`, `every-cycle`.
+/// Returns `stability-search` or `every-cycle`.
 constexpr std::string_view word(ExecutionMode mode) {
     return mode == ExecutionMode::StabilitySearch ? "stability-search" : "every-cycle";
 }
 
-/// Interleaving granularity: the plant may move between the phases of a PLC cycle, or a cycle is one edge.
+/// Interleaving granularity. Phased: the plant may move between the phases of a PLC cycle. Atomic: a cycle is one edge.
 enum class Grain { Phased, Atomic };
-/// Order of moves in an untimed model with plant automata: any enabled automaton moves next; controller and automata
-/// step together (DESDES06); plant and controller alternate, and the plant becomes quiescent in between (WODES06).
+/// Order of moves in an untimed model. Interleaved: any enabled automaton moves next. Synchronous: all step together
+/// (DESDES06). Sequenced: controllers alternate with the plant, which becomes quiescent first (WODES06).
 enum class Schedule { Interleaved, Synchronous, Sequenced };
 
 enum class PlantApproach { None, Constraints, Automata };
 enum class TimeModel { Abstract, Discrete };
 
 struct ScheduleOptions {
-    std::optional<ExecutionMode> mode = {};  ///< overrides the controllers
+    std::optional<ExecutionMode> mode = {};  ///< overrides the modes of the controllers
     PlantApproach plant = PlantApproach::None;
-    std::optional<Schedule> schedule = {};  ///< overrides the loop; default: interleaved
+    std::optional<Schedule> schedule = {};  ///< overrides the schedule of the loop; default: interleaved
     TimeModel time = TimeModel::Abstract;
-    bool fairness = false;  ///< every movement terminates: one justice condition for each
+    bool fairness = false;  ///< assume that every movement terminates: one justice condition per movement
 };
 
 }  // namespace grafverif

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Expr: the expressions of every IR. Each IR owns one append-only, hash-consing Exprs table, so that equal terms have
-// equal ids, and children come before parents: evaluation, substitution and support sets are one forward loop.
+// equal ids. Children come before parents: evaluation, substitution and support sets are one forward loop.
 //
 // The smart constructors fold constants, drop neutral and repeated operands and cancel double negation. They keep the
-// order of operands as written and the grouping of mixed operators, so that a model reads like its chart. `conjunction`
-// and `disjunction` are n-ary and flatten operands with the same operator.
+// order of operands as written and the grouping of mixed operators, so that a model is similar to its chart.
+// `conjunction` and `disjunction` are n-ary and flatten operands with the same operator.
 //
 // Leaves carry an index whose table depends on the owner:
 //   Variable   the owner's table of variables (Chart::variables, Equations::variables, Network::variables, ...)
@@ -45,7 +45,7 @@ enum class Op : std::uint8_t {
     And,
     Or,  // Boolean; And and Or have two or more operands
     Rise,
-    Fall,  // edges of a Boolean term; only in Chart
+    Fall,  // edges of a Boolean term; Rise and Fall occur only in Chart
     Equal,
     NotEqual,
     Less,
@@ -58,13 +58,13 @@ enum class Op : std::uint8_t {
     Times,
     Divide,
     Modulo,       // arithmetic
-    Conditional,  // operands: condition, then, otherwise
+    Conditional,  // operands: condition, value if true, value if false
 };
 
 struct Expr {
     Op op = Op::False;
-    std::int64_t value = 0;   ///< Integer, Duration: the number; leaves: the index; otherwise 0
-    std::uint32_t first = 0;  ///< operands: Exprs::operands(id)
+    std::int64_t value = 0;   ///< Integer, Duration: the number; other leaves: the index; operators: 0
+    std::uint32_t first = 0;  ///< index of the first operand; use Exprs::operands(id)
     std::uint32_t count = 0;
 };
 
@@ -77,12 +77,12 @@ public:
     Id<Expr> at(std::uint32_t process, std::uint32_t location);  ///< At
 
     Id<Expr> negation(Id<Expr> operand);                       ///< Not
-    Id<Expr> conjunction(std::span<const Id<Expr>> operands);  ///< And; empty: true
+    Id<Expr> conjunction(std::span<const Id<Expr>> operands);  ///< And; the empty conjunction is true
     Id<Expr> conjunction(Id<Expr> left, Id<Expr> right);
-    Id<Expr> disjunction(std::span<const Id<Expr>> operands);  ///< Or; empty: false
+    Id<Expr> disjunction(std::span<const Id<Expr>> operands);  ///< Or; the empty disjunction is false
     Id<Expr> disjunction(Id<Expr> left, Id<Expr> right);
     Id<Expr> conditional(Id<Expr> condition, Id<Expr> then, Id<Expr> otherwise);
-    /// Any other operator with its operands; And, Or, Not and Conditional are forwarded to the functions above.
+    /// Returns a term with any operator. And, Or, Not and Conditional are forwarded to the functions above.
     Id<Expr> apply(Op op, std::span<const Id<Expr>> operands);
     Id<Expr> apply(Op op, Id<Expr> left, Id<Expr> right);
 
@@ -115,25 +115,25 @@ bool is_false(const Exprs& exprs, Id<Expr> id);
 std::uint32_t at_process(const Expr& node);
 std::uint32_t at_location(const Expr& node);
 
-/// The value of `root`, Booleans as 0 and 1; `leaf` returns the value of each leaf and each edge. Empty if an operation
-/// is undefined: division by zero, or a result outside 64 bits.
-/// Traverses the term, not the table; the reader limits the depth (see read/text: `too-deep`).
+/// Returns the value of `root`, with Booleans as 0 and 1. `leaf` returns the value of each leaf and each edge. The
+/// result is empty if an operation is undefined: division by zero, or a result outside 64 bits. The function traverses
+/// the term, not the table; the reader limits the depth (see read/text: `too-deep`).
 std::optional<std::int64_t> evaluate(const Exprs& exprs, Id<Expr> root,
                                      const std::function<std::int64_t(const Expr&)>& leaf);
 
-/// The value of every term of the table, each computed once from those before it: for tables whose terms share many
-/// subterms. `leaf` is called for every leaf in the table.
+/// Returns the value of every term of the table, each computed once from those before it. Use it for tables whose terms
+/// share many subterms. `leaf` is called for every leaf in the table.
 std::vector<std::optional<std::int64_t>> evaluate_all(const Exprs& exprs,
                                                       const std::function<std::int64_t(const Expr&)>& leaf);
 
-/// Copies terms of one table into another, or the same, with one mapping of leaves. Shared subterms are copied once.
+/// Copies terms into another or the same table with a fixed mapping of leaves. Shared subterms are copied once.
 class TermCopier {
 public:
     using Leaf = std::function<Id<Expr>(const Expr&)>;
     using Edge = std::function<Id<Expr>(Op, Id<Expr>)>;
 
-    /// `leaf` maps a leaf or a duration to a term in `to`; `edge`, if given, maps an edge (Rise, Fall) of a term of
-    /// `to`. Both tables must outlive this object.
+    /// `leaf` maps a leaf or a duration to a term in `to`. `edge`, if given, maps an edge (Rise, Fall) whose operand is
+    /// a term of `to`. Both tables must outlive this object.
     TermCopier(const Exprs& from, Exprs& to, Leaf leaf, Edge edge = {})
         : from_(&from), to_(&to), leaf_(std::move(leaf)), edge_(std::move(edge)) {}
 
@@ -147,10 +147,10 @@ private:
     std::unordered_map<std::uint32_t, Id<Expr>> copies_ = {};
 };
 
-/// A copy of the term `root` of `from` in `to`; each leaf is replaced by the result of `leaf` (an id in `to`).
+/// Returns a copy of the term `root` of `from` in `to`. Each leaf is replaced by the result of `leaf`, an id in `to`.
 Id<Expr> translate(const Exprs& from, Id<Expr> root, Exprs& to, const std::function<Id<Expr>(const Expr&)>& leaf);
 
-/// The distinct leaves of `root`, in order of first occurrence.
+/// Returns the distinct leaves of `root`, in order of first occurrence.
 std::vector<Id<Expr>> leaves(const Exprs& exprs, Id<Expr> root);
 
 }  // namespace grafverif

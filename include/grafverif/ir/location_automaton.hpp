@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // LocationAutomaton: the behaviour of a controller that executes one chart, cycle by cycle (JESA13 section 4.1).
 //
-//   location    the situation and the stored variables; with stability search only the reachable stable ones
+//   location    situation and stored variables; with stability search only the reachable stable ones
 //   evolution   from one location to another, with a condition on the inputs. The conditions of one location are
 //               mutually exclusive (JESA13 (7)); if none of them holds, nor an instability, the controller stays (8)
 //   INIT        the controller after power-on, before its first cycle. The first evolution activates the initial steps
@@ -9,24 +9,24 @@
 //   instability total instability: under these inputs no stable situation is ever reached (stability search only).
 //               The controller writes no outputs and never reads its inputs again.
 //
-// With stability search INIT has no evolution under the inputs for which the initial situation is stable. This requires
+// With stability search INIT has no evolution for the inputs under which the initial situation is stable. This requires
 // that the first evolution changed no variable and started no timer, and that the initial situation emits the same
 // outputs as power-on. Without stability search INIT is always left, because its next cycle can clear transitions,
 // unlike the first one.
 //
-// Timers are inputs that a tester can influence only by waiting. Without a fall time the output of a timer is false
-// while its step is inactive and immediately after its activation; it rises without other changes, and falls only with
+// Timers are inputs that a tester can influence only by waiting. Without a fall time, the output of a timer is false
+// while its step is inactive and immediately after its activation. It rises without other changes, and falls only with
 // its step. Other terms are observed by their level in the previous cycle, which is a stored variable. With a fall
-// time, the output also falls without other changes. Conditions read timers like inputs; an evolution lists the timers
-// whose rise time it restarts (`restarted`) and those whose fall time it may start (`falling`).
+// time, the output also falls without other changes. Conditions read timers in the same way as inputs. An evolution
+// lists the timers whose rise time it restarts (`restarted`) and those whose fall time it may start (`falling`).
 //
 // Expressions are stored in `exprs`; their leaves are Variable -> inputs. `assumed` restricts the considered inputs
-// (the chart's constraints). Under it all conditions are exact; outside they are unspecified. They may also rely on the
-// order of timers of one level: `5s/X2` does not hold if `3s/X2` does not.
+// (the chart's constraints). For inputs that satisfy `assumed`, all conditions are exact; for other inputs they are
+// unspecified. They may also rely on the order of timers of one level: if `3s/X2` is false, so is `5s/X2`.
 //
-// Invariants (see verify): ids in their tables; situations increase; locations except INIT differ in situation or
-// values; `evolutions` and `instabilities` are sorted by `from`; no condition is the constant false; INIT is not a
-// target; a cycle of instability is not empty; `assumed` reads no timers.
+// Invariants (see verify): ids are in their tables; situations are increasing; locations except INIT differ in
+// situation or values; `evolutions` and `instabilities` are sorted by `from`; no condition is the constant false; INIT
+// is not a target; the cycle of an instability is not empty; `assumed` does not read timers.
 #pragma once
 
 #include <cstddef>
@@ -49,8 +49,8 @@ struct LocationAutomaton {
         std::string name = {};  ///< qualified name in the chart: `2`, `G2.2`
         bool operator==(const Step&) const = default;
     };
-    /// State of the chart in addition to the situation: an internal, an output with stored actions, a previous value
-    /// for an edge, a level that a timer observes.
+    /// State of the chart in addition to the situation: an internal variable, an output with stored actions, a previous
+    /// value for an edge, or a level that a timer observes.
     struct Stored {
         std::string name = {};
         Type type = {};
@@ -60,9 +60,9 @@ struct LocationAutomaton {
     struct Input {
         std::string name = {};
         Type type = {};
-        Id<Step> timed = {};                    ///< a timer of this step
-        Id<Stored> watched = {};                ///< a timer of this level; neither valid: an input of the chart
-        std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2 of `t1/v/t2` (IEC 60848); not both 0 for a timer
+        Id<Step> timed = {};                    ///< valid: a timer of this step
+        Id<Stored> watched = {};                ///< a timer of this level. If neither is valid: an input of the chart
+        std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2 of `t1/v/t2`; not both 0 for a timer
         Span origin = {};
         bool operator==(const Input&) const = default;
     };
@@ -72,7 +72,7 @@ struct LocationAutomaton {
         bool operator==(const Output&) const = default;
     };
 
-    /// An output that is not constant 0 in a location.
+    /// An output that is not constantly 0 in a location.
     struct Emission {
         Id<Output> output = {};
         Id<Expr> value = {};  ///< a constant, or a condition on the inputs: a conditional action
@@ -80,16 +80,16 @@ struct LocationAutomaton {
     };
     struct Location {
         std::vector<Id<Step>> situation = {};
-        std::vector<std::int64_t> values = {};  ///< per `stored`
-        std::vector<Emission> emissions = {};   ///< by output; for INIT: the stored outputs, with their initial values
+        std::vector<std::int64_t> values = {};  ///< values of `stored`
+        std::vector<Emission> emissions = {};   ///< by output; for INIT: initial values of stored outputs
         bool operator==(const Location&) const = default;
     };
     struct Evolution {
         Id<Location> from = {}, to = {};
         Id<Expr> condition = {};
-        std::vector<Id<Input>> restarted = {};  ///< timers whose level holds in `to` and became true on the way
-        /// Timers with a fall time whose level became false on the way; with a rise time only if it had held in `from`.
-        /// If the level had lasted for the rise time, the fall time starts.
+        std::vector<Id<Input>> restarted = {};  ///< timers whose level holds in `to` and became true
+        /// Timers with a fall time whose level became false during the evolution. A timer that also has a rise time is
+        /// listed only if its level held in `from`. If the level had lasted for the rise time, the fall time starts.
         std::vector<Id<Input>> falling = {};
         bool operator==(const Evolution&) const = default;
     };
@@ -98,7 +98,7 @@ struct LocationAutomaton {
         Id<Expr> condition = {};
         std::optional<std::uint64_t> combinations =
             {};  ///< number of combinations of inputs and timer outputs; empty if it exceeds 64 bits
-        std::vector<std::int64_t> witness = {};         ///< per input: values for which it occurs
+        std::vector<std::int64_t> witness = {};         ///< per input: values for which the instability occurs
         std::vector<std::vector<Id<Step>>> cycle = {};  ///< the situations that repeat forever
         bool operator==(const Instability&) const = default;
     };
@@ -114,7 +114,7 @@ struct LocationAutomaton {
     Id<Location> init = {};
     std::vector<Evolution> evolutions = {};
     std::vector<Instability> instabilities = {};
-    bool complete = true;       ///< false: there may be more locations and evolutions
+    bool complete = true;       ///< false: there may be further locations and evolutions
     std::size_t looked_at = 0;  ///< number of locations, counted from the first, whose evolutions are all known
     Id<Expr> assumed = {};
     Span origin = {};
@@ -128,16 +128,16 @@ inline bool is_timer(const LocationAutomaton::Input& input) { return input.timed
 /// True if the observed term holds in `location`: its step is active, or its level was true in the previous cycle.
 bool level(const LocationAutomaton::Location& location, const LocationAutomaton::Input& timer);
 
-/// `step 2`, `V_a`: the term that the timer observes.
+/// Returns the term that the timer observes: `step 2`, `V_a`.
 std::string watched_text(const LocationAutomaton& automaton, const LocationAutomaton::Input& timer);
 
-/// The evolutions, or instabilities, that leave `location`.
+/// Returns the evolutions, or instabilities, that leave `location`.
 std::span<const LocationAutomaton::Evolution> evolutions_from(const LocationAutomaton& automaton,
                                                               Id<LocationAutomaton::Location> location);
 std::span<const LocationAutomaton::Instability> instabilities_of(const LocationAutomaton& automaton,
                                                                  Id<LocationAutomaton::Location> location);
 
-/// `{2,5}`: the names of the active steps.
+/// Returns the names of the active steps: `{2,5}`.
 std::string situation_text(const LocationAutomaton& automaton,
                            const std::vector<Id<LocationAutomaton::Step>>& situation);
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 // MealyMachine: a location automaton as a machine with outputs for every input combination (JESA13 section 6).
 //
-//   state       a location; in a chart with timers also the elapsed time of each running timer
+//   state       a location; in a chart with timers, also the elapsed time of each running timer
 //   transition  for a set of inputs, or by waiting, to the next state, with the outputs written then
 //
-// INIT is merged with the location of the initial situation if there is one: with stability search both have the same
-// responses. Without it, `activation` represents a cycle that only activates the initial steps, before the first
-// transition of the machine.
+// INIT is merged with the location of the initial situation, if this location exists: with stability search both have
+// the same responses. Without stability search, `activation` represents a cycle that only activates the initial steps,
+// before the first transition of the machine.
 //
 // Conditions are sets of inputs, never enumerated; those of one state are disjoint and, with `unstable`, cover
 // `assumed`. The inputs are those of the chart, without timers: a `wait` transition lets time pass until the next timer
 // event, with constant inputs.
 //
-// Invariants (see verify): ids in their tables; `transitions` and `unstable` sorted by `from`; outputs complete; no
-// condition is the constant false; waits are positive; state names differ.
+// Invariants (see verify): ids are in their tables; `transitions` and `unstable` are sorted by `from`; outputs are
+// complete; no condition is the constant false; waits are positive; state names differ.
 #pragma once
 
 #include <cstddef>
@@ -37,22 +37,22 @@ struct MealyMachine {
         bool operator==(const Variable&) const = default;
     };
     struct State {
-        std::string situation = {};  ///< `{2,5}`; for merged states all: `{1} or {3}`
-        std::string detail = {};     ///< stored values and running timers: `LOCK=1, T_X2_3s 1s`; or empty
+        std::string situation = {};  ///< `{2,5}`; merged states list all situations: `{1} or {3}`
+        std::string detail = {};     ///< stored values and running timers: `LOCK=1, T_X2_3s 1s`; may be empty
         bool operator==(const State&) const = default;
     };
     struct OutputWord {
-        std::vector<std::int64_t> values = {};  ///< per output
+        std::vector<std::int64_t> values = {};  ///< value of each output
         bool operator==(const OutputWord&) const = default;
     };
     struct Transition {
         Id<State> from = {}, to = {};
-        Id<Expr> condition = {};  ///< on the inputs
+        Id<Expr> condition = {};  ///< condition on the inputs
         Id<OutputWord> answer = {};
-        std::int64_t wait_ms = 0;  ///< 0: the inputs are applied; otherwise they are kept for this time
+        std::int64_t wait_ms = 0;  ///< time for which the inputs are kept; 0: they are applied
         bool operator==(const Transition&) const = default;
     };
-    /// Inputs for which the machine never responds again.
+    /// Inputs for which the machine enters total instability and never responds again.
     struct Unstable {
         Id<State> from = {};
         Id<Expr> condition = {};
@@ -76,13 +76,13 @@ struct MealyMachine {
     std::vector<Unstable> unstable = {};
     std::vector<Activation> activation = {};  ///< empty: the first cycle is an ordinary one
     Id<Expr> assumed = {};
-    std::optional<std::uint64_t> combinations = 1;    ///< of inputs, as assumed; empty if it exceeds 64 bits
-    std::optional<std::uint64_t> unstable_pairs = 0;  ///< pairs of states and inputs without a stable situation
+    std::optional<std::uint64_t> combinations = 1;    ///< of inputs, as assumed; empty beyond 64 bits
+    std::optional<std::uint64_t> unstable_pairs = 0;  ///< state-input pairs without a stable situation
 
     bool operator==(const MealyMachine&) const = default;
 };
 
-/// The transitions that leave `state`.
+/// Returns the transitions that leave `state`.
 std::span<const MealyMachine::Transition> transitions_from(const MealyMachine& machine, Id<MealyMachine::State> state);
 
 std::vector<std::string> verify(const MealyMachine& machine);

@@ -14,7 +14,7 @@ struct NamedConstant {
     std::string name = {};
     Kind kind = Kind::Integer;
     std::int64_t value = 0;  ///< Booleans 0 and 1, durations in milliseconds
-    bool set = false;        ///< by the user, overriding the loop
+    bool set = false;        ///< true if the user has overridden the value of the loop
     Span origin = {};
     bool operator==(const NamedConstant&) const = default;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Network: timed automata with discrete data that share variables (CEP13 2.4), the closed loop in the form for engines
-// and emitters. Templates have parameters; processes instantiate them; `expand` gives each process a separate template.
+// Network: timed automata with discrete data that share variables (CEP13 2.4): the closed loop for engines and
+// emitters. Templates have parameters; processes instantiate them; `expand` gives each process a separate template.
 //
 // Semantics (CEP13 section 2; urgency as in ETFA12 section 2). One edge is taken at a time: its guard and clock
 // constraint hold, its procedures and assignments are executed in order, clocks are reset, and the invariants of the
@@ -14,7 +14,7 @@
 //
 // Invariants (see verify): ids in their tables; guards are Boolean, over variables and parameters; urgent edges have no
 // clock constraint; the target invariant of an urgent edge holds whenever it is taken; arguments match parameters in
-// kind and type; initial values are in range; scratch variables are written before read.
+// kind and type; initial values are in range; scratch variables are written before they are read.
 #pragma once
 
 #include <cstddef>
@@ -39,16 +39,16 @@ struct Network {
         Input,
         Output,
         Internal,
-        Step,  ///< of a controller
+        Step,  ///< step activity of a controller
         FiringCondition,
         Sample,
-        Image,  ///< within its cycle: stored firing conditions, sampled inputs, outputs not yet written
+        Image,  ///< value within a PLC cycle: firing condition, sampled input, unwritten output
         TimerEnd,
-        TimerPending,  ///< of its timers
+        TimerPending,  ///< request of a timer of a controller
         Previous,
-        Watched,  ///< previous values for edges, levels that timers observe
+        Watched,  ///< previous value for edges, or level that a timer observes
         Flag,     ///< EVOL_PL, EVOL_TI, stable, race
-        Plant,    ///< shared by instances only
+        Plant,    ///< variable that only instances share
     };
     struct Variable {
         std::string name = {};
@@ -57,17 +57,17 @@ struct Network {
         std::int64_t initial = 0;
         bool scratch = false;
         Span origin = {};
-        std::string told = {};  ///< name in properties and traces, `Gate.X`; empty: `name`
+        std::string told = {};  ///< name in properties and traces, `Gate.X`; empty: `name` is used
 
         const std::string& display_name() const { return told.empty() ? name : told; }
         bool operator==(const Variable&) const = default;
     };
 
-    enum class ParameterKind { Read, Written, Constant };  ///< Read and Written: a variable by reference
+    enum class ParameterKind { Read, Written, Constant };  ///< Read and Written pass a variable by reference
     struct Parameter {
         std::string name = {};
         ParameterKind kind = ParameterKind::Read;
-        Type type = {};  ///< Constant: Booleans 0 and 1; durations are integers, in time units
+        Type type = {};  ///< Constant: Booleans are 0 and 1; durations are integers in time units
         bool operator==(const Parameter&) const = default;
     };
 
@@ -78,7 +78,7 @@ struct Network {
     struct ClockConstraint {
         Id<Clock> clock = {};
         Op relation = Op::LessEqual;  ///< Less, LessEqual, Equal, GreaterEqual, Greater
-        Id<Expr> bound = {};          ///< over constants and Constant parameters; in time units
+        Id<Expr> bound = {};          ///< term over constants and Constant parameters, in time units
         bool operator==(const ClockConstraint&) const = default;
     };
 
@@ -94,7 +94,7 @@ struct Network {
         Id<Expr> value = {};
         bool operator==(const Assignment&) const = default;
     };
-    /// A named list of assignments that edges call: `fire`, `evolve`, `write`.
+    /// A named list of assignments that edges call, such as `fire`, `evolve`, `write`.
     struct Procedure {
         std::string name = {};
         std::vector<Assignment> assignments = {};
@@ -118,7 +118,7 @@ struct Network {
         Table<Parameter> parameters = {};
         Table<Clock> clocks = {};
         Table<Location> locations = {};
-        Id<Location> initial = {};  ///< default for processes
+        Id<Location> initial = {};  ///< default initial location of processes
         Table<Procedure> procedures = {};
         Table<Edge> edges = {};
         Span origin = {};
@@ -131,28 +131,28 @@ struct Network {
         std::string name = {};
         Id<Template> automaton = {};
         std::vector<Argument> arguments = {};
-        Id<Location> initial = {};  ///< in the template's locations
+        Id<Location> initial = {};  ///< location of the template
         ProcessKind kind = ProcessKind::Plant;
         Span origin = {};
         bool operator==(const Process&) const = default;
     };
 
-    /// One controller: its names, and the elements of its cycle.
+    /// One controller: its names and the elements of its cycle.
     struct Timer {
         Id<Process> process = {};
-        Id<Location> done = {};  ///< location in the process after t1 has elapsed; invalid if it has no t1
-        bool restarts = true;    ///< a request restarts it; false: it follows its step by level
+        Id<Location> done = {};  ///< location of the process after t1 has elapsed; invalid if there is no t1
+        bool restarts = true;    ///< true: a request restarts it; false: it follows the level of its step
         bool operator==(const Timer&) const = default;
     };
     struct Controller {
         ControllerWords<Variable> words = {};
-        Id<Process> process = {};   ///< the PLC
-        Id<Location> waiting = {};  ///< W, in its template
+        Id<Process> process = {};   ///< the process of the PLC
+        Id<Location> waiting = {};  ///< location W of its template
         Id<Variable> stable = {};
-        std::vector<Timer> timers = {};            ///< in the order of `words`
-        std::vector<Id<Variable>> variables = {};  ///< per variable of its equations: as visible to other processes
-        std::vector<Id<Variable>> images = {};     ///< per output: its storage until it is written; invalid: none
-        Id<Procedure> start = {};                  ///< invalid: no effect before the first cycle
+        std::vector<Timer> timers = {};            ///< timers in the order of `words`
+        std::vector<Id<Variable>> variables = {};  ///< per variable of its equations: the shared variable
+        std::vector<Id<Variable>> images = {};     ///< storage per output until it is written; invalid: none
+        Id<Procedure> start = {};  ///< procedure executed before the first cycle; invalid if it would have no effect
         Id<Procedure> fire = {}, evolve = {}, write = {};
         bool operator==(const Controller&) const = default;
     };
@@ -160,16 +160,17 @@ struct Network {
     std::string name = {};
     Grain grain = Grain::Phased;
     std::int64_t time_unit_ms = 1000;
-    std::vector<NamedConstant> constants = {};  ///< of the loop, for headers
+    std::vector<NamedConstant> constants = {};  ///< constants of the loop, for file headers
     Exprs exprs = {};
     Table<Variable> variables = {};
     Table<Template> templates = {};
     Table<Process> processes = {};
     Table<Controller> controllers = {};
     Table<Property> properties = {};
-    /// Quiescent: every controller in W and stable, no flag set, no urgent edge enabled. Over variables and At.
+    /// Condition for a quiescent state, over variables and At: every controller is in W and stable, no flag is set, and
+    /// no urgent edge is enabled.
     Id<Expr> settled = {};
-    /// The flag that two stored actions have raced; invalid if impossible.
+    /// Flag that is set when two stored actions have raced; invalid if impossible.
     Id<Variable> race = {};
 
     bool operator==(const Network&) const = default;
@@ -177,16 +178,16 @@ struct Network {
 
 std::vector<std::string> verify(const Network& network);
 
-/// Value of `bound` for the arguments of `process`: clock bounds read only constants.
+/// Returns the value of `bound` for the arguments of `process`. Clock bounds read only constants.
 std::int64_t bound_value(const Network& network, const Network::Process& process, Id<Expr> bound);
 
-/// True if the invariant of the target of `edge` holds whenever the edge is taken without delay: each clock that is
-/// bounded there is reset by the edge, or bounded in its source at least as strongly. UPPAAL tests urgency on the guard
-/// alone, so a Network has no urgent edge for which this is false.
+/// True if the invariant of the target of `edge` holds whenever the edge is taken without delay: each clock that this
+/// invariant bounds is either reset by the edge or bounded at least as strongly in the source location. UPPAAL tests
+/// urgency on the guard alone, so a Network has no urgent edge for which this is false.
 bool keeps_target_invariant(const Network& network, const Network::Process& process, const Network::Edge& edge);
 
-/// The same network with one template per process and no parameters; process and location indices are unchanged, and
-/// properties keep their meaning.
+/// Returns the same network with one template per process and without parameters. Indices of processes and locations
+/// are unchanged, and properties keep their meaning.
 Network expand(const Network& network);
 
 }  // namespace grafverif

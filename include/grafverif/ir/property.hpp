@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Property: a query about a closed loop, one of a fixed set of patterns with the same semantics in every engine. The
-// operands are expressions of the owner (ClosedLoop: leaves are Variable -> symbols; Network: Variable and At).
+// operands are expressions of the owner (leaves in a ClosedLoop: Variable -> symbols; in a Network: Variable and At).
 #pragma once
 
 #include <cstdint>
@@ -13,26 +13,26 @@
 namespace grafverif {
 
 enum class Pattern {
-    Always,             ///< p in every reachable state
-    Never,              ///< p in no reachable state
-    Reachable,          ///< p in some reachable state
-    Inevitable,         ///< p at some time on every maximal run
-    LeadsTo,            ///< after every state with p, q is inevitable; operands p, q
-    NoDeadlock,         ///< from every reachable state some edge can be taken, now or after a delay
-    NoTimelock,         ///< from every reachable state time can pass again
+    Always,             ///< p holds in every reachable state
+    Never,              ///< p does not hold in any reachable state
+    Reachable,          ///< p holds in some reachable state
+    Inevitable,         ///< p holds at some time on every maximal run
+    LeadsTo,            ///< after every state with p, a state with q is inevitable; operands p, q
+    NoDeadlock,         ///< from every reachable state, an edge can be taken immediately or after a delay
+    NoTimelock,         ///< from every reachable state, a state in which time passes is reachable
     ReachableAllSteps,  ///< every step of every chart is active in some reachable state
-    ExactlyOneOf,       ///< in every reachable state exactly one of the operands holds
-    AlwaysPossible,     ///< from every reachable state a state with p is reachable
-    Watched,            ///< the sentence Property::watch, decided by an observer (docs/reference/properties.md)
+    ExactlyOneOf,       ///< in every reachable state, exactly one of the operands holds
+    AlwaysPossible,     ///< from every reachable state, a state with p is reachable
+    Watched,            ///< Property::watch, decided by an observer (docs/reference/properties.md)
     RawUppaal,
     RawCtl,
     RawLtl,  ///< `raw`: formula for an external tool
 };
 
-/// Maximal count of a sentence: its observer has two locations for each.
+/// Maximum count of a Sentence; its observer has two locations per count.
 inline constexpr std::int64_t greatest_count = 100;
 
-/// A property with an observer: it has a duration, a count or a scope. Operands: of the kind, then of the scope.
+/// A property that needs an observer: it has a duration, a count or a scope. Operands: of the kind, then of the scope.
 struct Sentence {
     enum class Kind {
         Absence,       ///< `never p`
@@ -40,7 +40,7 @@ struct Sentence {
         Existence,     ///< `inevitable p`
         Response,      ///< `p leads to q`, also `within` a duration
         Precedence,    ///< `p precedes q`
-        HoldsFor,      ///< `p holds for` a duration, at least
+        HoldsFor,      ///< `p holds for` at least a duration
         HoldsAtMost,   ///< `p holds at most` a duration
         Since,         ///< `p at most` a duration `since q`
         Recurrence,    ///< `p at least every` duration
@@ -50,20 +50,20 @@ struct Sentence {
 
     Kind kind = Kind::Absence;
     Scope scope = Scope::Globally;
-    std::int64_t duration_ms = 0;  ///< 0 if it has none
-    std::int64_t count = 0;        ///< for Occurrences; otherwise 0
+    std::int64_t duration_ms = 0;  ///< duration in ms; 0 if there is none
+    std::int64_t count = 0;        ///< count for Occurrences; otherwise 0
 
     bool operator==(const Sentence&) const = default;
 };
 
 struct Property {
     std::string name = {};
-    std::string text = {};  ///< quoted text of the property, or empty
+    std::string text = {};  ///< text of the property in quotation marks; may be empty
     Pattern pattern = Pattern::Always;
     std::vector<Id<Expr>> operands = {};
     std::string raw = {};
     Sentence watch = {};     ///< for Pattern::Watched
-    bool at_stable = false;  ///< evaluated in quiescent states only
+    bool at_stable = false;  ///< true: evaluated in quiescent states only
     bool expected_violated = false;
     Span origin = {};
 

@@ -14,15 +14,15 @@
 
 namespace grafverif {
 
-/// Settings and assumptions of all verdicts of a report.
+/// Settings and assumptions that apply to all verdicts of a report.
 struct CheckSettings {
-    std::string engine = {};  ///< `timed`
-    std::string mode = {};    ///< `stability-search`, `every-cycle`; both if controllers differ
+    std::string engine = {};  ///< engine name, such as `timed`
+    std::string mode = {};    ///< `stability-search`, `every-cycle`, or both if the controllers differ
     std::string grain = {};   ///< `phased`, `atomic`
     std::int64_t time_unit_ms = 1000;
-    /// Elements of an untimed model: `no plant`, `plant automata, interleaved`; empty for a timed check.
+    /// Components of an untimed model, such as `no plant` or `plant automata, interleaved`; empty for a timed check.
     std::string untimed = {};
-    std::vector<NamedConstant> constants = {};  ///< of the loop, with their current values
+    std::vector<NamedConstant> constants = {};  ///< constants of the loop with their current values
 
     bool operator==(const CheckSettings&) const = default;
 };
@@ -30,14 +30,14 @@ struct CheckSettings {
 struct PropertyResult {
     Verdict verdict = {};
     std::string text = {};               ///< text of the property in the model
-    std::optional<ChartRun> trace = {};  ///< run of the verdict
+    std::optional<ChartRun> trace = {};  ///< counterexample or witness
     std::string preservation = {};       ///< for an untimed verdict: its consequence for the timed loop
     std::string place = {};              ///< `file:line` of the property, if the sources are available
 
     bool operator==(const PropertyResult&) const = default;
 };
 
-/// A model error.
+/// A model error and the run that leads to it.
 struct ModelErrorTrace {
     std::string code = {};  ///< `out-of-range`, `action-race`, `no-value`
     std::string message = {};
@@ -47,12 +47,12 @@ struct ModelErrorTrace {
 };
 
 struct Report {
-    std::string model = {};  ///< the closed loop
+    std::string model = {};  ///< name of the closed loop
     CheckSettings settings = {};
     std::vector<PropertyResult> answers = {};
     std::vector<ModelErrorTrace> error_traces = {};
-    std::vector<std::string> failures = {};    ///< internal errors: runs that fail the replay, which are not reported
-    std::optional<StateProfile> profile = {};  ///< for a long search, or on request
+    std::vector<std::string> failures = {};    ///< internal errors: runs that fail the replay and are not reported
+    std::optional<StateProfile> profile = {};  ///< state profile of a long search, or on request
 
     bool operator==(const Report&) const = default;
 };

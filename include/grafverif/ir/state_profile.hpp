@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// StateProfile: components and clocks that contribute most states of an explicit-state search. The *factor* of a
-// component is the number of sampled states divided by their number after merging states that differ only in this
-// component. It is 1 if the other components determine it, and k if it has k values for each state of the others.
+// StateProfile: the components and clocks that contribute most states of an explicit-state search. The *factor* of a
+// component is the number of sampled states divided by the number that remains after merging states that differ only in
+// this component. It is 1 if the other components determine it, and k if it has k values for each state of the others.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 namespace grafverif {
 
 struct StateProfile {
-    /// Sampled states per merged state; `merged` >= 1.
+    /// Ratio of sampled states to merged states; `merged` >= 1.
     struct Factor {
         std::uint64_t states = 1;
         std::uint64_t merged = 1;
@@ -22,11 +22,11 @@ struct StateProfile {
         bool operator==(const Factor&) const = default;
     };
     enum class Kind { Instance, Controller, Environment };
-    /// An instance, or a controller with its timers, and the variables that only it writes.
+    /// An instance, or a controller with its timers, together with the variables that only it writes.
     struct Component {
         std::string name = {};
         Kind kind = Kind::Instance;
-        std::uint64_t combinations = 0;  ///< distinct values in the sample; `most_combinations`: or more
+        std::uint64_t combinations = 0;  ///< distinct values in the sample, at most `most_combinations`
         Factor factor = {};
         Span origin = {};
         std::string place = {};  ///< `file:line`, if the sources are available
@@ -35,31 +35,31 @@ struct StateProfile {
     struct Clock {
         std::string process = {};
         std::string name = {};
-        std::int64_t greatest = 0;  ///< the largest constant compared with it, in time units
-        std::uint64_t values = 0;   ///< distinct values in the sample
+        std::int64_t greatest = 0;  ///< the largest constant that is compared with the clock, in time units
+        std::uint64_t values = 0;   ///< number of distinct values in the sample
         Factor factor = {};
-        Span origin = {};        ///< of that constant
-        std::string place = {};  ///< as above
+        Span origin = {};        ///< position of that constant
+        std::string place = {};  ///< `file:line` of that constant, if the sources are available
         bool operator==(const Clock&) const = default;
     };
 
-    /// A duration without which the time unit would be coarser.
+    /// A single duration that determines the time unit: without it the unit would be coarser.
     struct Finest {
-        std::int64_t duration_ms = 0;  ///< 0: the unit declared by the loop
+        std::int64_t duration_ms = 0;  ///< 0: the time unit that the loop declares
         std::int64_t unit_ms = 0;      ///< current unit
         std::int64_t coarser_ms = 0;   ///< unit without this duration
-        Factor factor = {};            ///< of the clock values that are equal in the coarser unit
+        Factor factor = {};  ///< reduction factor if clock values that are equal in the coarser unit are merged
         Span origin = {};
-        std::string place = {};  ///< as above
+        std::string place = {};  ///< `file:line` of the duration, if the sources are available
         bool operator==(const Finest&) const = default;
     };
 
-    std::uint64_t states = 0;   ///< total number found
-    std::uint64_t sampled = 0;  ///< the first of them
+    std::uint64_t states = 0;   ///< total number of states found
+    std::uint64_t sampled = 0;  ///< number of sampled states, which were found first
     std::uint64_t most_combinations = 0;
-    std::uint64_t inside_cycles = 0;    ///< among those sampled: some controller is within a cycle
-    std::vector<Component> parts = {};  ///< largest factor first
-    std::vector<Clock> clocks = {};     ///< largest factor first
+    std::uint64_t inside_cycles = 0;    ///< number of sampled states in which some controller is within a cycle
+    std::vector<Component> parts = {};  ///< components, largest factor first
+    std::vector<Clock> clocks = {};     ///< clocks, largest factor first
     std::optional<Finest> finest = {};
     bool operator==(const StateProfile&) const = default;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// StepName: a step's name in parts, so that names need not be parsed.
+// StepName: the parts of a step's name, so that names need not be parsed.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 namespace grafverif {
 
 struct StepName {
-    std::string partial = {};  ///< the partial chart; empty if it has no name
+    std::string partial = {};  ///< name of the partial chart; empty if it has no name
     std::string step = {};     ///< `2`
 
-    /// `2`, `G2.2`
+    /// Returns `2` or `G2.2`.
     std::string text() const { return (partial.empty() ? "" : partial + ".") + step; }
-    /// The step variable in the notation of conditions: `X2`, `G2.X2`.
+    /// Returns the step variable in the notation of conditions: `X2`, `G2.X2`.
     std::string variable() const { return (partial.empty() ? "" : partial + ".") + "X" + step; }
 
     bool operator==(const StepName&) const = default;

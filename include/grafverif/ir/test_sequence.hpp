@@ -7,14 +7,14 @@
 // inputs, executes the chart in `mode` and writes the outputs. A step that waits changes no input.
 //
 // `cycles` is 1 if one more scan would lead to another state (without stability search), or if the user requested one
-// cycle each; otherwise 2, of which the second shows that the controller stays in its state.
+// cycle per step. Otherwise it is 2; the second scan shows that the controller stays in its state.
 //
 // Without stability search the first scan after power-on clears no transition: it activates the initial steps. It is
 // represented as `activation`, one scan, with the inputs of step 1; it does not count as a test step.
 //
-// Invariants (see verify): at least one sequence, none of them empty; as many values as inputs and outputs, in their
-// ranges; cycles are positive; no step that waits changes an input or is a first one. The lower bound does not exceed
-// the length, and equals it if the length is proved minimal.
+// Invariants (see verify): there is at least one sequence, and none is empty; the numbers of values match the inputs
+// and outputs, and values are in their ranges; cycles are positive; a step that waits changes no input and is not the
+// first step. The lower bound does not exceed the length, and equals it if the length is proved minimal.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@
 namespace grafverif {
 
 enum class TestCover {
-    Transitions,  ///< every transition of the Mealy machine: every input combination in every state
+    Transitions,  ///< every transition of the Mealy machine: each input combination in each state
     Evolutions,   ///< every evolution of the location automaton, each with one input combination
     Locations,    ///< every location
 };
@@ -43,18 +43,18 @@ struct TestSequence {
         bool operator==(const Variable&) const = default;
     };
     struct Situation {
-        std::string text = {};  ///< `{2,5}`, after the step; for equivalent ones `{1} or {3}`
+        std::string text = {};  ///< situation after the step: `{2,5}`; for equivalent states `{1} or {3}`
         bool operator==(const Situation&) const = default;
     };
     struct Step {
-        std::vector<std::int64_t> inputs = {};   ///< per input; Booleans 0 and 1
-        std::vector<std::int64_t> outputs = {};  ///< per output: expected in every scan of the step
+        std::vector<std::int64_t> inputs = {};   ///< value of each input; Booleans are 0 and 1
+        std::vector<std::int64_t> outputs = {};  ///< value of each output that is expected in every scan of the step
         std::uint32_t cycles = 1;
         std::int64_t wait_ms = 0;
         Id<Situation> situation = {};
         bool operator==(const Step&) const = default;
     };
-    /// One sequence from power-on.
+    /// A sequence that starts at power-on.
     struct Sequence {
         std::optional<Step> activation = {};
         std::vector<Step> steps = {};
@@ -69,17 +69,17 @@ struct TestSequence {
     Table<Situation> situations = {};
     std::vector<Sequence> sequences = {};
     std::uint64_t covered = 0;      ///< number of covered transitions, evolutions or locations, depending on `cover`
-    std::uint64_t to_cover = 0;     ///< number of those that are reachable
+    std::uint64_t to_cover = 0;     ///< number of reachable transitions, evolutions or locations
     std::uint64_t lower_bound = 0;  ///< minimal total number of steps for this coverage
     bool proven_least = false;
 
     bool operator==(const TestSequence&) const = default;
 };
 
-/// Number of steps of all sequences, without activations.
+/// Returns the number of steps of all sequences, without activations.
 std::size_t step_count(const TestSequence& test);
 
-/// `transitions`, `evolutions`, `locations`.
+/// Returns `transitions`, `evolutions` or `locations`.
 std::string_view word(TestCover cover);
 
 std::vector<std::string> verify(const TestSequence& test);

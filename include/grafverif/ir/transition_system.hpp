@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// TransitionSystem: finite variables, definitions, initial and next values, invariants and justice conditions, in
-// modules that are instantiated once or more: the untimed model of a controller, with or without its plant.
+// TransitionSystem: the untimed model of a controller, with or without its plant. It has finite variables, definitions,
+// initial and next values, invariants and justice conditions, in modules that are instantiated once or several times.
 //
 // Expressions are stored in `exprs`. Within a module, Variable leaves index the module's `symbols`: its parameters,
 // variables and definitions. `main` is the module of the system; modules do not nest deeper than main -> instance.
 //
 // A variable without `next` is free: it has any value of its type in each step. A variable without `initial` starts
-// with any value. `next` reads only current values and choices. A choice has any value in each step and does not belong
-// to the state: the moving process, which of two edges. A step consists of current values, choices that satisfy all
+// with any value. `next` reads only current values and choices. A choice, such as the process that moves, has any value
+// in each step and does not belong to the state. A step consists of current values, choices that satisfy all
 // `transitions`, and the resulting next values; states that violate an invariant do not exist. The system is total:
 // every reachable state has a successor.
 //
-// Invariants (see verify): ids in their tables; definitions do not depend on themselves; a symbol that refers to an
-// instance's symbol names an existing one; types agree; initial values, invariants, justice and properties read no
-// choice.
+// Invariants (see verify): ids are in their tables; definitions do not depend on themselves; a symbol that refers to an
+// instance's symbol names an existing one; types agree; initial values, invariants, justice conditions and properties
+// do not read choices.
 #pragma once
 
 #include <cstddef>
@@ -48,7 +48,7 @@ struct TransitionSystem {
         std::optional<Id<Expr>> next = {};
         bool operator==(const StateSymbol&) const = default;
     };
-    /// Chosen freely in each step.
+    /// A symbol whose value is chosen freely in each step.
     struct ChoiceSymbol {
         bool operator==(const ChoiceSymbol&) const = default;
     };
@@ -56,7 +56,7 @@ struct TransitionSystem {
         Id<Expr> value = {};
         bool operator==(const DefineSymbol&) const = default;
     };
-    /// `instance.symbol` in main.
+    /// The symbol `instance.symbol` in main.
     struct MemberSymbol {
         Id<Instance> instance = {};
         Id<Symbol> symbol = {};
@@ -67,18 +67,18 @@ struct TransitionSystem {
         std::string name = {};
         Type type = {};
         std::variant<ParameterSymbol, StateSymbol, ChoiceSymbol, DefineSymbol, MemberSymbol> kind = ParameterSymbol{};
-        std::string comment = {};  ///< section of the symbol: `inputs`, `steps`, ...
+        std::string comment = {};  ///< section that contains the symbol: `inputs`, `steps`, ...
         Span origin = {};
-        /// The names of its values, from `type.low` to `type.high`, if they are not numbers: `still`, `going_out`.
+        /// Names of the values from `type.low` to `type.high`, such as `still`; empty if the values are numbers.
         std::vector<std::string> values = {};
         bool operator==(const Symbol&) const = default;
     };
 
     struct Module {
         std::string name = {};
-        Table<Symbol> symbols = {};  ///< parameters first, in order of the arguments
+        Table<Symbol> symbols = {};  ///< parameters come first, in the order of the arguments
         std::vector<Id<Expr>> invariants = {};
-        std::vector<Id<Expr>> transitions = {};  ///< hold in every step: restrict the choices in a state
+        std::vector<Id<Expr>> transitions = {};  ///< conditions of every step; they restrict the choices in a state
         std::vector<Id<Expr>> justice = {};      ///< each holds infinitely often
         bool operator==(const Module&) const = default;
     };
@@ -86,77 +86,78 @@ struct TransitionSystem {
     struct Instance {
         std::string name = {};
         Id<Module> module = {};
-        std::vector<Id<Symbol>> arguments = {};  ///< symbols of main
+        std::vector<Id<Symbol>> arguments = {};  ///< arguments, as symbols of main
         bool operator==(const Instance&) const = default;
     };
 
     /// A property that this system cannot express, with the reason.
     struct Omitted {
-        Property property = {};  ///< without operands
+        Property property = {};  ///< the property, without operands
         std::string reason = {};
-        std::size_t before = 0;  ///< its position: before the property with this index
+        std::size_t before = 0;  ///< its position: before the property of the system with this index
         bool operator==(const Omitted&) const = default;
     };
 
-    // Mapping of the symbols of main to charts and plant: for traces, and for their replay.
+    // Mapping of the symbols of main to charts and plant, for traces and their replay.
 
     using Named = ControllerWords<Symbol>::Named;
-    /// Each condition is evaluated in a state with the choices of the step that leaves it; if invalid: see each.
+    /// Each condition is evaluated in a state with the choices of the step that leaves it. It may be invalid: see each.
     struct Controller {
         ControllerWords<Symbol> words =
-            {};                 ///< a transition is cleared by a step that `evolves` if its condition held before
-        Id<Expr> starts = {};   ///< the first evolution; invalid: it has no visible effect
+            {};  ///< transitions; one is cleared by a step that `evolves` if its condition held before that step
+        Id<Expr> starts = {};   ///< the step is the first evolution; invalid: the first evolution has no visible effect
         Id<Expr> samples = {};  ///< inputs and timer outputs are sampled; invalid: whenever it evolves
-        Id<Expr> evolves = {};  ///< one evolution; invalid: in every step
-        Id<Expr> writes = {};   ///< outputs are written; invalid: whenever it evolves and its mode requires it
+        Id<Expr> evolves = {};  ///< the step is one evolution; invalid: every step is
+        Id<Expr> writes = {};   ///< outputs are written; invalid: in evolutions, as the mode requires
         bool operator==(const Controller&) const = default;
     };
-    /// An element that moves in addition to the controllers: an instance of the loop, a timer.
+    /// A component that moves in addition to the controllers: an instance of the loop or a timer.
     struct Component {
         enum class Kind { Plant, Environment, Timer };
         std::string name = {};
         Kind kind = Kind::Plant;
-        Id<Symbol> location = {};           ///< its values are named; invalid if there is only one location
-        std::vector<Named> variables = {};  ///< those of its variables that no controller reads or writes
+        Id<Symbol> location = {};           ///< location, with named values; invalid if there is only one location
+        std::vector<Named> variables = {};  ///< those of its variables that controllers neither read nor write
         std::vector<Named> inputs = {};     ///< the inputs of controllers that it writes
         bool operator==(const Component&) const = default;
     };
 
-    /// Some instances of an interleaved system: they share with the others only the choice of the moving one, and time.
+    /// Some instances of an interleaved system. They share with the others only time and the choice of the moving
+    /// instance.
     struct Subsystem {
         std::string name = {};  ///< displayed name
         std::vector<Id<Instance>> instances = {};
-        /// Symbols of main that belong to this part, and the constants that replace them if it is omitted.
+        /// Symbols of main that belong to this subsystem, with the constants that replace them if it is omitted.
         std::vector<std::pair<Id<Symbol>, Id<Expr>>> without = {};
-        Id<Expr> moves = {};    ///< in a step: one of its instances moves
-        Id<Expr> settled = {};  ///< its part of `settled`; invalid if that cannot be decomposed
+        Id<Expr> moves = {};    ///< condition of a step: one of its instances moves
+        Id<Expr> settled = {};  ///< its part of `settled`; invalid if `settled` cannot be decomposed
         bool operator==(const Subsystem&) const = default;
     };
-    /// Parts, of which at most one moves in a step. All terms over main.
+    /// Independent subsystems, of which at most one moves in a step. All terms are over symbols of main.
     struct Subsystems {
-        std::vector<Subsystem> each = {};       ///< empty: the system cannot be decomposed
-        Id<Expr> waits = {};                    ///< in a step: none moves; if clocks count, time passes
-        Id<Expr> can_move = {}, can_wait = {};  ///< if clocks count: some instance can move; time can pass
+        std::vector<Subsystem> each = {};       ///< the subsystems; empty: the system cannot be decomposed
+        Id<Expr> waits = {};                    ///< condition of a step: none moves; if clocks are counted, time passes
+        Id<Expr> can_move = {}, can_wait = {};  ///< if clocks are counted: some instance can move; time can pass
         bool operator==(const Subsystems&) const = default;
     };
 
     std::string name = {};
-    std::vector<NamedConstant> constants = {};  ///< of the loop, for headers
-    std::string scope = {};  ///< consequence of verdicts for the timed plant; one paragraph for headers
+    std::vector<NamedConstant> constants = {};  ///< constants of the loop, for file headers
+    std::string scope = {};  ///< one paragraph for file headers: the consequence of verdicts for the timed plant
     Exprs exprs = {};
     Table<Module> modules = {};
     Id<Module> main = {};
-    Table<Instance> instances = {};            ///< in main
-    std::vector<Id<Instance>> observers = {};  ///< observers: they monitor the steps of this system
-    Table<Property> properties = {};           ///< over symbols of main
-    /// Quiescent: every controller is stable and its outputs are up to date, so that one more cycle with the same
-    /// inputs would change nothing. Over symbols of main; the meaning of `at stable`.
+    Table<Instance> instances = {};            ///< instances in main
+    std::vector<Id<Instance>> observers = {};  ///< observers, which monitor the steps of this system
+    Table<Property> properties = {};           ///< properties over symbols of main
+    /// Condition for a quiescent state, over symbols of main: the meaning of `at stable`. Every controller is stable
+    /// and its outputs are up to date, so that one more cycle with the same inputs would change nothing.
     Id<Expr> settled = {};
     std::vector<Omitted> omitted = {};
     std::vector<Controller> controllers = {};
     std::vector<Component> components = {};
     Subsystems parts = {};
-    Id<Expr> ticks = {};  ///< over symbols of main: time passes by `tick_ms`; invalid if the system is untimed
+    Id<Expr> ticks = {};  ///< time passes by `tick_ms`, over symbols of main; invalid: untimed
     std::int64_t tick_ms = 0;
 
     bool operator==(const TransitionSystem&) const = default;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Type: range of a variable. Integers are bounded: engines pack them, UPPAAL and NuSMV require ranges.
+// Type: the range of a variable. Integers are bounded because engines pack them, and UPPAAL and NuSMV require ranges.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@ namespace grafverif {
 
 struct Type {
     bool boolean = true;
-    std::int64_t low = 0;   ///< least value; Booleans: 0
-    std::int64_t high = 1;  ///< greatest value; Booleans: 1
+    std::int64_t low = 0;   ///< minimum value; 0 for Booleans
+    std::int64_t high = 1;  ///< maximum value; 1 for Booleans
 
     bool operator==(const Type&) const = default;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Diagnostics: problems of the input, as data. Each stage adds to the sink that it receives; one renderer converts them
-// to text, one to JSON. The texts of all messages are in support/messages.
+// Diagnostics: problems of the input, as data. Each stage appends to the Diagnostics that it receives. One renderer
+// converts them to text, another to JSON. The texts of all messages are in support/messages.
 #pragma once
 
 #include <cstddef>
@@ -23,15 +23,15 @@ struct Fix {
 
 struct Diagnostic {
     Severity severity = Severity::Error;
-    std::string code = {};     ///< stable kebab-case word, shown in brackets
-    Span where = {};           ///< no valid source: concerns the input in general
+    std::string code = {};     ///< stable kebab-case code, printed in brackets
+    Span where = {};           ///< position; without a valid source, the diagnostic concerns the input in general
     std::string message = {};  ///< lower case, names in backticks, no full stop; the problem, then `; ` and the remedy
     std::vector<Diagnostic> notes = {};
-    std::optional<Fix> fix = {};  ///< if the remedy is unambiguous
+    std::optional<Fix> fix = {};  ///< present if the remedy is unambiguous
 };
 
-/// The sink: errors and warnings in the order of their discovery. After `limit` errors it keeps counting but stores no
-/// more, so that a hostile input uses bounded memory.
+/// Collects errors and warnings in the order of their discovery. After `limit` errors, further diagnostics are counted
+/// but not stored, so that malicious input uses bounded memory.
 class Diagnostics {
 public:
     static constexpr std::size_t limit = 50;
@@ -51,11 +51,12 @@ private:
 
 enum class Colour { Plain, Ansi };
 
-/// `file:line:col: error: message [code]`, the source line and a caret, for each diagnostic, sorted by source and
-/// position; the source line is clipped at 100 columns around the caret.
+/// Renders each diagnostic as `file:line:col: error: message [code]` with its source line and a caret, sorted by source
+/// and position. The source line is clipped at 100 columns around the caret.
 void render_text(const std::vector<Diagnostic>& diagnostics, const Sources& sources, Colour colour, std::ostream& out);
 
-/// The same as a JSON array of `{"file","line","column","end_line","end_column","severity","code","message","notes"}`.
+/// Renders diagnostics as a JSON array of
+/// `{"file","line","column","end_line","end_column","severity","code","message","notes"}`.
 void render_json(const std::vector<Diagnostic>& diagnostics, const Sources& sources, std::ostream& out);
 
 }  // namespace grafverif

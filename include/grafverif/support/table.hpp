@@ -38,7 +38,7 @@ public:
     auto begin() const { return entities_.begin(); }
     auto end() const { return entities_.end(); }
 
-    /// Every id of the table, in order.
+    /// Returns a range of all ids of the table, in order.
     auto ids() const {
         return std::views::iota(std::uint32_t{0}, static_cast<std::uint32_t>(entities_.size())) |
                std::views::transform([](std::uint32_t index) { return Id<T>{index}; });
