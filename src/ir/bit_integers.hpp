@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Arithmetic on two's complement integers whose bits are Boolean functions. Results are exact, with as many bits as
-// needed.
+// Arithmetic on two's complement integers whose bits are Boolean functions. Results are exact, with as many bits as the
+// value requires.
 //
-// Requirements on Bit, a Boolean function: `Bit()` is false; `Bit::constant`, `is_false`, `==`, `~ & | ^` and, found by
-// argument-dependent lookup, `ite(condition, then, otherwise)`. Equal functions may compare as different.
+// Requirements on Bit, a Boolean function: `Bit()` is the constant false; `Bit::constant`, `is_false`, `==`, `~ & | ^`
+// and `ite(condition, then, otherwise)`, which is found by argument-dependent lookup. `==` may return false for equal
+// functions.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 
 namespace grafverif::bits {
 
-/// Least significant bit first, sign bit last; never empty.
+/// Bits of an integer: least significant bit first, sign bit last; never empty.
 template <class Bit>
 using Integer = std::vector<Bit>;
 
@@ -37,7 +38,7 @@ Integer<Bit> trimmed(Integer<Bit> value) {
     return value;
 }
 
-/// left + right + carry in `width` bits; higher bits are dropped.
+/// Returns left + right + carry in `width` bits; higher bits are dropped.
 template <class Bit>
 Integer<Bit> added(const Integer<Bit>& left, const Integer<Bit>& right, Bit carry, std::size_t width) {
     Integer<Bit> result;
@@ -133,7 +134,7 @@ Integer<Bit> magnitude(const Integer<Bit>& value) {
     return choice(value.back(), negated(value), value);
 }
 
-/// Truncated towards zero, as in C; unspecified for a zero divisor.
+/// Quotient and remainder, truncated towards zero as in C; unspecified for a zero divisor.
 template <class Bit>
 struct Division {
     Integer<Bit> quotient = {}, remainder = {};

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Terms as Boolean functions: translates an Expr of any IR to bits. Bits are any type of function (see
-// ir/bit_integers.hpp): decision diagrams, gates.
+// Terms as Boolean functions: translates an Expr of any IR to bits. A bit is any representation of a Boolean function
+// (see ir/bit_integers.hpp), such as a decision diagram or a gate.
 //
 // A Boolean is one bit. An integer is a two's complement number, least significant bit first, with as many bits as it
-// needs: sums and products grow, so there is no overflow. Bits are functions, hence an integer is a function from
+// needs: sums and products grow, so no overflow occurs. Bits are functions, therefore an integer is a function from
 // assignments to numbers.
 //
-// A term has a value exactly if `evaluate` (ir/expr.hpp) returns one, and both are equal. `undefined` is true where it
-// has none: for division by zero or a result outside 64 bits. Like `evaluate`, `and` and `or` stop at the first operand
-// that determines the result, and a conditional evaluates only the selected branch.
+// A term has a value exactly if `evaluate` (ir/expr.hpp) returns one, and both are equal. `undefined` is true for the
+// assignments without a value, which divide by zero or have a result outside 64 bits. Like `evaluate`, `and` and `or`
+// stop at the first operand that determines the result, and a conditional evaluates only the selected branch.
 #pragma once
 
 #include <cassert>
@@ -31,8 +31,9 @@ namespace grafverif {
 template <class Bit>
 struct BitTerm {
     bool boolean = true;
-    std::vector<Bit> bits = {};  ///< one bit for a Boolean; at least one for an integer, the last is its sign
-    Bit undefined = {};          ///< true where the term has no value; its bits are then unspecified
+    /// One bit for a Boolean; at least one bit for an integer, the last of which is its sign.
+    std::vector<Bit> bits = {};
+    Bit undefined = {};  ///< true for assignments without a value; the bits are then unspecified
 
     bool operator==(const BitTerm&) const = default;
 };
@@ -56,18 +57,19 @@ BitTerm<Bit> integer_term(std::int64_t value) {
     return {false, bits::constant<Bit>(value), {}};
 }
 
-/// True where both terms are defined and have the same value. Requires operands of the same type.
+/// True for assignments under which both terms are defined and have the same value. Requires operands of the same type.
 template <class Bit>
 Bit equal(const BitTerm<Bit>& left, const BitTerm<Bit>& right) {
     assert(left.boolean == right.boolean);
     return bits::equal(left.bits, right.bits) & ~(left.undefined | right.undefined);
 }
-/// True where the term has that value; 0 or 1 for a Boolean.
+/// True for assignments under which the term has that value; 0 or 1 for a Boolean.
 template <class Bit>
 Bit equals(const BitTerm<Bit>& term, std::int64_t value) {
     return equal(term, term.boolean ? boolean_term(Bit::constant(value != 0)) : integer_term<Bit>(value));
 }
-/// True where the integer has a value in [low, high]; for a Boolean, where the term is defined.
+/// True for assignments under which the integer has a value in [low, high]; for a Boolean, under which the term is
+/// defined.
 template <class Bit>
 Bit within(const BitTerm<Bit>& term, std::int64_t low, std::int64_t high) {
     if (term.boolean) return ~term.undefined;
@@ -75,7 +77,7 @@ Bit within(const BitTerm<Bit>& term, std::int64_t low, std::int64_t high) {
         bits::less(term.bits, bits::constant<Bit>(low)) | bits::less(bits::constant<Bit>(high), term.bits);
     return ~(outside | term.undefined);
 }
-/// `condition` is Boolean; both branches have the same type.
+/// Selects one of two terms. `condition` is Boolean; both branches have the same type.
 template <class Bit>
 BitTerm<Bit> conditional(const BitTerm<Bit>& condition, const BitTerm<Bit>& then, const BitTerm<Bit>& otherwise) {
     assert(condition.boolean && then.boolean == otherwise.boolean);
@@ -144,12 +146,12 @@ private:
         case Op::Divide:
         case Op::Modulo: return calculated(node.op, *operands[0], *operands[1]);
         case Op::Rise:
-        case Op::Fall: unreachable();  // derive has replaced all edges
+        case Op::Fall: unreachable();  // derive has already replaced all edges
         }
         unreachable();
     }
 
-    /// And, Or: operands after the first that determines the result are not evaluated.
+    /// Value of an And or Or: operands after the first one that determines the result are not evaluated.
     static Term joined(bool disjunction, std::span<const Term* const> operands) {
         Bit value = Bit::constant(!disjunction), undefined;
         for (const Term* operand : operands) {
@@ -183,7 +185,8 @@ private:
         case Op::Divide:
         case Op::Modulo: {
             undefined = undefined | bits::is_zero(right.bits);
-            // As `evaluate`: the least number divided by -1 has neither quotient nor remainder.
+            // Same rule as in `evaluate`: if the least number is divided by -1, neither quotient nor remainder is
+            // defined.
             undefined =
                 undefined | (bits::equal(left.bits, bits::constant<Bit>(std::numeric_limits<std::int64_t>::min())) &
                              bits::equal(right.bits, bits::constant<Bit>(-1)));

@@ -10,7 +10,7 @@ namespace grafverif {
 
 namespace {
 
-/// True if every id of `list` is in `table`; `some`: invalid ids are allowed.
+/// True if every id of `list` is in `table`. If `some` is true, invalid ids are allowed.
 template <class T>
 bool are_in(const std::vector<Id<T>>& list, const Table<T>& table, bool some = false) {
     return std::ranges::all_of(list, [&](Id<T> id) { return id.valid() ? table.contains(id) : some; });
@@ -23,7 +23,7 @@ bool is_known(const ChartRun& run, const ChartRun::Controller& controller) {
            are_in(controller.timers, run.timers);
 }
 
-/// If there are inputs or timers, their number equals that of the controller.
+/// The numbers of inputs and timers are 0 or those of the controller.
 bool is_known(const ChartRun& run, const ChartRun::Act& act) {
     if (!run.controllers.contains(act.controller)) return false;
     const ChartRun::Controller& controller = run.controllers[act.controller];

@@ -10,7 +10,7 @@ namespace grafverif {
 
 namespace {
 
-/// Replaces characters that an id cannot contain by `_` and cuts long names.
+/// Replaces characters that are not allowed in an id by `_` and shortens long names.
 std::string word_of(std::string_view name) {
     constexpr std::size_t longest = 80;
     std::string word;

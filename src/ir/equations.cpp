@@ -20,7 +20,7 @@ struct Check {
                     return sort_of(equations.variables[{static_cast<std::uint32_t>(leaf.value)}].type);
                 }};
     std::vector<bool> reads_firing = {};  ///< per term: true if it contains a firing condition
-    std::vector<int> defined = {};        ///< per variable: its number of equations
+    std::vector<int> defined = {};        ///< number of equations per variable
 
     void fault(std::string text) { faults.push_back(std::move(text)); }
 
@@ -38,8 +38,8 @@ struct Check {
         }
     }
 
-    /// Checks all terms in one pass, because children precede parents. False if a leaf does not belong to the
-    /// equations; the check then ends.
+    /// Checks all terms in one pass, because children precede parents. Returns false and stops at the first leaf that
+    /// does not belong to the equations.
     bool terms() {
         const Exprs& exprs = equations.exprs;
         for (std::uint32_t index = 0; index < exprs.size(); ++index) {

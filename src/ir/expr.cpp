@@ -147,8 +147,8 @@ Id<Expr> Exprs::disjunction(Id<Expr> left, Id<Expr> right) { return disjunction(
 
 namespace {
 
-/// Operands of an And or Or in order: nested operands of the same operator are flattened, neutral and repeated ones
-/// removed. Empty optional if an operand is absorbing.
+/// Returns the operands of an And or Or in order. Nested operands of the same operator are flattened; neutral and
+/// repeated operands are removed. The result is empty if an operand is absorbing.
 std::optional<std::vector<Id<Expr>>> flattened(const Exprs& exprs, Op op, std::span<const Id<Expr>> operands) {
     const Op neutral = op == Op::And ? Op::True : Op::False;
     const Op absorbing = op == Op::And ? Op::False : Op::True;
@@ -313,7 +313,7 @@ std::vector<std::optional<std::int64_t>> evaluate_all(const Exprs& exprs,
     return values;
 }
 
-// Traversals: copying a term into another table, and its leaves. Both visit each shared subterm once.
+// Traversals: copy a term into another table, and find its leaves. Both visit each shared subterm once.
 
 namespace {
 
@@ -327,7 +327,7 @@ void collect(const Exprs& exprs, Id<Expr> root, std::unordered_set<std::uint32_t
 }  // namespace
 
 Id<Expr> TermCopier::operator()(Id<Expr> root) {
-    const Expr node = (*from_)[root];  // a copy, because `to` may be `from` and grow
+    const Expr node = (*from_)[root];  // copied, because `to` may be `from`, whose nodes move when it grows
     if (node.op == Op::False || node.op == Op::True) return to_->constant(node.op == Op::True);
     if (node.op == Op::Integer) return to_->integer(node.value);
     if (const auto known = copies_.find(root.index); known != copies_.end()) return known->second;

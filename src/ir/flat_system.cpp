@@ -64,7 +64,7 @@ private:
         known_[index(site)] = flat_.exprs.leaf(Op::Variable, id.index);
     }
 
-    /// The sites that the definition of `site` reads.
+    /// Returns the sites that the definition of `site` reads.
     std::vector<Site> sources(Site site) const {
         return std::visit(
             overloaded{
@@ -85,7 +85,7 @@ private:
             symbol(site).kind);
     }
 
-    /// Iterative, because chains of definitions can be arbitrarily long.
+    /// The traversal is iterative, because chains of definitions can be arbitrarily long.
     void resolve(Site wanted) {
         std::vector<Site> open{wanted};
         while (!open.empty()) {
@@ -94,7 +94,7 @@ private:
             if (!known_[index(site)].valid())
                 for (const Site source : sources(site))
                     if (!known_[index(source)].valid()) open.push_back(source);
-            assert(open.size() <= known_.size() * known_.size() + 1);  // definitions are acyclic
+            assert(open.size() <= known_.size() * known_.size() + 1);  // holds because definitions are acyclic
             if (open.size() != before) continue;
             open.pop_back();
             if (known_[index(site)].valid()) continue;

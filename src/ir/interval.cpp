@@ -39,14 +39,14 @@ Interval product(Interval a, Interval b) {
 
 std::int64_t magnitude(Interval a) { return std::max(a.high, a.low == least ? greatest : -a.low); }
 
-/// Quotients truncated towards zero; their magnitude is at most that of the dividend.
+/// Quotients are truncated towards zero; their magnitude is at most that of the dividend.
 Interval quotient(Interval a, Interval b) {
     if (b.low == b.high && b.low > 0) return {a.low / b.low, a.high / b.low};
     const std::int64_t bound = magnitude(a);
     return {-bound, bound};
 }
 
-/// Remainders have the sign of the dividend, and a magnitude of at most that of the dividend and less than that of the
+/// Remainders have the sign of the dividend. Their magnitude is at most that of the dividend and less than that of the
 /// divisor.
 Interval remainder(Interval a, Interval b) {
     const std::int64_t bound = std::min(magnitude(a), std::max<std::int64_t>(magnitude(b) - 1, 0));
@@ -90,7 +90,7 @@ bool is_wide(std::int64_t low, std::int64_t high) {
 }
 
 std::vector<bool> wide_terms(const Exprs& exprs, const TypeOf& type_of) {
-    std::vector<Interval> intervals;  // operands precede terms
+    std::vector<Interval> intervals;  // intervals of all terms; operands precede terms
     std::vector<bool> wide;
     for (std::uint32_t index = 0; index < exprs.size(); ++index) {
         const Interval own =

@@ -11,14 +11,14 @@
 
 namespace grafverif {
 
-/// Type of the variable of a leaf.
+/// Returns the type of the variable of a leaf.
 using TypeOf = std::function<Type(const Expr&)>;
 
 struct Interval {
     std::int64_t low = 0, high = 1;
 };
 
-/// An interval that contains every value of `term`; its bounds are clipped to 64 bits.
+/// Returns an interval that contains every value of `term`; its bounds are clipped to 64 bits.
 Interval interval(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of);
 
 /// True if the range does not fit into 32-bit integers.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Operands of conjunctions and disjunctions; terms that divide.
+// Operands of conjunctions and disjunctions, and the search for terms that divide.
 #pragma once
 
 #include <algorithm>
@@ -9,14 +9,14 @@
 
 namespace grafverif {
 
-/// The operands if `term` has the operator `op`; otherwise the term itself.
+/// Returns the operands of `term` if its operator is `op`; otherwise the term itself.
 inline std::vector<Id<Expr>> operands_of(const Exprs& exprs, Id<Expr> term, Op op) {
     if (exprs[term].op != op) return {term};
     const auto operands = exprs.operands(term);
     return {operands.begin(), operands.end()};
 }
 
-/// True if an operation of the term may have no value. `seen`: subterms already examined, by index.
+/// True if an operation of the term may have no value. `seen` marks the subterms that were already examined, by index.
 inline bool may_divide(const Exprs& exprs, Id<Expr> root, std::vector<bool>& seen) {
     if (seen[root.index]) return false;
     seen[root.index] = true;

@@ -6,7 +6,7 @@
 
 namespace grafverif {
 
-/// The constant `value` of `type` as a term.
+/// Returns the constant `value` of `type` as a term.
 inline Id<Expr> literal(Exprs& exprs, Type type, std::int64_t value) {
     return type.boolean ? exprs.constant(value != 0) : exprs.integer(value);
 }

@@ -12,7 +12,7 @@ using Step = LocationAutomaton::Step;
 
 namespace {
 
-/// The entries of `all` that leave `location`. Requires that `all` is sorted by `from`.
+/// Returns the entries of `all` that leave `location`. Requires that `all` is sorted by `from`.
 template <class T>
 std::span<const T> leaving(const std::vector<T>& all, Id<Location> location) {
     const auto found = std::ranges::equal_range(all, location, {}, &T::from);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mutation testing: mutants of a chart, each with one plausible mistake, and their results.
+// Mutation testing: mutants of a chart, each with one plausible mistake, and the result of each mutant.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@
 namespace grafverif {
 
 struct Mutant {
-    std::string kind = {};                ///< mutation operator, `wrong-successor`; complete list: compare/mutants.hpp
-    std::string subject = {};             ///< `transition t3`, `step 2`
-    std::string before = {}, after = {};  ///< the declaration, in one line
-    Span where = {};                      ///< in the original file
+    std::string kind = {};     ///< mutation operator, such as `wrong-successor`; all operators: compare/mutants.hpp
+    std::string subject = {};  ///< mutated element: `transition t3`, `step 2`
+    std::string before = {}, after = {};  ///< text of the declaration, in one line
+    Span where = {};                      ///< position in the original file
     std::string text = {};                ///< complete text of the mutated file
 };
 
@@ -26,7 +26,7 @@ struct MutantFate {
         Equivalent,  ///< equivalence proved by `compare`
         Noticed,     ///< killed: a property of the original fails
         Unnoticed,   ///< survived: not equivalent, but no property fails that holds for the original
-        Unknown,     ///< inconclusive
+        Unknown,     ///< the result is unknown
     };
     Kind kind = Kind::Unknown;
     std::string reason = {};                   ///< Refused: error code; Unknown: reason
@@ -36,23 +36,24 @@ struct MutantFate {
                                                ///< original
     std::optional<bool> caught = {};           ///< killed by the test sequence; empty if there is none or it was not
                                                ///< run
-    std::size_t scans = 0;                     ///< length of a sequence of scans that distinguishes it from the
-                                               ///< original; 0 if none was found
-    std::vector<std::string> failures = {};    ///< internal errors
+    /// Length of a sequence of scans that distinguishes the mutant from the original; 0 if none was found.
+    std::size_t scans = 0;
+    std::vector<std::string> failures = {};  ///< internal errors
 };
 
 struct Mutation {
     std::string chart = {};
-    std::size_t possible = 0;                           ///< number of all possible mutants
-    std::vector<Mutant> mutants = {};                   ///< the selected ones
-    std::vector<std::optional<MutantFate>> fates = {};  ///< per mutant; empty if the run was stopped before
-    std::vector<std::string> properties = {};           ///< those with the expected verdict for the original
-    std::vector<std::string> vacuous = {};              ///< those that hold vacuously for the original
-    std::optional<std::size_t> test_steps = {};         ///< length of the test sequence
-    std::string no_test = {};                           ///< error code if no test sequence was generated
+    std::size_t possible = 0;          ///< number of all possible mutants
+    std::vector<Mutant> mutants = {};  ///< the selected mutants
+    /// Result per mutant; empty if the run was stopped before its check.
+    std::vector<std::optional<MutantFate>> fates = {};
+    std::vector<std::string> properties = {};    ///< properties with the expected verdict for the original
+    std::vector<std::string> vacuous = {};       ///< properties that hold vacuously for the original
+    std::optional<std::size_t> test_steps = {};  ///< length of the test sequence
+    std::string no_test = {};                    ///< error code if no test sequence was generated
 };
 
-/// `refused`, `equivalent`, `noticed`, `unnoticed`, `unknown`.
+/// Returns `refused`, `equivalent`, `noticed`, `unnoticed` or `unknown`.
 constexpr std::string_view word(MutantFate::Kind kind) {
     switch (kind) {
     case MutantFate::Kind::Refused: return "refused";

@@ -14,13 +14,13 @@ std::int64_t constant(const Network& network, Id<Expr> bound) {
     return std::clamp(value.value_or(0), -ClockInterval::unbounded, ClockInterval::unbounded);
 }
 
-/// The least value from which on the comparison has a constant result (see the header).
+/// Returns the least value from which the comparison has a constant result (see the header).
 std::int64_t cap_of(const ClockInterval& interval) {
     if (interval.high >= ClockInterval::unbounded) return std::max<std::int64_t>(interval.low, 0);
     return std::max<std::int64_t>(interval.high + 1, 0);
 }
 
-/// Raises the caps of `location` to the constants in `constraints`.
+/// Raises the caps of `location` to cover the constants in `constraints`.
 void compare(const Network& network, const std::vector<Network::ClockConstraint>& constraints,
              std::vector<std::int64_t>& cap) {
     for (const Network::ClockConstraint& constraint : constraints) {
@@ -29,8 +29,8 @@ void compare(const Network& network, const std::vector<Network::ClockConstraint>
     }
 }
 
-/// Propagates the caps and bounds of an edge's target to its source, for the clocks that it does not reset, up to a
-/// fixed point.
+/// Propagates the caps and bounds of an edge's target to its source for each clock that the edge does not reset, up to
+/// a fixed point.
 ProcessClocks analyse(const Network& network, const Network::Template& automaton) {
     const std::size_t clocks = automaton.clocks.size();
     ProcessClocks result;

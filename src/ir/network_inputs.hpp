@@ -1,37 +1,39 @@
 // SPDX-License-Identifier: MIT
 // Input abstraction: an over-approximation of a closed loop in which inputs get their values when a PLC samples them.
 //
-// An instance is *autonomous* if its edges read only variables that it alone writes: a push button, a selector, a free
-// input, a sensor of the environment. Other instances read the loop: a cylinder, a tank. The PLCs depend on an instance
-// only through their samples, unless a property, an observer or another process reads it. Each process that is not a
-// PLC is part of the abstraction on one of four levels:
+// An instance is *autonomous* if its edges read only variables that no other process writes. Examples are a push
+// button, a selector, a free input and a sensor of the environment. Other instances, such as a cylinder or a tank, read
+// the loop. The PLCs depend on an instance only through their samples, unless a property, an observer or another
+// process reads it. The abstraction represents each process that is not a PLC at one of four levels:
 //
 //   Chosen    its location, clocks and outputs are not stored. Each sampling chooses one of its reachable output
-//             valuations (jointly: a selector never shows two positions), independently of earlier ones.
+//             valuations, independently of earlier samplings. All outputs are chosen jointly: a selector never shows
+//             two positions.
 //   Untimed   its location and outputs are stored; its clocks and its urgency are ignored, so it may move at any time.
-//   Paced     autonomous instances only: its upper bounds are ignored, its lower bounds are one time unit of the
-//   search:
-//             it does not change twice within one instant.
+//   Paced     for autonomous instances only: its upper bounds are ignored, and its lower bounds are one time unit of
+//             the search, so that it does not change twice within one instant.
 //   Complete  it is unchanged.
 //
-// Let N be the network and A the abstraction. Each run of N is, up to the locations, clocks and outputs of the
-// abstracted processes and EVOL_PL, a run of A with the same delays:
-//   - an edge of a Chosen instance corresponds to no move of A. If N begins a cycle because of it (EVOL_PL), A takes the
-//     additional edge that begins a cycle at any time in W. The values that N then samples are one of the valuations:
-//     these are all that the instance can reach, for any values of the other variables.
-//   - no PLC cycle of A is more urgent than in N: the additional edge is not urgent, the others have the guard of N.
-//   - an edge of an Untimed or Paced process has the guard of N on the same values (a process that a stored process reads
-//     is stored), needs no more time than in N, and stops no time in A.
-//   - A is quiescent where N is: of the condition, only what reads a Chosen instance is omitted.
-// Hence `always`, `never`, `exactly one of` that hold in A hold in N. A `reachable` that is violated in A is violated
-// in N. Both are true with `at stable` as well. Runs of A do not transfer to N.
+// Let N be the network and A the abstraction. Apart from the locations, clocks and outputs of the abstracted processes
+// and EVOL_PL, each run of N is a run of A with the same delays:
+//   - an edge of a Chosen instance does not correspond to a move of A. If N begins a cycle because of it (EVOL_PL), A
+//     takes the additional edge that begins a cycle at any time in W. The values that N then samples are one of the
+//     valuations: the valuations are all those that the instance can reach for arbitrary values of the other variables.
+//   - a PLC cycle of A is never more urgent than in N: the additional edge is not urgent, and the other edges have the
+//     guard that they have in N.
+//   - an edge of an Untimed or Paced process has the guard that it has in N, on the same values (a process that a
+//     stored process reads is stored). It needs no more time than in N and does not stop time in A.
+//   - if N is quiescent, so is A: only the conjuncts that read a Chosen instance are omitted from the condition.
+// Therefore, if `always`, `never` or `exactly one of` holds in A, it holds in N. A `reachable` that is violated in A is
+// violated in N. Both statements are also true with `at stable`. Runs of A do not transfer to N.
 //
 // `no timelock` holds in N under three premises on A with ChoiceLifetime::Instant. (1) All abstracted instances can
-// rest. (2) The urgent edges of A have no cycle. (3) In each state without enabled urgent edge, each bound of an
-// invariant can be left in time (premise of dense time, docs/explanation/timed-engine.md). In a state of N, let the
-// abstracted instances rest. Urgent edges lead to a state without urgent edges: they are edges of A, or begin a cycle
-// that EVOL_PL requests, as an additional edge of A does, once for each PLC. There time passes, or stops at a bound
-// that an edge leaves; each clock stops it once in an instant. `no deadlock` holds in N if also one instance is lively.
+// rest. (2) The urgent edges of A have no cycle. (3) In each state without an enabled urgent edge, each location can be
+// left before the bound of its invariant is exceeded (premise of dense time, docs/explanation/timed-engine.md). Proof:
+// in a state of N, let the abstracted instances rest. Urgent edges lead to a state without enabled urgent edges. Each
+// of them is an edge of A, or it begins a cycle that EVOL_PL requests, as an additional edge of A does, once for each
+// PLC. In that state time passes, or it stops at a bound and an edge leaves the location; each clock stops time at most
+// once in an instant. If an instance is also lively, `no deadlock` holds in N.
 #pragma once
 
 #include <cstdint>
@@ -44,75 +46,80 @@ namespace grafverif {
 
 enum class InputLevel : std::uint8_t { Chosen, Untimed, Paced, Complete };
 
-/// Premises that are omitted on purpose, for tests that show that each of them is needed.
+/// Premises that tests omit on purpose to show that each premise is necessary.
 struct InputAblations {
     bool no_cycle_on_change = false;  ///< a cycle begins only if the rest of the loop requests it
     bool initial_values = false;      ///< Chosen instances keep their initial outputs
-    bool ignore_readers = false;      ///< a process that reads a Chosen instance sees its initial outputs
+    bool ignore_readers = false;      ///< a process that reads a Chosen instance reads its initial outputs
     bool own_guards_only = false;     ///< valuations are computed for the initial values of other variables
     bool all_can_rest = false;     ///< instances with invariants or urgent edges are abstracted as if they could rest
     bool keep_quiescence = false;  ///< the condition of quiescence still reads Chosen instances
 };
 
-/// A process that can be abstracted: an instance of plant or environment, or a timer of a controller.
+/// A process that can be abstracted: an instance of the plant or the environment, or a timer of a controller.
 struct AbstractableProcess {
     Id<Network::Process> process = {};
-    std::vector<Id<Network::Variable>> outputs = {};  ///< that it writes, without flags
-    /// Reachable, clocks ignored; per row one value per output. Empty: `Chosen` is not available.
+    std::vector<Id<Network::Variable>> outputs = {};  ///< outputs that it writes, without flags
+    /// Reachable valuations of the outputs for arbitrary clock values: each row has one value per output. If empty,
+    /// `Chosen` is not available.
     std::vector<std::vector<std::int64_t>> valuations = {};
-    std::vector<Id<Network::Process>> readers = {};  ///< of the outputs; of PLCs, those that read them in a guard
+    /// Processes that read the outputs; a PLC only if it reads them in a guard.
+    std::vector<Id<Network::Process>> readers = {};
     bool autonomous = false;
-    bool can_rest = false;  ///< no invariant and no urgent edge: it need not move
-    bool lively = false;    ///< autonomous, can rest, and can always move after some time
+    bool can_rest = false;  ///< it has neither an invariant nor an urgent edge, so that it need not move
+    bool lively = false;    ///< it is autonomous, can rest, and can always move after some time
 
     bool operator==(const AbstractableProcess&) const = default;
 };
 
-/// `Chosen` is available to instances that alone write their outputs, with at most 32 valuations and no value out of
-/// range. Requires: `network` is expanded and without observers.
+/// Returns the processes that can be abstracted. `Chosen` is available to an instance if no other process writes its
+/// outputs, it has at most 32 valuations, and no value is out of range. Requires that `network` is expanded and has no
+/// observers.
 std::vector<AbstractableProcess> abstractable_processes(const Network& network, const InputAblations& ablations = {});
 
-/// The level after `level` that the process can have.
+/// Returns the next more precise level that the process can have after `level`.
 InputLevel next_level(const AbstractableProcess& process, InputLevel level);
 
-/// Raises Chosen processes that a stored process reads to `Untimed`.
+/// Changes the level of Chosen processes that a stored process reads to `Untimed`.
 void store_what_is_read(const std::vector<AbstractableProcess>& processes, std::vector<InputLevel>& levels);
 
-/// The inputs of one Chosen instance as one PLC samples them. The set of valuations that are still possible is all of
-/// them at the beginning of each cycle; each edge of the PLC that reads one of the variables narrows it.
+/// The inputs of one Chosen instance as one PLC samples them. At the beginning of each cycle, all valuations are
+/// possible. Each edge of the PLC that reads one of the variables restricts the set of possible valuations.
 struct InputChoice {
-    std::size_t instance = 0;  ///< index in the list of abstractable processes
+    std::size_t instance = 0;  ///< index of the instance in the list of abstractable processes
     Id<Network::Process> plc = {};
     std::vector<Id<Network::Variable>> variables = {};
     std::vector<std::vector<std::int64_t>> valuations = {};
-    bool kept = false;                            ///< the set is part of a state: edges after the first one read it
-    bool until_delay = false;                     ///< a set that cycles leave as it is: see ChoiceLifetime
+    bool kept = false;         ///< the set is part of the state, because edges after the first one read it
+    bool until_delay = false;  ///< cycles do not change the set: see ChoiceLifetime
     std::vector<Id<Network::Edge>> widened = {};  ///< edges of the PLC after which all valuations are possible again
 };
 
-/// How long a valuation that a PLC has chosen is its input. `Cycle`: until the cycle ends. `Instant`: until time passes
-/// or the instance moves, so that the urgent edges of the abstraction are those of the loop while the instances rest.
+/// Defines how long a chosen valuation remains the input of a PLC. `Cycle`: until the cycle ends. `Instant`: until time
+/// passes or the instance moves, so that the urgent edges of the abstraction are those of the loop while the instances
+/// rest.
 enum class ChoiceLifetime : std::uint8_t { Cycle, Instant };
 
 struct InputAbstraction {
-    Network network = {};  ///< processes, variables and edges of the original keep their numbers
+    Network network = {};  ///< processes, variables and edges keep the indices that they have in the original network
     std::vector<InputChoice> choices = {};
-    std::vector<Id<Network::Process>> paced = {};  ///< for in_longest_unit
+    std::vector<Id<Network::Process>> paced = {};  ///< Paced instances, as argument of in_longest_unit
 };
 
-/// `levels`: one per process, after store_what_is_read. Terms of properties of `network` that read a Chosen instance
-/// have no meaning in the result.
+/// Builds the input abstraction. `levels` has one level per process, after store_what_is_read. Properties of the result
+/// have no meaning if their terms read a Chosen instance.
 InputAbstraction abstract_inputs(const Network& network, const std::vector<AbstractableProcess>& instances,
                                  const std::vector<InputLevel>& levels, const InputAblations& ablations = {},
                                  ChoiceLifetime lifetime = ChoiceLifetime::Cycle);
 
 /// Converts to the longest time unit in which all clock bounds are integers. Bounds of Paced instances are not
-/// considered: they become 1, or 0 if they are shorter than the unit. Integer time is exact in it as in any unit that
-/// divides the bounds. Without `paced`: the same network in that unit. Requires: `network` is expanded.
+/// considered: they become 1, or 0 if they are shorter than the unit. As for any unit that divides the bounds, integer
+/// time is exact in this unit. Without `paced`, the result is the same network in that unit. Requires that `network` is
+/// expanded.
 Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>& paced = {});
 
-/// Lower bounds of `automaton` become `unit`, or 0 if they are shorter; upper bounds are removed, and no edge is
-/// urgent.
+/// Replaces the lower bounds of `automaton` by `unit`, or by 0 if they are shorter. Upper bounds are removed, and no
+/// edge remains urgent.
 void pace(const Network& network, const Network::Process& process, Network::Template& automaton, std::int64_t unit,
           Exprs& exprs);
 

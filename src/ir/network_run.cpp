@@ -15,7 +15,7 @@ const Network::Template& automaton(const Network& network, Id<Network::Process> 
     return network.templates[network.processes[process].automaton];
 }
 
-/// Values of leaves under the arguments of `process`.
+/// Returns the value of a leaf under the arguments of `process`.
 std::function<std::int64_t(const Expr&)> meaning(const NetworkState& state, const Network::Process& process) {
     return [&](const Expr& leaf) -> std::int64_t {
         const auto index = static_cast<std::size_t>(leaf.value);
@@ -62,7 +62,7 @@ Step assign(const Network& network, NetworkState& state, const Network::Process&
     return {};
 }
 
-/// Checks if the edge can be taken; if so, `clocks` are those of its process after the resets.
+/// Checks if the edge can be taken. If so, `clocks` receives the clocks of its process after the resets.
 Step begin(const Network& network, const NetworkState& state, const Fire& move, std::vector<std::int64_t>& clocks) {
     const Network::Process& process = network.processes[move.process];
     const Network::Template& shape = automaton(network, move.process);

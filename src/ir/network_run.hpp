@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Network simulator: performs single moves, directly after the definition of the semantics (ir/network.hpp; CEP13
-// section 2). Used by the replay of counterexamples, `simulate` and tests of the engines. Simple instead of fast;
+// Network simulator: performs single moves as a direct implementation of the semantics (ir/network.hpp; CEP13 section
+// 2). The replay of counterexamples, `simulate` and tests of the engines use it. It favours simplicity over speed;
 // clocks are not capped.
 #pragma once
 
@@ -29,9 +29,9 @@ NetworkState initial_state(const Network& network);
 struct Step {
     enum class Result {
         Done,
-        Blocked,     ///< forbidden by guard, clock constraint, invariant or urgency
+        Blocked,     ///< a guard, clock constraint, invariant or urgent edge forbids the move
         OutOfRange,  ///< `variable` would leave its range
-        NoValue,     ///< division by zero
+        NoValue,     ///< an operation divides by zero
     };
     Result result = Result::Done;
     Id<Network::Variable> variable = {};
@@ -40,17 +40,20 @@ struct Step {
 /// Performs `move` on `state`; if the result is not Done, the state is unchanged.
 Step perform(const Network& network, NetworkState& state, const Move& move);
 
-/// All enabled edges, in the order of processes and edges, including those that cause a model error (see Step).
+/// Returns all enabled edges, in the order of processes and edges. These include edges that cause a model error (see
+/// Step).
 std::vector<Fire> enabled(const Network& network, const NetworkState& state);
 
 /// True if one unit of time can pass.
 bool may_delay(const Network& network, const NetworkState& state);
 
-/// Value of an expression over variables and At (a property's operand, or `settled`); empty: division by zero.
+/// Returns the value of an expression over variables and At (an operand of a property, or `settled`); empty if it
+/// divides by zero.
 std::optional<std::int64_t> value(const Network& network, const NetworkState& state, Id<Expr> expr);
 
-/// The states of `run`, beginning with the initial state: one more than moves. Empty if a move is blocked, or if the
-/// lasso does not close with the same locations and variables.
+/// Returns the states of `run`, beginning with the initial state: one state more than moves. The result is empty if a
+/// move is blocked, or if the state at the end of the lasso differs from the first state of its loop in locations or
+/// variables.
 std::optional<std::vector<NetworkState>> replay(const Network& network, const Run& run);
 
 }  // namespace grafverif

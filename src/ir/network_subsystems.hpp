@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Independent subsystems ("parts") of a Network: sets of processes that share only time.
 //
-// Two processes belong to the same part if one of them writes a variable that the other reads or writes; parts are the
-// equivalence classes of the closure of this relation. Clocks belong to one process. Variables that transfer no
-// information between processes create no dependency: variables without writers, scratch variables, and the flag
-// `race`. The latter is treated as one flag per part, because a state in which it is set ends the run. A process
+// Two processes belong to the same part if one of them writes a variable that the other reads or writes. Parts are the
+// equivalence classes of the closure of this relation. Clocks belong to one process. Three types of variables do not
+// transfer information between processes and create no dependency: variables without writers, scratch variables, and
+// the flag `race`. The flag is treated as one flag per part, because a state in which it is set ends the run. A process
 // without edges and invariants belongs to the first part.
 #pragma once
 
@@ -20,32 +20,32 @@ namespace grafverif {
 struct NetworkSubsystems {
     static constexpr std::uint32_t none = 0xFFFFFFFF;
 
-    std::uint32_t count = 0;                      ///< parts are numbered by their first process
+    std::uint32_t count = 0;                      ///< number of parts, which are ordered by their first process
     std::vector<std::uint32_t> of_process = {};   ///< part per process
-    std::vector<std::uint32_t> of_variable = {};  ///< part per variable; none: it creates no dependency
-    /// Per part: the conjuncts of `settled` that read only this part. Empty if `settled` is not defined or a conjunct
-    /// reads several parts.
+    std::vector<std::uint32_t> of_variable = {};  ///< part per variable; none if it creates no dependency
+    /// Per part: the conjuncts of `settled` that read only this part. The list is empty if `settled` is not defined or
+    /// a conjunct reads several parts.
     std::vector<std::vector<Id<Expr>>> settled = {};
 };
 
 NetworkSubsystems parts_of(const Network& network);
 
-/// The parts whose variables and locations `terms` read, in order.
+/// Returns the parts whose variables and locations `terms` read, in order.
 std::vector<std::uint32_t> parts_read(const Network& network, const NetworkSubsystems& parts,
                                       const std::vector<Id<Expr>>& terms);
 
-/// Displayed name of a part: its controllers, or its first instance.
+/// Returns the displayed name of a part: its controllers, or its first instance.
 std::string name_of_part(const Network& network, const NetworkSubsystems& parts, std::uint32_t part);
 
 /// Some parts of a network as a separate network without properties. It keeps the names and processes of controllers,
-/// and the conjuncts of `settled` about these parts.
+/// and the conjuncts of `settled` that read these parts.
 struct SubNetwork {
     Network network = {};
-    std::vector<Id<Network::Process>> processes = {};  ///< original of each process
+    std::vector<Id<Network::Process>> processes = {};  ///< original process of each process
     std::vector<Id<Network::Variable>> variables = {};
 };
 
-/// Translates terms of the complete network to terms of the subnetwork. Requires that they read no other part.
+/// Translates terms of the complete network to terms of the subnetwork. The terms must not read any other part.
 class SubNetworkBuilder {
 public:
     /// `chosen` are parts of `network`, in order. Requires that `network` is expanded and outlives this object.
@@ -64,8 +64,8 @@ private:
     void add_controller(const Network::Controller& controller);
     const Network& whole_;
     SubNetwork made_ = {};
-    std::vector<std::uint32_t> process_ = {};   // process of the complete network -> process of the subnetwork
-    std::vector<std::uint32_t> variable_ = {};  // the same for variables
+    std::vector<std::uint32_t> process_ = {};   // maps processes of the complete network to processes of the subnetwork
+    std::vector<std::uint32_t> variable_ = {};  // maps variables in the same way
     TermCopier copy_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vacuity probes: `reachable` properties added to a model that is checked, never to one that is written to a file. If a
-// probe is violated, the property that it belongs to holds vacuously, and its `text` states the reason. The name
+// Vacuity probes: `reachable` properties added to a model that is checked but not to a model that is written to a file.
+// If a probe is violated, the property that it belongs to holds vacuously, and its `text` states the reason. The name
 // `NAME.(premise)` identifies property and probe; it is not a valid name of the language.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace grafverif {
 
-/// Creates a probe: `property` holds vacuously if `term` is never true. `kind`: `premise`, `scope` or `settled`.
+/// Creates a probe: if `term` is never true, `property` holds vacuously. `kind` is `premise`, `scope` or `settled`.
 inline Property probe_of(const Property& property, std::string_view kind, Id<Expr> term, std::string never) {
     return {.name = property.name + ".(" + std::string(kind) + ')',
             .text = std::move(never),
@@ -24,7 +24,7 @@ inline Property probe_of(const Property& property, std::string_view kind, Id<Exp
 
 inline bool is_probe(const Property& property) { return property.name.ends_with(')'); }
 
-/// The name of the property that a probe belongs to; empty if `property` is not a probe.
+/// Returns the name of the property to which a probe belongs; empty if `property` is not a probe.
 inline std::string_view probed_by(const Property& property) {
     return is_probe(property) ? std::string_view(property.name).substr(0, property.name.rfind(".("))
                               : std::string_view();

@@ -9,12 +9,12 @@
 
 namespace grafverif {
 
-/// Calls `visit` with the index of each variable that a term reads. Shared subterms are visited once per traversal.
+/// Calls `visit` with the index of each variable that a term reads. Each shared subterm is visited once per traversal.
 class Reads {
 public:
     explicit Reads(const Exprs& exprs) : exprs_(exprs), seen_(exprs.size(), 0) {}
 
-    /// Starts a new traversal, which visits earlier subterms again.
+    /// Starts a new traversal, in which earlier subterms are visited again.
     void start() { ++walk_; }
 
     template <class Visit>

@@ -14,7 +14,7 @@ public:
     explicit SharedByName(const ClosedLoop& loop) {
         for (const Id<ClosedLoop::Shared> id : loop.shared.ids()) known_.emplace(loop.shared[id].name, id);
     }
-    /// Invalid id: the loop has no shared variable of this name.
+    /// Returns an invalid id if the loop has no shared variable of this name.
     Id<ClosedLoop::Shared> operator()(std::string_view name) const {
         const auto found = known_.find(name);
         return found == known_.end() ? Id<ClosedLoop::Shared>{} : found->second;

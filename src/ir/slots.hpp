@@ -20,7 +20,7 @@ struct Slots {
     Slots(const Network& of, Id<Network::Process> id)
         : network(of), process(of.processes[id]), automaton(of.templates[process.automaton]) {}
 
-    /// The variable of a Parameter or Variable leaf; an invalid id for a constant.
+    /// Returns the variable of a Parameter or Variable leaf; invalid for a constant.
     Id<Network::Variable> variable(const Expr& leaf) const {
         const auto index = static_cast<std::uint32_t>(leaf.value);
         if (leaf.op == Op::Variable) return {index};
@@ -30,7 +30,7 @@ struct Slots {
     std::int64_t constant(const Expr& leaf) const {
         return std::get<std::int64_t>(process.arguments[static_cast<std::size_t>(leaf.value)]);
     }
-    /// The same as a term.
+    /// Returns the leaf as a term: a variable of the network or a constant.
     Id<Expr> literal_of(const Expr& leaf, Exprs& exprs) const {
         const Id<Network::Parameter> parameter{static_cast<std::uint32_t>(leaf.value)};
         return literal(exprs, automaton.parameters[parameter].type, constant(leaf));
@@ -44,7 +44,7 @@ struct Slots {
                 }};
     }
 
-    /// All assignments of an edge in order of execution.
+    /// Returns all assignments of an edge in the order of execution.
     std::vector<Network::Assignment> assignments(const Network::Edge& edge) const {
         std::vector<Network::Assignment> all = edge.assignments;
         for (const Id<Network::Procedure> call : edge.calls) {
@@ -54,13 +54,13 @@ struct Slots {
         return all;
     }
 
-    /// The variables that the process reads in guards and values, those that it writes, and both, in order of first
-    /// occurrence.
+    /// Return the variables that the process reads in guards and values, those that it writes, and both, in order of
+    /// first occurrence.
     std::vector<Id<Network::Variable>> read() const { return collect(true, false); }
     std::vector<Id<Network::Variable>> written() const { return collect(false, true); }
     std::vector<Id<Network::Variable>> used() const { return collect(true, true); }
 
-    /// Name in the template: of the parameter, or of a variable named directly.
+    /// Returns the name in the template: of the parameter, or of a variable that is named directly.
     std::string name(Id<Network::Variable> variable) const {
         for (const Id<Network::Parameter> parameter : automaton.parameters.ids())
             if (const auto* bound = std::get_if<Id<Network::Variable>>(&process.arguments[parameter.index]))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sort checking of terms, for every `verify`: a term has a sort, or it contains a type error. The owner of the table
+// Sort checking of terms, for every `verify`: a term has a sort or contains a type error. The owner of the table
 // defines the allowed leaves and their sorts.
 #pragma once
 
@@ -16,10 +16,10 @@
 namespace grafverif {
 
 enum class Sort : std::uint8_t {
-    None,  ///< missing term, or an operand or leaf that is not allowed there
+    None,  ///< the term is missing, or contains an operand or leaf that is not allowed
     Boolean,
     Integer,
-    Duration,  ///< sums of durations, and products of integers and durations; in components only
+    Duration,  ///< a sum of durations, or the product of an integer and a duration; in components only
 };
 
 inline Sort sort_of(Type type) { return type.boolean ? Sort::Boolean : Sort::Integer; }
@@ -31,7 +31,7 @@ public:
     /// for an edge only if the operand is Boolean. `exprs` must outlive this object.
     Sorts(const Exprs& exprs, std::function<Sort(const Expr&)> leaf) : exprs_(&exprs), leaf_(std::move(leaf)) {}
 
-    /// None if the term is not in the table.
+    /// Returns the sort of `term`; None if the term is not in the table.
     Sort operator()(Id<Expr> term);
 
     /// Returns true if `term` has the sort `wanted`; otherwise adds a fault to `faults`. `what` names the term.

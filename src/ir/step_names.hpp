@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Names of step variables in verdicts and traces: as in conditions of the chart, `X7`, or `G2.X7` for the partial chart
-// G2; with several controllers, qualified by the controller: `press.X7`.
+// Names of step variables in verdicts and traces. The name is that in conditions of the chart: `X7`, or `G2.X7` for the
+// partial chart G2. With several controllers, the name of the controller precedes it: `press.X7`.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace grafverif {
 
-/// Name of the step variable `variable` of the network. Requires the role Step.
+/// Returns the name of the step variable `variable` of the network. Requires that its role is Step.
 std::string step_variable_name(const Network& network, Id<Network::Variable> variable);
 
 }  // namespace grafverif

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parts of a TransitionSystem, of which one moves in each step: ownership of symbols, and projection to some parts.
+// Parts of a TransitionSystem, exactly one of which moves in each step. The functions assign symbols to parts and
+// project a system to some parts.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +11,20 @@
 
 namespace grafverif {
 
-/// Parts of a system, in order.
+/// A list of parts of a system, in order.
 using PartList = std::vector<std::uint32_t>;
 
 constexpr std::uint32_t no_part = 0xFFFFFFFF;
 
-/// Part of each symbol of main; no_part: it belongs to none or to several.
+/// Returns the part of each symbol of main; no_part if it belongs to no part or to several.
 std::vector<std::uint32_t> parts_of_symbols(const TransitionSystem& system);
 
-/// The system without all other parts and without properties; omitted parts never move and block no step. Symbols of
-/// main keep their ids. Data about charts and plant is removed, except for `settled`.
+/// Returns the system without all other parts and without properties. Omitted parts never move and block no step.
+/// Symbols of main keep their ids. Data about charts and plant is removed, except for `settled`.
 TransitionSystem with_parts(const TransitionSystem& system, const PartList& chosen);
 
-/// Maps each variable of `part`, a flattened projection, to the same variable of `whole`, the flattened complete
-/// system.
+/// Maps each variable of `part`, a flattened projection, to the corresponding variable of `whole`, the flattened
+/// complete system.
 std::vector<Id<FlatSystem::Variable>> variables_in_complete(const FlatSystem& part, const FlatSystem& whole);
 
 }  // namespace grafverif

@@ -15,7 +15,7 @@ namespace {
 using System = TransitionSystem;
 using Faults = std::vector<std::string>;
 
-/// The sorts of terms in the scope of one module.
+/// Returns the sort checker for terms in the scope of one module.
 Sorts sorts_in(const Exprs& exprs, const System::Module& module) {
     return {exprs, [&module](const Expr& leaf) {
                 const bool known = leaf.op == Op::Variable && leaf.value >= 0 &&
@@ -75,8 +75,8 @@ void check_symbols(const System& system, Id<System::Module> id, Sorts& sorts, Fa
     for (const Id<Expr> term : module.justice) sorts.check(term, Sort::Boolean, module.name + ": justice", faults);
 }
 
-/// The definitions of a module, or its initial values, are acyclic. Kahn's algorithm: repeatedly remove symbols without
-/// remaining dependencies.
+/// Checks that the definitions of a module, or its initial values, are acyclic (Kahn's algorithm: repeatedly remove
+/// symbols without remaining dependencies).
 void check_acyclic(const System& system, const System::Module& module, bool initial, Faults& faults) {
     std::vector<std::size_t> open(module.symbols.size());
     std::vector<std::vector<std::uint32_t>> dependents(module.symbols.size());
@@ -127,7 +127,7 @@ void check_instances(const System& system, Faults& faults) {
     }
 }
 
-/// Number of operands of a property with this pattern; empty: one or more.
+/// Returns the number of operands of a property with this pattern; empty for one or more.
 std::optional<std::size_t> arity(Pattern pattern) {
     switch (pattern) {
     case Pattern::Always:
@@ -166,7 +166,7 @@ void check_properties(const System& system, Sorts& sorts, Faults& faults) {
         if (omitted.before > system.properties.size()) faults.push_back("an omitted property has no place");
 }
 
-/// Per module and symbol: true if its value depends on a choice.
+/// True for each symbol whose value depends on a choice, per module.
 using Chosen = std::vector<std::vector<bool>>;
 
 bool reads_choice(const System& system, const std::vector<bool>& chosen, Id<Expr> term) {
@@ -175,7 +175,7 @@ bool reads_choice(const System& system, const std::vector<bool>& chosen, Id<Expr
     });
 }
 
-/// True if `symbol` depends on a choice, according to the entries of `chosen` so far.
+/// True if `symbol` depends on a choice according to the current entries of `chosen`.
 bool is_chosen(const System& system, const Chosen& chosen, Id<System::Module> module, Id<System::Symbol> symbol) {
     return std::visit(overloaded{
                           [&](const System::ParameterSymbol&) {
@@ -211,7 +211,7 @@ Chosen chosen_symbols(const System& system) {
     return chosen;
 }
 
-/// Conditions on states read no choice. Requires that the system is otherwise well formed.
+/// Checks that conditions on states do not read choices. Requires that the system is otherwise well formed.
 void check_choices(const System& system, Faults& faults) {
     const Chosen chosen = chosen_symbols(system);
     const auto check = [&](Id<System::Module> module, Id<Expr> term, const std::string& what) {
@@ -231,7 +231,7 @@ void check_choices(const System& system, Faults& faults) {
     if (system.settled.valid()) check(system.main, system.settled, "settled");
 }
 
-/// Names for traces: symbols of main and conditions over them.
+/// Checks the names for traces: symbols of main and conditions over them.
 void check_names(const System& system, Sorts& sorts, Faults& faults) {
     const Table<System::Symbol>& symbols = system.modules[system.main].symbols;
     const auto known = [&](Id<System::Symbol> symbol, const std::string& where) {

@@ -9,14 +9,15 @@
 
 namespace grafverif {
 
-/// Index in `equations.steps` of the step that a timer observes; empty if it observes another term.
+/// Returns the index in `equations.steps` of the step that a timer observes; empty if it observes another term.
 inline std::optional<std::size_t> watched_step(const Equations& equations, const Equations::Timer& timer) {
     const auto step = std::ranges::find(equations.steps, timer.watched, &Equations::StepActivity::variable);
     if (step == equations.steps.end()) return {};
     return static_cast<std::size_t>(step - equations.steps.begin());
 }
 
-/// The term that a timer observes, if it is a name, in the notation of conditions: `X2`, `a`; otherwise empty.
+/// Returns the term that a timer observes in the notation of conditions, such as `X2` or `a`, if it is a name;
+/// otherwise an empty string.
 inline std::string watched_name(const Equations& equations, const Equations::Timer& timer) {
     if (const auto step = watched_step(equations, timer)) return equations.steps[*step].step.variable();
     const auto watch = std::ranges::find(equations.watches, timer.watched, &Equations::ObservedTerm::variable);

@@ -15,9 +15,9 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t most_valuations = 32;
-constexpr std::size_t most_states = 4096;  // of an instance, without clocks
+constexpr std::size_t most_states = 4096;  // limit of states of an instance without clocks
 
-/// Who writes and reads each variable.
+/// The processes that write and read each variable.
 struct Users {
     std::vector<std::set<Id<Network::Process>>> writers, readers;
 
@@ -42,7 +42,7 @@ public:
         if (kind == Network::ProcessKind::Controller || kind == Network::ProcessKind::Observer) return {};
         AbstractableProcess made{.process = id};
         const Slots slots(network_, id);
-        bool alone = kind != Network::ProcessKind::Timer;  // writes what it writes
+        bool alone = kind != Network::ProcessKind::Timer;  // true if no other process writes its variables
         for (const Id<Network::Variable> variable : slots.written()) {
             if (is_flag(variable)) continue;
             if (network_.variables[variable].scratch || users_.writers[variable.index].size() > 1) alone = false;
@@ -105,7 +105,7 @@ private:
         });
     }
 
-    /// A condition of the PLC's cycle is evaluated outside of its sampling.
+    /// Adds each PLC that reads an output in a guard. Guards are evaluated outside of the sampling.
     void add_guards_of_plcs(const std::vector<Id<Network::Variable>>& outputs,
                             std::set<Id<Network::Process>>& readers) const {
         for (const Id<Network::Process> plc : plcs_)
@@ -115,7 +115,8 @@ private:
                 });
     }
 
-    /// The conjuncts of a guard that read only `outputs`; the others can be true. Nothing if one of them can fail.
+    /// Returns the conjuncts of a guard that read only `outputs`; the other conjuncts can be true. The result is empty
+    /// if one of the others can be undefined.
     std::optional<std::vector<Id<Expr>>> own_conjuncts(Id<Expr> guard,
                                                        const std::vector<Id<Network::Variable>>& outputs) const {
         std::vector<Id<Expr>> own;
@@ -127,8 +128,9 @@ private:
         return own;
     }
 
-    /// Enumerates the reachable combinations of locations and outputs, clocks ignored, for any values of other
-    /// variables. False if there are too many, or a value is out of range or depends on another process.
+    /// Enumerates the reachable combinations of locations and outputs for arbitrary values of other variables and
+    /// clocks. Returns false if there are too many combinations, or if a value is out of range or depends on another
+    /// process.
     bool explore(const Slots& slots, AbstractableProcess& made) const {
         struct State {
             Id<Network::Location> location = {};

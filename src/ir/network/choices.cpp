@@ -11,8 +11,8 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::int64_t most_copies = 1024;  // of one edge
-constexpr std::int64_t most_cases = 64;     // assignments to the variables of one invariant
+constexpr std::int64_t most_copies = 1024;  // maximum number of copies of one edge
+constexpr std::int64_t most_cases = 64;     // maximum number of assignments to the variables of one invariant
 
 }  // namespace
 
@@ -76,7 +76,7 @@ Id<Expr> Choices::chosen(Id<Expr> term) const {
     });
 }
 
-/// Value of the choice under these values of variables; empty if it depends on other variables.
+/// Value of the choice if the variables have these values; empty if it depends on other variables.
 std::optional<std::int64_t> Choices::value_of(const Choice& choice, const Values& values) const {
     const bool any = choice.op == Op::Or;
     std::optional<std::int64_t> all;

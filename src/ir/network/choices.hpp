@@ -18,8 +18,8 @@ public:
     Choices(const Network& whole, Exprs& to) : whole_(whole), to_(to) {}
 
     void clear() { choices_.clear(); }
-    /// The choice of the value of `terms`, connected by `op`, as a leaf Parameter. `writes`: number of the last write
-    /// of the edge to the variables that they read; a choice made before that write may differ.
+    /// The choice of the value of `terms`, connected by `op`, as a leaf Parameter. `writes` is the number of the last
+    /// write of the edge to the variables that they read. A choice made before that write may have another value.
     Id<Expr> leaf(std::vector<Id<Expr>> terms, Op op, std::size_t writes);
     /// True if the value combinations of all choices are few enough to enumerate.
     bool few() const;
@@ -30,10 +30,10 @@ public:
     /// Substitutes the current values of the choices in a term.
     Id<Expr> chosen(Id<Expr> term) const;
     using Values = std::map<Id<Network::Variable>, std::int64_t>;
-    /// True if some choice reads only these variables, with the values before the edge.
+    /// True if some choice reads only these variables, before the edge changes their values.
     bool report_of(const std::vector<Id<Network::Variable>>& variables) const;
-    /// All values that `variables` can have before the edge, given the current values of the choices; empty if these do
-    /// not constrain them or there are too many.
+    /// Returns all values that `variables` can have before the edge, given the current values of the choices. The
+    /// result is empty if the choices do not constrain the variables or there are too many values.
     std::optional<std::vector<Values>> possible_before(const std::vector<Id<Network::Variable>>& variables) const;
     /// True if the current values are those of the initial state.
     bool as_at_first() const;
@@ -58,7 +58,7 @@ private:
     const Network& whole_;
     Exprs& to_;
     std::vector<Choice> choices_ = {};
-    std::vector<std::int64_t> values_ = {};  // per choice
+    std::vector<std::int64_t> values_ = {};  // current value of each choice
 };
 
 }  // namespace grafverif

@@ -12,7 +12,7 @@ namespace grafverif {
 
 namespace {
 
-/// Analyses when the urgent edges of a process stop time, if they read only a few Boolean variables.
+/// Determines when the urgent edges of a process stop time, if they read only a few Boolean variables.
 class StoppingTime {
 public:
     StoppingTime(const Network& network, Id<Network::Process> id)
@@ -63,9 +63,9 @@ private:
     std::vector<Id<Network::Variable>> read_ = {};
 };
 
-/// Computes the fragments: first the charts, with their steps and all variables computed from or for these; then the
-/// instances. An instance that communicates with one chart is added to its fragment; the others are added to that of a
-/// neighbour.
+/// Computes the fragments: first the charts, with their steps and all variables that are computed from or for them;
+/// then the instances. An instance that communicates with exactly one chart is added to the fragment of that chart.
+/// Other instances are added to the fragment of a neighbour.
 class FragmentFinder {
 public:
     explicit FragmentFinder(const Network& network)
@@ -108,8 +108,8 @@ private:
                controls_[writers.front()];
     }
 
-    /// For each variable that only a PLC writes, or a PLC and the timer that it controls: the variables that its values
-    /// are computed from. Flags are excluded.
+    /// Maps each variable that only a PLC writes, or a PLC and the timer that it controls, to the variables from which
+    /// its values are computed. Flags are excluded.
     using Sources = std::map<Id<Network::Variable>, std::set<Id<Network::Variable>>>;
     Sources sources(Id<Network::Process> controller) const {
         Sources found;
@@ -149,7 +149,7 @@ private:
             if (cell(target) == none) cell(target) = charts.begin()->second;
     }
 
-    /// Adds a variable to the fragment of the first variable that it is computed from or that is computed from it.
+    /// Adds a variable to the fragment of the first variable from which it is computed or which is computed from it.
     bool place(Id<Network::Variable> target, const std::set<Id<Network::Variable>>& read) {
         bool placed = false;
         for (const Id<Network::Variable> variable : read) {
@@ -169,8 +169,9 @@ private:
     void find_neighbours() {
         talks_to_.resize(network_.processes.size());
         neighbours_.resize(network_.processes.size());
-        std::vector<std::set<std::uint32_t>> readers(network_.variables.size());   // per variable: instances
-        std::vector<std::set<std::uint32_t>> chart_of(network_.variables.size());  // charts that read or write it
+        std::vector<std::set<std::uint32_t>> readers(network_.variables.size());  // instances per variable
+        // Charts that read or write each variable.
+        std::vector<std::set<std::uint32_t>> chart_of(network_.variables.size());
         for (const Id<Network::Process> id : network_.processes.ids()) {
             if (!controls_[id.index]) {
                 for (const Id<Network::Variable> variable : Slots(network_, id).used())
@@ -191,8 +192,8 @@ private:
         }
     }
 
-    /// Instances that communicate with no chart: each is added to the fragment of its first neighbour that has one; the
-    /// remaining ones form separate fragments.
+    /// Places the instances that do not communicate with a chart: each is added to the fragment of its first neighbour
+    /// that has one. The remaining instances form separate fragments.
     void place_the_rest() {
         for (bool more = !network_.controllers.empty(); more;) {
             more = false;
@@ -222,11 +223,11 @@ private:
     static constexpr std::uint32_t none = NetworkFragments::none;
 
     const Network& network_;
-    std::vector<std::vector<std::uint32_t>> writers_;  // per variable: processes
+    std::vector<std::vector<std::uint32_t>> writers_;  // writing processes per variable
     std::vector<bool> controls_;                       // per process: true for a PLC
     NetworkFragments cells_ = {};
-    std::vector<std::set<std::uint32_t>> talks_to_ = {};    // per process: charts
-    std::vector<std::set<std::uint32_t>> neighbours_ = {};  // per process: instances
+    std::vector<std::set<std::uint32_t>> talks_to_ = {};    // charts per process
+    std::vector<std::set<std::uint32_t>> neighbours_ = {};  // neighbouring instances per process
 };
 
 }  // namespace

@@ -58,7 +58,7 @@ private:
         for (const Id<Network::Variable> variable : instances_[instance].outputs) chosen_.emplace(variable, instance);
     }
 
-    /// Omits what the condition reads of Chosen instances.
+    /// Removes the conjuncts of the condition that read Chosen instances.
     void weaken_quiescence() {
         if (!made_.network.settled.valid()) return;
         const auto is_chosen = [&](Id<Expr> leaf) {
@@ -79,7 +79,7 @@ private:
         Network::Template& plc = automaton(controller.process);
         read_inputs_for_samples(plc);
         const std::size_t first = made_.choices.size();
-        std::set<std::size_t> read;  // instances
+        std::set<std::size_t> read;  // instances that the conjunct reads
         for (const Network::Edge& edge : plc.edges)
             each_read(controller.process, edge, [&](std::size_t instance) {
                 if (!read.insert(instance).second) return;
@@ -108,7 +108,8 @@ private:
             });
     }
 
-    /// The set of possible valuations lives as long as a sample: readers of the sample read the input instead.
+    /// The set of possible valuations exists as long as a sample. Edges that read the sample therefore read the input
+    /// instead.
     void read_inputs_for_samples(Network::Template& plc) {
         std::map<Id<Network::Variable>, Id<Network::Variable>> input_of;
         const Exprs& exprs = made_.network.exprs;
@@ -126,7 +127,7 @@ private:
             }
         });
         if (input_of.empty()) return;
-        const Exprs from = exprs;  // a copy, because the table grows
+        const Exprs from = exprs;  // copied, because the table grows
         TermCopier copy(from, made_.network.exprs, [&](const Expr& leaf) {
             const auto found =
                 leaf.op == Op::Variable ? input_of.find({static_cast<std::uint32_t>(leaf.value)}) : input_of.end();
@@ -142,7 +143,8 @@ private:
         });
     }
 
-    /// Determines between which edges the set must be stored: from a sampling to the last edge that reads it.
+    /// Determines the part of the cycle in which the set must be stored: from a sampling to the last edge that reads
+    /// the set.
     void keep(const Network::Controller& controller, InputChoice& choice) {
         const Network::Template& plc = automaton(controller.process);
         const auto samples = [&](const Network::Edge& edge) {
@@ -174,7 +176,7 @@ private:
             if (!live[plc.edges[id].to.index]) choice.widened.push_back(id);
     }
 
-    /// An instance may move at any time: between two cycles, all valuations become possible again.
+    /// An instance may move at any time. Therefore all valuations are possible again between two cycles.
     void move_instances(const Network::Controller& controller, Network::Template& plc) {
         for (const Id<Network::Location> location : plc.locations.ids()) {
             std::vector<InputChoice*> free;
@@ -188,14 +190,14 @@ private:
         }
     }
 
-    /// Events that set EVOL_PL may occur at any time: a cycle may begin in W even if the rest of the loop does not
-    /// request it.
+    /// Events that set EVOL_PL may occur at any time. Therefore a cycle may begin in W even if the rest of the loop
+    /// does not request it.
     void begin_cycles(const Network::Controller& controller, Network::Template& plc) {
         Exprs& exprs = made_.network.exprs;
         std::vector<Network::Edge> more;
         for (const Network::Edge& edge : plc.edges) {
             if (edge.from != controller.waiting || !edge.urgent) continue;
-            const Exprs from = exprs;  // a copy, because the table grows
+            const Exprs from = exprs;  // copied, because the table grows
             const Id<Expr> woken = translate(from, edge.guard, exprs, [&](const Expr& leaf) {
                 if (leaf.op == Op::Variable && woken_.contains({static_cast<std::uint32_t>(leaf.value)}))
                     return exprs.constant(true);
@@ -223,9 +225,11 @@ private:
     const InputAblations& ablations_;
     const ChoiceLifetime lifetime_;
     std::vector<Id<Network::Process>> removed_ = {};
-    std::set<Id<Network::Variable>> woken_ = {};                // flags that removed instances set
-    std::map<Id<Network::Variable>, std::size_t> chosen_ = {};  // outputs of removed instances
-    std::vector<std::vector<bool>> live_ = {};  // per choice and location of its PLC: a cycle reads the set
+    std::set<Id<Network::Variable>> woken_ = {};  // flags that removed instances set
+    // Outputs of removed instances, with the index of their choice.
+    std::map<Id<Network::Variable>, std::size_t> chosen_ = {};
+    // Per choice and location of its PLC: true if the cycle reads the set afterwards.
+    std::vector<std::vector<bool>> live_ = {};
     InputAbstraction made_ = {};
 };
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Builds a localized network. A term that reads free variables becomes a term over *choices*. Each of its maximal
-// subterms that read only free variables is one choice; the free operands of an And or Or form one choice together
-// (leaves Parameter while an edge is built). The edge is then instantiated for each combination of values of its
-// choices.
+// Builds a localized network. A term that reads free variables becomes a term over *choices*, which are Parameter
+// leaves while an edge is built. Each maximal subterm that reads only free variables is one choice; the free operands
+// of an And or Or together are one choice. The edge is then instantiated for each combination of values of its choices.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -102,27 +101,27 @@ private:
     const std::vector<Id<Expr>>& invariants_;
     LocalAblations ablations_;
     LocalNetwork made_ = {};
-    std::vector<std::uint32_t> process_ = {};       // process of the complete network -> process of the result
-    std::vector<std::uint32_t> variable_ = {};      // the same for variables
-    std::vector<std::uint8_t> reads_ = {};          // per term of the complete network
-    std::vector<std::uint8_t> reads_resting_ = {};  // the same in states where time passes: fixed variables are not
-                                                    // free
+    std::vector<std::uint32_t> process_ = {};   // maps processes of the complete network to processes of the result
+    std::vector<std::uint32_t> variable_ = {};  // maps variables in the same way
+    std::vector<std::uint8_t> reads_ = {};      // types of variables read, per term of the complete network
+    // As `reads_` for states in which time passes: variables with a fixed value are not free.
+    std::vector<std::uint8_t> reads_resting_ = {};
     std::set<std::uint32_t> borders_ = {}, tied_ = {};
-    std::vector<std::vector<Id<Network::Variable>>> free_in_ = {};  // per invariant
+    std::vector<std::vector<Id<Network::Variable>>> free_in_ = {};  // free variables per invariant
     std::set<std::size_t> known_ = {};
     TermCopier copy_;
 
-    // state for the current edge
+    // State of the construction of the current edge.
     Choices choices_{whole_, made_.network.exprs};
-    std::map<Id<Network::Variable>, std::size_t> written_ = {};  // free variables: number of the last write
+    std::map<Id<Network::Variable>, std::size_t> written_ = {};  // number of the last write to each free variable
     std::size_t writes_ = 0;                                     // number of writes to free variables so far
-    bool loose_ = false;    // the current term is a flag's value or belongs to `rest`
-    bool at_rest_ = false;  // the current term is evaluated in states where time passes
+    bool loose_ = false;    // true if the current term is the value of a flag or belongs to `rest`
+    bool at_rest_ = false;  // true if the current term is evaluated in states in which time passes
     using Copy = std::tuple<bool, Id<Expr>, std::vector<Id<Expr>>>;
-    std::set<Copy> copies_ = {};  // copies of the edge that exist already
+    std::set<Copy> copies_ = {};  // copies of the edge that were already added
 };
 
-/// Keeps the processes of the chosen fragments, and a PLC if a chosen fragment contains a part of it.
+/// Keeps the processes of the chosen fragments, and each PLC that has a part in a chosen fragment.
 void LocalBuilder::choose_processes() {
     std::uint32_t count = 0;
     for (const Id<Network::Process> id : whole_.processes.ids()) {
@@ -135,8 +134,9 @@ void LocalBuilder::choose_processes() {
     }
 }
 
-/// Selects the variables to keep. Candidates are the variables of the chosen fragments and those without a fragment.
-/// Kept are those that a kept process or property reads, integers (which may leave their range), and `race`.
+/// Selects the variables to keep. Candidates are the variables of the chosen fragments and those without a fragment. A
+/// candidate is kept if a kept process or a property reads it, if it is an integer (it may leave its range), or if it
+/// is `race`.
 void LocalBuilder::choose_variables(const std::vector<Property>& properties) {
     std::vector<std::vector<Id<Expr>>> values(whole_.variables.size());  // values assigned by kept processes
     std::vector<Id<Network::Variable>> todo;
@@ -178,7 +178,7 @@ void LocalBuilder::choose_variables(const std::vector<Property>& properties) {
         if (needed[id.index]) variable_[id.index] = made_.network.variables.add(whole_.variables[id]).index;
 }
 
-/// Relies on the order of terms: operands precede their terms.
+/// Relies on the order of terms, in which operands precede their terms.
 std::vector<std::uint8_t> LocalBuilder::reads(bool resting) const {
     std::vector<std::uint8_t> all(whole_.exprs.size(), 0);
     for (std::uint32_t index = 0; index < all.size(); ++index) {
@@ -191,7 +191,7 @@ std::vector<std::uint8_t> LocalBuilder::reads(bool resting) const {
     return all;
 }
 
-/// Translates a leaf that reads no free variable, or only fixed ones.
+/// Translates a leaf that reads no free variable, or only variables with a fixed value.
 Id<Expr> LocalBuilder::leaf(const Expr& node) {
     Exprs& exprs = made_.network.exprs;
     if (node.op == Op::At) return exprs.at(process_[at_process(node)], at_location(node));
@@ -246,8 +246,8 @@ Id<Expr> LocalBuilder::choice(std::vector<Id<Expr>> terms, Op op) {
     return choices_.leaf(std::move(terms), op, writes);
 }
 
-/// Empty if no kept variable is written. Races of omitted variables may be assumed not to occur, because a race ends
-/// the run.
+/// The result is empty if the assignment does not write a kept variable. Races of omitted variables may be assumed not
+/// to occur, because a race ends the run.
 std::optional<Network::Assignment> LocalBuilder::assignment(const Network::Assignment& written) {
     const Id<Network::Variable> target = variable_of(written.target);
     if (!kept(target)) {
@@ -268,7 +268,7 @@ std::optional<Network::Assignment> LocalBuilder::assignment(const Network::Assig
     return made.value == made.target ? std::nullopt : std::optional(made);
 }
 
-/// The condition under which the guard holds for all values of the choices.
+/// Returns the condition under which the guard holds for all values of the choices.
 Id<Expr> LocalBuilder::enabled_by_all(Id<Expr> guard) {
     std::vector<Id<Expr>> all;
     choices_.begin();
@@ -336,7 +336,7 @@ void LocalBuilder::add_copies(const Network::Edge& free, Id<Expr> always, Networ
     } while (choices_.next());
 }
 
-/// The omitted variables that the invariant reads.
+/// Returns the omitted variables that the invariant reads.
 std::vector<Id<Network::Variable>> LocalBuilder::free_in(Id<Expr> invariant) const {
     std::vector<Id<Network::Variable>> free;
     for (const Id<Expr> leaf : leaves(whole_.exprs, invariant))
@@ -344,7 +344,8 @@ std::vector<Id<Network::Variable>> LocalBuilder::free_in(Id<Expr> invariant) con
     return free;
 }
 
-/// Constraints of these invariants on kept variables before the edge, under the current values of the choices.
+/// Returns the constraints of these invariants on kept variables before the edge, under the current values of the
+/// choices.
 Id<Expr> LocalBuilder::known_of_choices(const std::vector<std::size_t>& telling) {
     Exprs& exprs = made_.network.exprs;
     std::vector<Id<Expr>> all;
@@ -382,8 +383,8 @@ void LocalBuilder::add_process(Id<Network::Process> id) {
     made_.network.processes.add(std::move(process));
 }
 
-/// Adds a process for the writes of omitted processes to kept variables; they can occur at any time, because the clocks
-/// and locations of omitted processes are ignored.
+/// Adds the process `rest` for the writes of omitted processes to kept variables. They can occur at any time, because
+/// the clocks and locations of omitted processes are ignored.
 void LocalBuilder::add_rest() {
     Network::Template rest{.name = "rest", .initial = {0}};
     rest.locations.add({.name = "any"});
@@ -398,7 +399,7 @@ void LocalBuilder::add_rest() {
     made_.network.processes.add({.name = "rest", .automaton = automaton, .initial = {0}});
 }
 
-/// Adds the data of the controller that statistics of states need to name it.
+/// Adds the data of the controller that state statistics need for its name.
 void LocalBuilder::add_controller(const Network::Controller& controller) {
     if (!kept(controller.stable)) return;
     Network::Controller made{.process = {process_[controller.process.index]},

@@ -16,7 +16,7 @@ namespace {
 
 bool in_range(const Type& type, std::int64_t value) { return type.low <= value && value <= type.high; }
 
-/// True if `constraint` excludes no clock value that `other` admits. Both are upper bounds on one clock.
+/// True if `constraint` excludes no clock value that `other` admits. Both constraints are upper bounds on one clock.
 bool implied(Op relation, std::int64_t bound, Op other_relation, std::int64_t other_bound) {
     if (other_bound != bound) return other_bound < bound;
     return relation == Op::LessEqual || other_relation == Op::Less;
@@ -116,7 +116,7 @@ private:
         }
     }
 
-    /// Scratch variables are written before they are read, within the edge.
+    /// Checks that scratch variables are written before they are read, within the edge.
     void check_scratch(const Network::Edge& edge, const std::string& where) {
         std::unordered_set<std::uint32_t> written;
         const auto run = [&](const std::vector<Network::Assignment>& assignments) {
@@ -209,7 +209,7 @@ private:
         return sorts_.check(term, sort, what, faults_);
     }
 
-    /// Sets the template that the following terms belong to; null for terms of properties.
+    /// Sets the template to which the following terms belong; null for terms of properties.
     void read_terms_of(const Network::Template* automaton) {
         here_ = automaton;
         sorts_ = Sorts(network_.exprs, [this](const Expr& leaf) { return leaf_sort(leaf); });

@@ -6,7 +6,7 @@
 
 namespace grafverif {
 
-/// The variable of a leaf `Op::Variable`.
+/// Returns the variable of a leaf `Op::Variable`.
 inline Id<Network::Variable> variable_of(const Exprs& exprs, Id<Expr> leaf) {
     return {static_cast<std::uint32_t>(exprs[leaf].value)};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scan: one scan of a Program as Equations. The value of every cell after the scan is a term over its values before the
-// scan and the inputs.
+// Scan: one scan of a Program as Equations. The value of every cell after the scan is a term over the values of cells
+// before the scan and the inputs.
 #pragma once
 
 #include <vector>
@@ -11,18 +11,20 @@
 namespace grafverif {
 
 struct Scan {
-    /// Every input is an input of the equations, every other cell an internal variable or output. There are no steps,
-    /// outputs of equation (13), timers or stability: one cycle is one scan.
+    /// Every input is an input of the equations; every other cell is an internal variable or an output. There are no
+    /// steps, no outputs by equation (13), no timers and no stability: one cycle is one scan.
     Equations equations = {};
     ProgramLayout layout = {};
-    std::vector<Id<Equations::Variable>> variables = {};  ///< per cell; invalid for constants and temporary variables
-    std::vector<Id<Expr>> after = {};                     ///< per cell: its value at the end of the scan
-    Id<Equations::Variable> elapsed = {};  ///< time since the last scan, free; invalid if it is fixed or not read
+    /// Variable per cell; invalid for constants and temporary variables.
+    std::vector<Id<Equations::Variable>> variables = {};
+    std::vector<Id<Expr>> after = {};  ///< value per cell at the end of the scan
+    /// Free input: time since the previous scan; invalid if it is constant or not read.
+    Id<Equations::Variable> elapsed = {};
     struct Event {
         Id<Expr> condition = {};
         Span origin = {};
     };
-    std::vector<Event> faults = {};     ///< divisions by zero: nothing is stated about the scan in which one occurs
+    std::vector<Event> faults = {};     ///< divisions by zero; the behaviour of a scan in which one occurs is undefined
     std::vector<Event> overflows = {};  ///< results that wrap around
 };
 
