@@ -8,7 +8,7 @@ namespace grafverif {
 
 namespace {
 
-/// One pass over the states: checks that they are a run, and determines where some terms hold.
+/// One pass over the states: checks that they form a run, and determines in which states the given terms hold.
 class ExternalTraceImport {
 public:
     ExternalTraceImport(const FlatSystem& flat, const ExternalTrace& told, std::vector<Id<Expr>> terms)
@@ -17,14 +17,14 @@ public:
     }
 
     std::size_t size() const { return told_.states.size(); }
-    /// The reason why it is not a run of the system; empty if it is.
+    /// Returns the reason why the trace is not a run of the system; empty if it is a run.
     const std::string& broken() const { return broken_; }
 
     bool holds(std::size_t state, Id<Expr> term) const {
         return truths_[static_cast<std::size_t>(std::ranges::find(terms_, term) - terms_.begin())][state];
     }
 
-    /// True if the states of the loop meet each condition of justice.
+    /// True if the states of the loop satisfy each justice condition.
     bool fair() const {
         return told_.loop && std::ranges::all_of(flat_.justice, [this](Id<Expr> term) {
                    for (std::size_t state = *told_.loop; state < size(); ++state)
@@ -34,7 +34,7 @@ public:
     }
 
 private:
-    using Values = std::vector<std::optional<std::int64_t>>;  ///< of all terms, in one state
+    using Values = std::vector<std::optional<std::int64_t>>;  ///< values of all terms in one state
 
     void look_at(std::size_t state) {
         const std::vector<std::int64_t>& variables = told_.states[state];
@@ -70,7 +70,7 @@ private:
         return {};
     }
 
-    /// The first variable whose value in the state `to` differs from the one required by `values`.
+    /// Returns the first variable whose value in the state `to` differs from the one that `values` requires.
     std::string differs(const Values& values, std::optional<Id<Expr>> FlatSystem::Variable::*term,
                         std::size_t to) const {
         for (const Id<FlatSystem::Variable> id : flat_.variables.ids()) {
@@ -83,13 +83,13 @@ private:
     const FlatSystem& flat_;
     const ExternalTrace& told_;
     std::vector<Id<Expr>> terms_ = {};
-    std::vector<std::vector<bool>> truths_ = {};  ///< per term, per state
+    std::vector<std::vector<bool>> truths_ = {};  ///< truth value per term and state
     std::string broken_ = {};
 };
 
-/// True if some state with `from` is followed by no state with `never` forever.
+/// True if some state with `from` exists after which no state with `never` occurs, in any repetition of the loop.
 bool avoids(const ExternalTraceImport& evidence, std::size_t loop, Id<Expr> from, Id<Expr> never) {
-    std::size_t without = evidence.size();  // all later states are without it
+    std::size_t without = evidence.size();  // first state from which no state with `never` occurs up to the end
     while (without > 0 && !evidence.holds(without - 1, never)) --without;
     if (without > loop) return false;
     for (std::size_t state = without; state < evidence.size(); ++state)

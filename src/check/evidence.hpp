@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Validates the run that an external program gives for its verdict, on the system that was checked.
+// Validates the run that an external program gives for its verdict, with the system that was checked.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,16 @@
 
 namespace grafverif {
 
-/// A run given by an external program. States hold a value per variable of a FlatSystem; its choices are those of the
+/// A run given by an external program. A state has one value per variable of a FlatSystem. Its choices are those of the
 /// step that leaves the state.
 struct ExternalTrace {
-    std::vector<std::vector<std::int64_t>> states = {};  ///< not empty
-    std::optional<std::size_t> loop = {};                ///< a last step leads back to this state
+    std::vector<std::vector<std::int64_t>> states = {};  ///< never empty
+    std::optional<std::size_t> loop = {};  ///< a further step leads from the last state back to this state
 };
 
-/// The reason why `told` does not show that `property` is violated (of `reachable`: that it holds); empty if it does.
-/// For `always possible` and for passed-through formulas, only checks that it is a run of the system. `flat`:
-/// flattened(system), which gains terms.
+/// Returns the reason why `told` does not show that `property` is violated (for `reachable`: that it holds); empty if
+/// it does. For `always possible` and for formulas passed to the program unchanged, the function only checks that
+/// `told` is a run of the system. `flat` is flattened(system); terms are added to it.
 std::string doubt(const TransitionSystem& system, FlatSystem& flat, const Property& property,
                   const ExternalTrace& told);
 

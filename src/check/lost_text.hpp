@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Beginning of the note that lists the transitions that are dead after the point of no return.
+// Beginning of the note that lists the transitions that are never cleared after the point of no return.
 #pragma once
 
 namespace grafverif {

@@ -24,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 
 bool is_decided(const Verdict& verdict) { return verdict.outcome != Outcome::Unknown; }
 
-/// `holds (decided by pdr)`
+/// Text of a verdict: `holds (decided by pdr)`.
 std::string said(const Verdict& verdict) {
     return std::string(word(verdict.outcome)) + (verdict.notes.empty() ? "" : " (" + verdict.notes.back() + ")");
 }
@@ -53,9 +53,10 @@ private:
         ~AtEnd() { stop = true; }
     };
 
-    // -- who works when ----------------------------------------------------------------------------------------------
+    // -- scheduling of the engines
+    // --------------------------------------------------------------------------------------
 
-    /// False if there is no thread for the symbolic engine.
+    /// Runs the engines in threads. Returns false if the thread of the symbolic engine cannot be started.
     bool in_threads() {
         threaded_ = true;
         const Deadline look = share_of(options_.deadline, 4);
@@ -96,7 +97,8 @@ private:
         }
     }
 
-    /// Each but the last for a share of the time. PDR loses nothing in a turn; diagrams begin from the initial states.
+    /// Runs the engines sequentially, each except the last for a share of the time. PDR continues its search when it is
+    /// called again; decision diagrams restart from the initial states.
     void in_sequence() {
         constexpr std::chrono::seconds look(1), longest(20);
         const auto at_most = [this](std::chrono::seconds time, std::size_t shares) {
@@ -115,7 +117,7 @@ private:
     bool is_stopped() const { return is_over(options_.deadline, options_.stop); }
     bool goes_on() const { return (!open_.empty() || moot_.empty()) && !is_faulty() && !is_stopped(); }
 
-    /// True if diagrams with three quarters of it left a property open.
+    /// True if the decision diagrams left a property open when they had three quarters of the memory.
     bool memory_was_short() const {
         return most_memory_ < options_.max_memory && goes_on() &&
                std::ranges::any_of(symbolic_.verdicts, [this](const Verdict& verdict) {
@@ -140,7 +142,7 @@ private:
 
     // -- the engines -------------------------------------------------------------------------------------------------
 
-    /// What ends them: in threads the caller's wish too, handed on by wait().
+    /// Cancellation flag of the engines. In threads, wait() also sets it when the caller requests cancellation.
     const std::atomic<bool>* stop() const { return threaded_ ? &stop_ : options_.stop; }
 
     void report(const auto& change) {
@@ -200,14 +202,15 @@ private:
         if (circuits_.fault) stop_ = true;
     }
 
-    /// Keeps the first verdict; a later one that contradicts it is an internal failure.
+    /// Stores the first verdict. A later verdict that contradicts it is an internal failure.
     void take(const Verdict& verdict, const std::optional<SystemRun>& run) {
         if (!is_decided(verdict)) return;
         const auto [place, fresh] = first_.try_emplace(verdict.about.index, verdict, run);
         Verdict& first = place->second.first;
         if (fresh) {
             settle(verdict.about);
-            for (const Id<Property> id : system_.properties.ids())  // the vacuity of a violated property is not needed
+            // Probes for the vacuity of a violated property are not needed.
+            for (const Id<Property> id : system_.properties.ids())
                 if (verdict.outcome == Outcome::Violated && probed_by(system_.properties[id]) == verdict.property)
                     settle(id);
             if (open_.empty()) stop_ = true;
@@ -228,7 +231,7 @@ private:
 
     // -- the caller's thread -----------------------------------------------------------------------------------------
 
-    /// Waits for all threads, or until `over`; forwards cancellation by the caller, and reports progress.
+    /// Waits for all threads, or until `over` is true. Forwards cancellation by the caller and reports progress.
     template <class Over>
     void wait(const Over& over) {
         Lock lock(mutex_);
@@ -258,7 +261,7 @@ private:
         return result;
     }
 
-    /// Adds the reason of the other engine, if it supports the property.
+    /// Adds the reason of the other engine if both engines support the property.
     static void add_reason(Verdict& verdict, const Verdict& other) {
         if (verdict.obstacle == UnknownReason::Unsupported || other.obstacle == UnknownReason::Unsupported) return;
         verdict.reason = "symbolic: " + verdict.reason + "; pdr and bmc: " + other.reason;
@@ -268,16 +271,16 @@ private:
     const TransitionSystem& system_;
     const PortfolioOptions& options_;
     std::atomic<bool> stop_ = false;
-    std::atomic<std::uint64_t> worked_ = 0;  ///< steps of operations on diagrams
-    std::vector<std::atomic<bool>> moot_;    ///< per property of the system
-    bool threaded_ = false;                  ///< changes only while no thread works, as the next
-    std::uint64_t most_memory_ = 0;          ///< of the last that diagrams did
+    std::atomic<std::uint64_t> worked_ = 0;  ///< number of steps of operations on diagrams
+    std::vector<std::atomic<bool>> moot_;    ///< per property of the system: true if its verdict is no longer needed
+    bool threaded_ = false;                  ///< changes only while no thread is running, as does the next member
+    std::uint64_t most_memory_ = 0;          ///< memory limit of the last run of the symbolic engine
     bool has_tried_first_ = false;
 
     std::mutex mutex_ = {};  ///< protects the following members
     std::condition_variable changed_ = {};
     std::size_t working_ = 0;
-    bool joined_;  ///< others than the symbolic engine take part
+    bool joined_;  ///< true if engines other than the symbolic one take part
     std::unordered_set<std::uint32_t> open_ = {};
     std::unordered_map<std::uint32_t, std::pair<Verdict, std::optional<SystemRun>>> first_ = {};
     PdrResult symbolic_ = {}, circuits_ = {};

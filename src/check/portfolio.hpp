@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Portfolio of engines on one system. The symbolic engine works in one thread, by sub-loops. After a share of the time
-// for itself, cells and then PDR and BMC in turns join in another. The first that decides a property has decided it,
-// and a note names it; when all is decided the others end. What they find is checked as it is when each works alone, so
-// verdicts do not depend on who was first; which run is shown may.
+// Portfolio of engines on one system. The symbolic engine runs in one thread, decomposed into subsystems. After a share
+// of the time, localization joins in a second thread, followed by PDR and BMC, which alternate. The first engine that
+// decides a property provides its verdict, and a note names the engine. When all properties are decided, all engines
+// stop. Results are validated as in a single-engine run, so verdicts do not depend on which engine finishes first; the
+// counterexample may.
 //
-// Without a second thread they work sequentially, each but the last for a bounded share of the time.
+// Without a second thread, the engines run sequentially, each except the last for a bounded share of the time.
 //
-// The memory allowed bounds all of it: three quarters are for decision diagrams, and the solvers end if all that the
-// program took since the beginning exceeds it. When all have ended and memory was short, diagrams may have all of it.
+// One memory limit covers all engines. Three quarters of it are available to decision diagrams. The solvers stop when
+// the memory that the program has allocated since the start exceeds the limit. If all engines have ended and the
+// diagrams had too little memory, they may use all of it.
 #pragma once
 
 #include "check/pdr/check.hpp"
@@ -22,29 +24,28 @@ struct PortfolioProgress {
 };
 
 struct PortfolioOptions {
-    std::vector<std::string> properties = {};            ///< names; empty: all
-    std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< bytes, of all engines
+    std::vector<std::string> properties = {};            ///< names of the properties to check; empty: all
+    std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< memory limit of all engines together, in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;                      ///< cancellation flag: return the results so far
-    std::function<void(const PortfolioProgress&)> progress = {};  ///< called periodically, by the caller's thread
-    bool witnesses = true;                                        ///< a run for each `reachable` that holds
+    std::function<void(const PortfolioProgress&)> progress = {};  ///< called periodically, in the caller's thread
+    bool witnesses = true;                                        ///< return a run for each `reachable` that holds
     bool whole = false;                                           ///< the symbolic engine does not decompose the system
     bool equal_latches = false;                                   ///< see PdrOptions
-    /// Steps of operations on decision diagrams after which the others join, or after a quarter of the time; 0: at
-    /// once.
+    /// Number of steps of operations on decision diagrams after which the other engines start. They start at the latest
+    /// after a quarter of the time; 0: immediately.
     std::uint64_t alone = 0;
-    unsigned jobs = 0;  ///< 1: no thread is started
-    /// Cheap proofs, before the solvers begin: verdicts without runs, of the properties that it decides. Ends on
-    /// `stop`.
+    unsigned jobs = 0;  ///< 1: no threads are started
+    /// Inexpensive proofs before the solvers start. Returns verdicts without runs for the properties that it decides.
+    /// Ends when `stop` is set.
     std::function<std::vector<Verdict>(const std::atomic<bool>* stop)> first = {};
 };
 
 struct PortfolioResult : PdrResult {
-    bool alone =
-        false;  ///< the symbolic engine ended before the others joined: the verdicts are its own, without a note
+    bool alone = false;  ///< the symbolic engine ended before other engines started, and the verdicts have no note
 };
 
-/// Requires verify(system).empty().
+/// Checks the properties with the portfolio. Requires verify(system).empty().
 PortfolioResult check_together(const TransitionSystem& system, const PortfolioOptions& options = {});
 
 }  // namespace grafverif

@@ -23,22 +23,22 @@ inline bool is_over(const Deadline& deadline, const std::atomic<bool>* stop) {
     return (stop != nullptr && stop->load(std::memory_order_relaxed)) || is_over(deadline);
 }
 
-/// The end of the first of `shares` equal shares of the remaining time; none without a deadline.
+/// Returns the end of the first of `shares` equal shares of the remaining time; empty without a deadline.
 inline Deadline share_of(const Deadline& deadline, std::size_t shares) {
     const auto now = std::chrono::steady_clock::now();
     if (!deadline || *deadline <= now) return deadline;
     return now + (*deadline - now) / shares;
 }
 
-/// The end of three quarters of the time left; none without a deadline.
+/// Returns the end of three quarters of the remaining time; empty without a deadline.
 inline Deadline most_of(const Deadline& deadline) {
     const auto now = std::chrono::steady_clock::now();
     if (!deadline || *deadline <= now) return deadline;
     return *deadline - (*deadline - now) / 4;
 }
 
-/// Adds the number of states that `searches` explored to the reason of a verdict that a limit of time or memory left
-/// unknown; not for searches that did not begin.
+/// Adds the number of states that `searches` explored to the reason of a verdict that a time or memory limit left
+/// unknown. Does nothing if the searches did not begin.
 inline void report_earlier(Verdict& verdict, std::string_view searches, std::uint64_t states) {
     const bool limited = verdict.obstacle == UnknownReason::Stopped || verdict.obstacle == UnknownReason::Memory;
     if (verdict.outcome != Outcome::Unknown || !limited || states < 2) return;

@@ -20,7 +20,7 @@ namespace {
 const char* const timelock_probe = "no timelock";
 const char* const deadlock_probe = "no deadlock";
 
-/// Some parts, searched as a separate network.
+/// A search of some parts as a separate network.
 struct SubsystemSearch {
     SubNetwork of = {};
     TimedResult result = {};
@@ -74,10 +74,11 @@ private:
     const NetworkSubsystems& parts_;
     const TimedOptions& options_;
     std::vector<SubsystemQuery> questions_ = {};
-    std::vector<SubsystemSearch> each_ = {};  // per part
+    std::vector<SubsystemSearch> each_ = {};  // search of each part
     std::vector<OmittedSubsystem> neighbours_ = {};
     std::map<PartNumbers, SubsystemSearch> together_ = {};
-    std::vector<std::pair<std::size_t, std::string>> whole_ = {};  // queries for the complete network, with reason
+    // Queries that need the complete network, each with the reason.
+    std::vector<std::pair<std::size_t, std::string>> whole_ = {};
     TimedResult result_ = {};
 };
 
@@ -93,7 +94,8 @@ void DecomposedCheck::count(const TimedResult& found) {
     result_.profile = found.profile;
 }
 
-/// Searches the parts `chosen`: queries that read only these and, for a single part, those requested per part.
+/// Searches the parts `chosen` for all queries that read only these parts. For a single part, also those that are
+/// decided for each part.
 SubsystemSearch DecomposedCheck::search(const PartNumbers& chosen, bool premises, const Deadline& deadline) {
     SubNetworkBuilder builder(network_, parts_, chosen);
     bool deadlock_requested = false;
@@ -123,7 +125,7 @@ void DecomposedCheck::search_each() {
         each_.push_back(search({part}, true, share_of(options_.deadline, parts_.count - part)));
     for (std::uint32_t part = 0; part < parts_.count; ++part) {
         const bool stopped = each_[part].verdict(timelock_probe).obstacle == UnknownReason::Stopped;
-        if (stopped && options_.deadline && !is_over(options_.deadline))  // only its share: there is time left
+        if (stopped && options_.deadline && !is_over(options_.deadline))  // it used only its share, and time is left
             each_[part] = search({part}, true, options_.deadline);
         count(each_[part].result);
         neighbours_.push_back(omitted(part));
@@ -153,7 +155,8 @@ OmittedSubsystem DecomposedCheck::omitted(std::uint32_t part) const {
     return is;
 }
 
-/// An error of one part occurs in the complete network only if the others let time pass until then.
+/// True if an error of a part may be unreachable in the complete network. It is reachable only if the other parts let
+/// time pass until it occurs.
 bool DecomposedCheck::errors_may_be_out_of_reach() const {
     for (std::uint32_t part = 0; part < parts_.count; ++part)
         for (std::uint32_t other = 0; other < parts_.count; ++other)
@@ -183,7 +186,7 @@ std::vector<const OmittedSubsystem*> DecomposedCheck::left_out(const PartNumbers
     return rest;
 }
 
-/// Runs of the parts that are not chosen, to combine with a run of the chosen ones.
+/// Returns runs of the parts that are not chosen, to combine them with a run of the chosen parts.
 std::vector<Run> DecomposedCheck::beside(const PartNumbers& chosen) const {
     std::vector<Run> runs;
     for (const std::uint32_t part : others(chosen)) {
@@ -213,8 +216,9 @@ void DecomposedCheck::take(SubsystemQuery& question, Verdict verdict) const {
     given.run = std::move(verdict.run);
 }
 
-/// The outcome whose preservation to check. A property that fails to hold only because of an error or inexact time must
-/// hold apart from these. An interrupted search is also too large in the complete network if the others let time pass.
+/// Returns the outcome whose preservation must be checked. If a property is undecided only because of a model error or
+/// inexact time, this is the outcome without that reason. If a limit ended the search, the complete network is also too
+/// large, provided that the other parts let time pass.
 Outcome supposed(const Verdict& verdict) {
     const bool wanted = verdict.pattern == Pattern::Reachable;
     switch (verdict.obstacle) {
@@ -226,7 +230,8 @@ Outcome supposed(const Verdict& verdict) {
     }
 }
 
-/// True if a verdict on `chosen` is that of the complete network, or unknown there too; otherwise `why` has the reason.
+/// True if a verdict on `chosen` is also the verdict on the complete network, or if the complete network leaves it
+/// unknown too. Otherwise `why` receives the reason.
 bool DecomposedCheck::carries(const SubsystemQuery& question, const Verdict& verdict, const PartNumbers& chosen,
                               std::string& why) const {
     if (verdict.obstacle == UnknownReason::Stopped || verdict.obstacle == UnknownReason::Unsupported) return true;
@@ -236,7 +241,7 @@ bool DecomposedCheck::carries(const SubsystemQuery& question, const Verdict& ver
     return why.empty();
 }
 
-/// Converts the run of the verdict to one of the complete network.
+/// Converts the run of the verdict to a run of the complete network.
 void DecomposedCheck::show(Verdict& verdict, const SubNetwork& of, const PartNumbers& chosen, bool at_stable) const {
     if (!verdict.run) return;
     verdict.run = joined(in_complete(of, *verdict.run), beside(chosen), at_stable ? Ending::Waiting : Ending::Anywhere);
@@ -272,7 +277,7 @@ void DecomposedCheck::answer(SubsystemQuery& question) {
     take(question, std::move(verdict));
 }
 
-/// `no deadlock`, `no timelock`, `no_race`: they hold if they hold for each part.
+/// Decides `no deadlock`, `no timelock` and `no_race`, which hold if they hold for each part.
 void DecomposedCheck::result_of_each(SubsystemQuery& question) {
     const Pattern pattern = question.property.pattern;
     const std::string name = pattern == Pattern::NoTimelock   ? timelock_probe

@@ -4,18 +4,19 @@
 // (docs/explanation/decomposition.md, "Sub-loops"). The side conditions on an omitted subsystem are checked by
 // exploring it alone; if one fails or is unknown, the complete network is explored.
 //
-// `no deadlock` is checked per subsystem: from every state of each subsystem, one of its edges is enabled, now or after
-// a delay. This is stronger than the same property of the complete network, where an active subsystem hides a blocked
-// one.
+// `no deadlock` is checked per subsystem: from every state of each subsystem, one of its edges is enabled, immediately
+// or after a delay. This is stronger than the same property of the complete network, in which an active subsystem hides
+// a blocked one.
 //
-// Each verdict names the omitted subsystems and the reason. Runs are runs of the complete network.
+// Each verdict names the omitted subsystems and states the reason. Runs are runs of the complete network.
 #pragma once
 
 #include "check/timed/timed.hpp"
 
 namespace grafverif {
 
-/// As check_timed; the limits apply to each search. Requires verify(network).empty().
+/// Checks the properties in the same way as check_timed. The limits apply to each search. Requires
+/// verify(network).empty().
 TimedResult check_timed_by_parts(const Network& network, const TimedOptions& options = {});
 
 }  // namespace grafverif

@@ -41,8 +41,8 @@ private:
     const System& system_;
     const SymbolicOptions& options_;
     SubsystemSearches parts_;
-    std::vector<std::optional<std::pair<Verdict, std::optional<SystemRun>>>> given_ = {};  ///< per property
-    std::map<std::uint32_t, std::string> whole_ = {};  ///< the properties that need the complete system, and the reason
+    std::vector<std::optional<std::pair<Verdict, std::optional<SystemRun>>>> given_ = {};  ///< runs per property
+    std::map<std::uint32_t, std::string> whole_ = {};  ///< properties that require the complete system, with the reason
     SymbolicResult result_ = {};
 };
 
@@ -154,7 +154,7 @@ bool InterleavedCheck::decide_starved(Id<Property> id, SubsystemResult& search, 
     return true;
 }
 
-/// It holds if it holds in each part.
+/// Decides a property that holds if it holds in each part.
 void InterleavedCheck::result_of_each(Id<Property> id) {
     std::optional<Verdict> open;
     Verdict holds = verdict_on(id, system_.properties[id]);
@@ -225,7 +225,7 @@ SubsystemRun InterleavedCheck::turn_run(const SubsystemResult& search, const Fla
 }
 
 /// Converts a state of the complete system to one of the search. A variable that belongs to no part (an action race)
-/// has a copy in each part: if the error did not occur in the part, the copy has its initial value.
+/// has a copy in each part: if the error has not occurred in the part, its copy has the initial value.
 std::vector<std::int64_t> InterleavedCheck::here(SubsystemResult& search, const std::vector<std::int64_t>& whole) {
     const std::vector<Id<FlatSystem::Variable>> in_complete =
         variables_in_complete(search.check->flat(), parts_.flat());
@@ -243,7 +243,8 @@ std::vector<std::int64_t> InterleavedCheck::here(SubsystemResult& search, const 
     return made;
 }
 
-/// Continues the run from where the searched subsystems stop: the others move until they have to wait too, or forever.
+/// Continues the run from the state in which the searched subsystems stop. The other subsystems move until they must
+/// also wait, or forever.
 SubsystemRun InterleavedCheck::led_on(SubsystemRun made, const SubsystemStep& last, const PartList& rest) {
     const std::vector<std::int64_t> so_far = replayed(parts_.flat(), made).states.back();
     for (const std::uint32_t part : rest) {
@@ -258,7 +259,7 @@ SubsystemRun InterleavedCheck::led_on(SubsystemRun made, const SubsystemStep& la
     return made;
 }
 
-/// Sequential moves of these parts to quiescent states.
+/// Returns moves of these parts to quiescent states, one part after another.
 SubsystemRun InterleavedCheck::settled(const PartList& parts) {
     SubsystemRun made;
     const std::vector<std::int64_t> first = replayed(parts_.flat(), {}).states.back();
@@ -270,7 +271,7 @@ SubsystemRun InterleavedCheck::settled(const PartList& parts) {
     return made;
 }
 
-/// The run combined with runs of the other parts; empty if it would be too long.
+/// Returns the run combined with runs of the other parts; empty if it would be too long.
 std::optional<FlatRun> InterleavedCheck::complete_run(const SubsystemResult& search, const FlatRun& run, bool at_stable,
                                                       Verdict& verdict) {
     SubsystemRun shown = turn_run(search, run);

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Compositional checking with the symbolic engine, for systems in which one process moves in a step. Each property is
-// decided on the independent subsystems ("sub-loops") that it reads. The others are omitted if this preserves the
+// Compositional checking with the symbolic engine, for systems in which one process moves in each step. Each property
+// is decided on the independent subsystems ("sub-loops") that it reads. The others are omitted if this preserves the
 // verdict (docs/explanation/decomposition.md, "Sub-loops"). The side conditions on omitted subsystems are checked when
-// they matter; if one fails or is unknown, the complete system is searched.
+// a verdict requires them; if one fails or is unknown, the complete system is searched.
 //
 // `no deadlock` is checked per subsystem, as by the timed engine.
 //
-// Each verdict names the omitted subsystems and the reason. Runs are runs of the complete system.
+// Each verdict names the omitted subsystems and states the reason. Runs are runs of the complete system.
 #pragma once
 
 #include "check/symbolic/symbolic.hpp"
 
 namespace grafverif {
 
-/// As check_symbolic; the memory limit is shared by all subsystems. Requires verify(system).empty().
+/// Checks the properties in the same way as check_symbolic. All subsystems share the memory limit. Requires
+/// verify(system).empty().
 SymbolicResult check_symbolic_by_parts(const TransitionSystem& system, const SymbolicOptions& options = {});
 
 }  // namespace grafverif

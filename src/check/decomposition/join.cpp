@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A lasso is cut after a tick. The actions of a part from tick n on are repeated from tick n + k on, if its loop has k
-// ticks and n is not in its stem. So the number of ticks in the loop of the complete network is the least common
-// multiple.
+// A lasso is cut after a tick. If its loop has k ticks and tick n is not in its stem, the actions of a part after tick
+// n are repeated after tick n + k. Therefore the number of ticks in the loop of the complete network is the least
+// common multiple.
 #include "check/decomposition/join.hpp"
 
 #include <algorithm>
@@ -15,14 +15,14 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::int64_t longest_loop = 20'000;  // units of time
+constexpr std::int64_t longest_loop = 20'000;  // maximum length of a loop in units of time
 
 struct TimedFire {
     std::int64_t time = 0;
     Fire fire = {};
 };
 
-/// Units of time that pass in the moves [first, last).
+/// Returns the number of time units that pass in the moves [first, last).
 std::int64_t ticks(const Run& run, std::size_t first, std::size_t last) {
     std::int64_t units = 0;
     for (std::size_t i = first; i < last; ++i)
@@ -32,7 +32,7 @@ std::int64_t ticks(const Run& run, std::size_t first, std::size_t last) {
 std::int64_t stem_ticks(const Run& run) { return ticks(run, 0, run.loop.value_or(run.moves.size())); }
 std::int64_t loop_ticks(const Run& run) { return run.loop ? ticks(run, *run.loop, run.moves.size()) : 0; }
 
-/// Adds the events before time `end`; the loop of a lasso, in which time passes, is repeated as necessary.
+/// Adds the events before time `end`. The loop of a lasso, in which time passes, is repeated as often as necessary.
 void add_fires(const Run& run, std::int64_t end, std::vector<TimedFire>& events) {
     std::int64_t time = 0;
     for (std::size_t i = 0;; ++i) {
@@ -67,7 +67,7 @@ private:
     std::int64_t now_ = 0;
 };
 
-/// All values that distinguish states of one network.
+/// Returns all values that distinguish states of one network.
 std::vector<std::int64_t> values_of(const NetworkState& state) {
     std::vector<std::int64_t> values = state.variables;
     for (const Id<Network::Location> location : state.locations) values.push_back(location.index);

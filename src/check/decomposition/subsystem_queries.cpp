@@ -17,7 +17,7 @@ bool about_race(const Network& network, const Property& property) {
     return operand.op == Op::Variable && operand.value == network.race.index;
 }
 
-/// All parts if it reads a variable of which several parts have a copy.
+/// Returns the parts that the query reads; all parts if it reads a variable of which several parts have a copy.
 PartNumbers read_by(const Network& network, const NetworkSubsystems& parts, const Property& property) {
     for (const Id<Expr> operand : property.operands)
         for (const Id<Expr> leaf : leaves(network.exprs, operand)) {

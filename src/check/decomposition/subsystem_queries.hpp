@@ -10,20 +10,20 @@
 
 namespace grafverif {
 
-/// Numbers of parts of a network, increasing.
+/// Indices of parts of a network, increasing.
 using PartNumbers = std::vector<std::uint32_t>;
 
 /// A query for one verdict.
 struct SubsystemQuery {
-    Property property = {};  ///< named as its verdict; for an expanded one, about one state
+    Property property = {};  ///< property with the name of its verdict; for an expanded property, it concerns one step
     Verdict verdict = {};
     PartNumbers reads = {};
-    bool each = false;  ///< requested for every part separately
-    bool race = false;  ///< if `each`: asks for an action race
+    bool each = false;  ///< true if the query is decided for every part separately
+    bool race = false;  ///< true if the query concerns an action race; only with `each`
 };
 
-/// The selected properties, with a separate query for each step of an expanded one, and `no timelock` unless `options`
-/// exclude it.
+/// Returns the selected properties, with a separate query for each step of an expanded property. `no timelock` is
+/// included unless `options` exclude it.
 std::vector<SubsystemQuery> subsystem_queries(const Network& network, const NetworkSubsystems& parts,
                                               const TimedOptions& options);
 

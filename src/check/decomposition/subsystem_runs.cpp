@@ -60,7 +60,8 @@ std::optional<SubsystemRun> side_by_side(const SubsystemRun& shown, const std::v
     std::vector<RunCursor> beside;
     for (const SubsystemRun& other : others) beside.emplace_back(other);
     SubsystemRun made;
-    std::map<std::vector<std::size_t>, std::size_t> seen;  // positions of all runs, with the first step there
+    // Combinations of positions in all runs, with the index of the first step there.
+    std::map<std::vector<std::size_t>, std::size_t> seen;
     const bool alone = shown.loop && shown.never_waits_again();
     for (RunCursor here(shown); !here.over() && made.steps.size() <= most_steps; here.go_on()) {
         if (shown.loop && here.place() == *shown.loop) {

@@ -13,12 +13,12 @@
 
 namespace grafverif {
 
-/// A step of the complete system by one part alone, or by all together.
+/// A step of the complete system: one part moves, or all parts wait together.
 struct SubsystemStep {
-    enum class Kind { Moves, Waits, Ends };  ///< Ends: no event is possible, the state is repeated
+    enum class Kind { Moves, Waits, Ends };  ///< Ends: no event is possible, and the state is repeated
     Kind kind = Kind::Moves;
-    std::vector<std::pair<std::uint32_t, std::int64_t>> choices = {};  ///< by variable of the complete system; the
-                                                                       ///< others are 0
+    /// Index and value of each choice in the complete system; all other choices are 0.
+    std::vector<std::pair<std::uint32_t, std::int64_t>> choices = {};
 };
 
 /// A run of a part; a lasso leads back to the state before step `loop`.
@@ -29,19 +29,20 @@ struct SubsystemRun {
     bool never_waits_again() const;
 };
 
-/// The concatenation of two runs; requires that the second begins where the first, which is finite, ends.
+/// Returns the concatenation of two runs. Requires that the first run is finite and that the second begins in its last
+/// state.
 SubsystemRun behind(SubsystemRun first, const SubsystemRun& second);
 
-/// The run without steps in which no process moves. Requires that a loop has others.
+/// Returns the run without steps in which no process moves. Requires that a loop contains other steps.
 SubsystemRun without_waits(const SubsystemRun& run);
 
-/// Combines `shown` with `others`, lassos that wait infinitely often; all wait together. `settling`: the others
-/// continue to their next wait. Empty if the period would be too long. Requires that `shown` does not end in a repeated
-/// state.
+/// Combines `shown` with `others`, which are lassos that wait infinitely often. All parts wait together. If `settling`
+/// is true, the others continue to their next wait. The result is empty if the period would be too long. Requires that
+/// `shown` does not end in a repeated state.
 std::optional<SubsystemRun> side_by_side(const SubsystemRun& shown, const std::vector<SubsystemRun>& others,
                                          bool settling);
 
-/// The run as one of the complete system.
+/// Returns the run as a run of the complete system.
 FlatRun replayed(const FlatSystem& whole, const SubsystemRun& run);
 
 }  // namespace grafverif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Searches of interleaved subsystems ("sub-loops"): each is searched as a separate system with the queries that concern
-// it alone, and with the side conditions under which it can be omitted from queries about others.
+// Searches of interleaved subsystems ("sub-loops"). Each is searched as a separate system, with the queries that
+// concern only it and with the side conditions under which it can be omitted from other queries.
 #pragma once
 
 #include <cstdint>
@@ -14,17 +14,17 @@
 
 namespace grafverif {
 
-/// Some parts, searched as a separate system.
+/// A search of some parts as a separate system.
 struct SubsystemResult {
     PartList chosen = {};
     TransitionSystem system = {};
     SymbolicOptions options = {};
-    std::vector<Id<Property>> requested = {};  ///< of the complete system, in the order of its verdicts
+    std::vector<Id<Property>> requested = {};  ///< properties of the complete system, in the order of the verdicts
     std::unique_ptr<symbolic::Check> check = {};
     SymbolicResult result = {};
     std::unique_ptr<symbolic::InterleavingPremises> turns = {};
     OmittedSubsystem as = {};
-    bool knows_time = false, knows_rest = false, knows_settled = false;  ///< the properties of `as` that are known
+    bool knows_time = false, knows_rest = false, knows_settled = false;  ///< properties of `as` that are known
 };
 
 class SubsystemSearches {
@@ -34,21 +34,22 @@ public:
         : system_(system), options_(options), flat_(flattened(system)), of_(parts_of_symbols(system)) {}
 
     const FlatSystem& flat() const { return flat_; }
-    /// True if clocks matter.
+    /// True if the system has clocks.
     bool timed() const { return system_.parts.can_wait.valid(); }
     PartList all() const;
     PartList others(const PartList& chosen) const;
 
     bool requested(const Property& property) const;
-    /// The parts that the operands read.
+    /// Returns the parts that the operands read.
     PartList reads(const std::vector<Id<Expr>>& operands) const;
-    /// True if it concerns all parts in the same way: no part causes a timelock, terminates, races or leaves a range.
+    /// True if the property concerns all parts in the same way: no part causes a timelock, terminates, races or leaves
+    /// a range.
     bool about_each(const Property& property) const;
 
-    /// The search of these parts; created on first use and kept.
+    /// Returns the search of these parts, which is created on first use and kept.
     SubsystemResult& search(const PartList& chosen);
     symbolic::InterleavingPremises& turns(SubsystemResult& search);
-    /// The properties of a part that a verdict on others requires.
+    /// Returns the properties of a part on which a verdict about other parts depends.
     const OmittedSubsystem& omitted(std::uint32_t part, const Verdict& verdict, bool at_stable);
     void forget() { searches_.clear(); }
 
@@ -64,7 +65,7 @@ private:
     const TransitionSystem& system_;
     const SymbolicOptions& options_;
     FlatSystem flat_;
-    const std::vector<std::uint32_t> of_;  ///< per symbol of main, its part
+    const std::vector<std::uint32_t> of_;  ///< part of each symbol of main
     std::map<PartList, SubsystemResult> searches_ = {};
     std::uint64_t bytes_ = 0;
     double seconds_ = 0;

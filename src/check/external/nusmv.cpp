@@ -14,16 +14,17 @@ namespace grafverif {
 namespace {
 
 constexpr std::string_view mark = "grafverif: ";
-/// Maximum number of values in a trace; the remaining part of a truncated trace is not used.
+/// Maximum number of values in a trace. A trace with more values is not used.
 constexpr std::size_t most_values = 50'000'000;
 
-/// The output between each marker and the next one. The part after the last marker is excluded: it may be incomplete.
+/// Returns the output between each marker and the next one. The part after the last marker is excluded, because it may
+/// be incomplete.
 std::unordered_map<std::string, std::vector<std::string_view>> sections(std::string_view text) {
     std::unordered_map<std::string, std::vector<std::string_view>> found;
     for (std::size_t at = text.find(mark); at != std::string_view::npos;) {
         const std::size_t line_end = std::min(text.find('\n', at), text.size());
         std::string_view name = text.substr(at + mark.size(), line_end - at - mark.size());
-        name = name.substr(0, name.find_last_not_of(" \r") + 1);  // `echo` adds a blank
+        name = name.substr(0, name.find_last_not_of(" \r") + 1);  // `echo` appends a blank
         const std::size_t next = text.find(mark, line_end);
         if (next == std::string_view::npos) break;
         found[std::string(name)].push_back(text.substr(line_end, next - line_end));
@@ -41,7 +42,7 @@ std::string_view trimmed_line(std::string_view& text) {
     return line;
 }
 
-/// Every result in a section.
+/// Returns every result in a section.
 std::vector<bool> truths(std::string_view section) {
     std::vector<bool> found;
     while (!section.empty()) {
@@ -53,8 +54,8 @@ std::vector<bool> truths(std::string_view section) {
     return found;
 }
 
-/// Reads a counterexample as NuSMV prints it: unchanged values are omitted; the choices of a step precede the state
-/// that it leads to.
+/// Reads a counterexample as printed by NuSMV. Unchanged values are omitted; the choices of a step precede the state to
+/// which it leads.
 class TraceReader {
 public:
     TraceReader(const FlatSystem& flat, const SystemSpelling& spelling) : flat_(flat), spelling_(spelling) {
@@ -62,7 +63,8 @@ public:
         for (const FlatSystem::Variable& variable : flat.variables) now_.push_back(variable.type.low);
     }
 
-    /// Empty if there is none, or if it has an invalid value. `repeats`: the loop is needed.
+    /// The result is empty if there is no trace or it has an invalid value. If `repeats` is true, the trace must have a
+    /// loop.
     std::optional<ExternalTrace> read(std::string_view section, bool repeats) {
         bool in_trace = false;
         while (!section.empty()) {
@@ -99,7 +101,7 @@ private:
 
     bool assign(std::string_view name, std::string_view value) {
         const auto place = places_.find(std::string(name));
-        if (place == places_.end()) return true;  // a definition
+        if (place == places_.end()) return true;  // the name of a definition
         const auto number = value_of(place->second, value);
         if (number) now_[place->second.index] = *number;
         return number.has_value();
@@ -121,7 +123,7 @@ private:
         ExternalTrace run{std::move(states_), {}};
         if (repeats && loop_ && *loop_ + 1 < run.states.size()) {
             run.loop = loop_;
-            run.states.pop_back();  // repeats the state where the loop began
+            run.states.pop_back();  // the last state repeats the state in which the loop began
         }
         return run;
     }
@@ -135,7 +137,7 @@ private:
     std::optional<std::size_t> loop_ = {};
 };
 
-/// `reachable states: 19456 (2^14.25) out of ...`; a rounded large number (`1.2e+21`) is ignored.
+/// Reads the number in `reachable states: 19456 (2^14.25) out of ...`. A rounded large number (`1.2e+21`) is ignored.
 std::string state_count(std::string_view section) {
     constexpr std::string_view before = "reachable states: ";
     const std::size_t at = section.find(before);
@@ -167,14 +169,14 @@ void undecided(Verdict& verdict, UnknownReason obstacle, std::string reason) {
     verdict.reason = std::move(reason);
 }
 
-/// The output of the program by marker. Output of a program that a signal has ended is ignored.
+/// The output of the program, divided by markers. If a signal has ended the program, its output is ignored.
 class NusmvOutput {
 public:
     explicit NusmvOutput(const ProgramResult& said) {
         if (said.end != ProgramResult::End::Signalled) sections_ = sections(said.out);
     }
 
-    /// Empty if the section does not exist, or exists twice.
+    /// Returns a section; empty if it does not exist or exists twice.
     std::string_view section(const std::string& name) const {
         const auto found = sections_.find(name);
         return found == sections_.end() || found->second.size() != 1 ? std::string_view() : found->second.front();
@@ -198,7 +200,7 @@ struct NusmvQuery {
     const Property& property;
 };
 
-/// Fills in the program's result, after validation, and returns the run that shows it.
+/// Sets the result of the program after validation, and returns the run that shows it.
 std::optional<SystemRun> judged(Verdict& verdict, const NusmvOutput& answers, const std::string& name,
                                 const NusmvQuery& question, const ProgramResult& said) {
     const std::vector<bool> truths = answers.truths_of(name);

@@ -13,20 +13,20 @@ namespace {
 
 constexpr char escape = '\033';
 
-/// `text` with one marker, `escape`, for each terminal control sequence. A line that contains a marker may have been
-/// rewritten and is not reliable.
+/// Returns `text` with one marker, `escape`, in place of each terminal control sequence. A line with a marker may have
+/// been overwritten and is not reliable.
 std::string marked(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
         result += text[i];
         if (text[i] != escape) continue;
         if (i + 1 == text.size() || text[i + 1] != '[') continue;
-        for (i += 2; i < text.size() && (text[i] < '@' || text[i] > '~');) ++i;  // to its final byte
+        for (i += 2; i < text.size() && (text[i] < '@' || text[i] > '~');) ++i;  // skips up to the final byte
     }
     return result;
 }
 
-/// The number of lines of `text` that equal `wanted`, ignoring surrounding blanks and markers.
+/// Returns the number of lines of `text` that equal `wanted`, apart from surrounding blanks and markers.
 std::size_t lines(std::string_view text, std::string_view wanted) {
     constexpr std::string_view blanks = " \t\r\033";
     std::size_t count = 0;
@@ -39,7 +39,7 @@ std::size_t lines(std::string_view text, std::string_view wanted) {
     return count;
 }
 
-/// The first line of `text` that is not blank, without markers.
+/// Returns the first line of `text` that is not blank, without markers.
 std::string first_line(std::string text) {
     std::erase(text, escape);
     constexpr std::size_t longest = 200;
@@ -52,7 +52,7 @@ ExternalResult undecided(UnknownReason obstacle, std::string reason) {
     return {Outcome::Unknown, obstacle, std::move(reason)};
 }
 
-/// The result for a program that did not run to its end.
+/// Returns the result for a program that did not run to completion.
 std::optional<ExternalResult> ended_early(const ProgramResult& result) {
     switch (result.end) {
     case ProgramResult::End::Exited: return {};
@@ -73,7 +73,7 @@ Verdict verdict_on(const Network& network, const ExternalQuery& question) {
     return verdict;
 }
 
-/// True for the query about races: that the flag is never set.
+/// True for the query about races, which states that the flag is never set.
 bool queries_race(const Network& network, const ExternalQuery& question) {
     const Property& property = network.properties[question.property];
     if (!network.race.valid() || property.pattern != Pattern::Never || property.at_stable) return false;
@@ -98,7 +98,7 @@ Verdict ask(Verdict verdict, const ExternalQuery& question, const ExternalOption
     return verdict;
 }
 
-/// Retracts a verdict on a model in which two stored actions may race.
+/// Makes a verdict unknown if two stored actions of the model may race.
 void take_back(Verdict& verdict) {
     if (verdict.outcome == Outcome::Unknown) return;
     verdict.outcome = Outcome::Unknown;
@@ -137,7 +137,7 @@ std::vector<Verdict> check_verifyta(const Network& network, std::span<const Exte
         const auto known = std::ranges::find(verdicts, name, &Verdict::property);
         return known != verdicts.end() && known->outcome == Outcome::Holds;
     };
-    std::optional<std::size_t> race;  // the verdict on races
+    std::optional<std::size_t> race;  // index of the verdict on races
     bool stopped = false;
     for (const ExternalQuery& question : questions) {
         const Property& property = network.properties[question.property];

@@ -20,19 +20,19 @@ namespace {
 
 using timed::Word;
 
-constexpr std::size_t poll_every = 1024;  // states
+constexpr std::size_t poll_every = 1024;  // number of states between two polls
 
 using Signature = std::vector<std::int64_t>;
 
-/// The requirements of a stage of the abstract run for reaching the next one.
+/// A stage of the abstract run, with the requirements for reaching the next one.
 struct Stage {
     Signature signature = {};
-    std::vector<Word> goals = {};  // per instance: the valuations sampled before the next stage
+    std::vector<Word> goals = {};  // valuations sampled before the next stage, per instance
 };
 
-/// One sampling of a PLC: per instance, the valuations that are possible after its cycle.
+/// One sampling of a PLC, with the valuations of each instance that are possible after its cycle.
 struct Sampling {
-    std::size_t at = 0;  // in the path
+    std::size_t at = 0;  // index in the path
     std::vector<Word> possible = {};
 };
 
@@ -52,10 +52,10 @@ bool samples(const AbstractRun& run, const AbstractState& state) {
         edge.calls, [&](Id<Network::Procedure> call) { return call == controller->fire || call == controller->start; });
 }
 
-/// All samplings in order. Later edges of a cycle reduce the possible valuations of its sampling.
+/// Returns all samplings in order. Later edges of a cycle reduce the possible valuations of its sampling.
 std::vector<Sampling> samplings(const AbstractRun& run) {
     std::vector<Sampling> found;
-    std::vector<std::size_t> last(run.network.processes.size(), 0);  // of a PLC: its number plus 1
+    std::vector<std::size_t> last(run.network.processes.size(), 0);  // last sampling of each PLC: its index plus 1
     for (std::size_t at = 0; at < run.path.size(); ++at) {
         const Network::Controller* const controller = controller_of(run, run.path[at]);
         if (controller == nullptr) continue;
@@ -72,7 +72,7 @@ std::vector<Sampling> samplings(const AbstractRun& run) {
     for (Sampling& sampling : found)
         for (std::size_t i = 0; i < run.instances.size(); ++i) {
             const std::size_t valuations = run.instances[i].valuations.size();
-            if (valuations == 0) continue;  // the instance is never Chosen
+            if (valuations == 0) continue;  // the instance is not Chosen
             const Word all = ~Word{0} >> (64 - valuations);
             if ((sampling.possible[i] & all) == all) sampling.possible[i] = ~Word{0};
         }
@@ -93,7 +93,8 @@ std::vector<Id<Network::Variable>> signature_variables(const Network& network) {
 
 namespace {
 
-/// The goals of a stage are those of the cycle that leads to it; the last stage has those of the last sampling.
+/// Returns the stages. The goals of a stage are those of the cycle that leads to it; the last stage has the goals of
+/// the last sampling.
 std::vector<Stage> stages_of(const AbstractRun& run, const std::vector<Id<Network::Variable>>& signature) {
     std::vector<Stage> stages;
     const auto begin = [&](const std::vector<std::int64_t>& variables) {
@@ -114,10 +115,10 @@ std::vector<Stage> stages_of(const AbstractRun& run, const std::vector<Id<Networ
     return stages;
 }
 
-/// A single process of the network with given values of other variables: the set of its possible states.
+/// A single process of the network with given values of other variables, represented by the set of its possible states.
 class SingleProcess {
 public:
-    /// `known`: the variables of other processes whose values are given.
+    /// `known` contains the variables of other processes whose values are given.
     SingleProcess(const Network& complete, const AbstractableProcess& process, InputLevel level, std::int64_t unit,
                   const std::set<Id<Network::Variable>>& known)
         : process_(process), network_(only(complete, process, level, unit, known)), machine_(network_) {
@@ -126,7 +127,7 @@ public:
         states_.insert(timed::packed_initial(network_, machine_.layout()));
     }
 
-    /// From here on, the variables of other processes have these values.
+    /// Sets the values of the variables of other processes.
     void give(const std::vector<std::int64_t>& variables) {
         move();
         States given;
@@ -149,7 +150,7 @@ public:
         }
     }
 
-    /// Adds the states after any delay.
+    /// Adds the states that are reached by any delay.
     void wait() {
         for (std::size_t size = 0; size != states_.size();) {
             move();
@@ -160,7 +161,7 @@ public:
         }
     }
 
-    /// Keeps only states with one of the valuations.
+    /// Keeps only states that have one of the valuations.
     void show(Word possible) {
         move();
         std::erase_if(states_, [&](const std::vector<Word>& words) {
@@ -214,7 +215,7 @@ private:
         return network;
     }
 
-    /// The conjuncts of the guard over outputs and known variables. The others may be true.
+    /// Returns the conjuncts of the guard over outputs and known variables. The others may be true.
     static Id<Expr> known_guard(Network& network, const AbstractableProcess& made, Id<Expr> guard,
                                 const std::set<Id<Network::Variable>>& known) {
         std::vector<Id<Expr>> kept;
@@ -235,7 +236,7 @@ private:
         return !moves_.urgent && machine_.delay(words.data());
     }
 
-    /// Adds all states reachable by edges, without time.
+    /// Adds all states that are reachable by edges, without the passing of time.
     void move() {
         std::vector<std::vector<Word>> open(states_.begin(), states_.end());
         while (!open.empty()) {
@@ -296,7 +297,7 @@ private:
         std::size_t stages_left = 0, distance = 0, node = 0;
         auto operator<=>(const Open&) const = default;
     };
-    /// The number of variables of the signature that differ from those of a stage.
+    /// Returns the number of variables of the signature that differ from those of a stage.
     std::size_t distance(const Word* words, std::size_t stage) const {
         std::size_t differing = 0;
         for (std::size_t i = 0; i < signature_.size(); ++i)
@@ -304,7 +305,7 @@ private:
         return differing;
     }
 
-    /// The last stage that the state shows, beginning with that of its predecessor.
+    /// Returns the last stage that the state shows, starting with the stage of its predecessor.
     std::size_t stage_of(const Word* words, std::size_t stage) const {
         for (std::size_t later = stages_.size(); later-- > stage + 1;)
             if (distance(words, later) == 0) return later;
@@ -324,7 +325,8 @@ private:
         }
     }
 
-    /// An autonomous Chosen instance moves towards the goal of the stage, others move freely.
+    /// True if the process may move. An autonomous Chosen instance moves only if its outputs are not among the goals of
+    /// the stage; all others move freely.
     bool may_move(const Word* at, std::size_t stage, Id<Network::Process> process) const {
         const std::size_t i = instance_of_[process.index];
         if (i == none || run_.levels[i] != InputLevel::Chosen) return true;
@@ -351,7 +353,8 @@ private:
         if (!urgent && !shown_ && machine_.delay(later.data())) add(later.data(), node, stage, Delay{1});
     }
 
-    /// The instances whose values the stage after the last one needs; if there are none, those that any stage needs.
+    /// Returns the instances that constrain the stage after the last one reached. If there are none, those of the
+    /// previous stage or of any stage.
     std::vector<std::size_t> blamed() const {
         const auto constrained = [&](const Stage& stage) {
             std::vector<std::size_t> found;
@@ -374,7 +377,7 @@ private:
     timed::PropertyQueries questions_;
     std::vector<Id<Network::Variable>> signature_;
     std::vector<Stage> stages_;
-    std::vector<std::size_t> instance_of_;  // per process, or none
+    std::vector<std::size_t> instance_of_;  // instance of each process, or none
     FoundStates states_ = FoundStates(layout_);
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open_ = {};
     std::size_t last_stage_ = 0;
@@ -387,7 +390,7 @@ private:
 
 namespace {
 
-/// The variables whose values in the abstract run are values of the loop.
+/// Returns the variables whose values in the abstract run are values of the loop.
 std::set<Id<Network::Variable>> known_variables(const AbstractRun& run) {
     std::set<Id<Network::Variable>> known;
     for (const Id<Network::Process> id : run.network.processes.ids()) {
@@ -396,10 +399,10 @@ std::set<Id<Network::Variable>> known_variables(const AbstractRun& run) {
             if (run.network.variables[variable].role != Network::Role::Flag && !run.network.variables[variable].scratch)
                 known.insert(variable);
     }
-    return known;  // a Chosen instance has no edges there, so it writes nothing
+    return known;  // a Chosen instance has no edges in this network and therefore writes nothing
 }
 
-/// True if no PLC has anything to do.
+/// True if every PLC is in W and stable.
 bool is_stable(const AbstractRun& run, const NetworkState& state) {
     return std::ranges::all_of(run.network.controllers, [&](const Network::Controller& controller) {
         return state.locations[controller.process.index] == controller.waiting &&

@@ -4,8 +4,8 @@
 // The abstract run is divided into stages, one per valuation of the steps and internal variables of the controllers.
 // The search is best-first: by the last stage that a run has shown, then by the number of variables that differ from
 // the next stage, then breadth-first. An autonomous Chosen instance moves only if its outputs are not among those that
-// the abstract run samples before the next stage. So a run that is found is a real run, and it is found quickly if the
-// abstract run can be stretched in time. If none is found, nothing is proved.
+// the abstract run samples before the next stage. Therefore each run that is found is a real run. It is found quickly
+// if the abstract run becomes possible with longer delays. If no run is found, nothing is proved.
 #pragma once
 
 #include <atomic>
@@ -20,9 +20,9 @@
 
 namespace grafverif {
 
-/// The abstract run, and the networks that it belongs to.
+/// The abstract run and the networks to which it belongs.
 struct AbstractRun {
-    const Network& network;  ///< expanded, in which it was found
+    const Network& network;  ///< expanded network in which the run was found
     const std::vector<AbstractableProcess>& instances;
     const std::vector<InputLevel>& levels;
     const std::vector<InputChoice>& choices;
@@ -31,33 +31,33 @@ struct AbstractRun {
 
 struct FollowLimits {
     std::size_t states = 200'000;
-    std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max();  ///< memory of a NoveltySearch
+    std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max();  ///< memory limit of a NoveltySearch
     Deadline deadline = {};
     const std::atomic<bool>* stop = nullptr;
 };
 
-/// The steps and internal variables of all controllers.
+/// Returns the steps and internal variables of all controllers.
 std::vector<Id<Network::Variable>> signature_variables(const Network& network);
 
 struct ConcreteRun {
-    std::optional<Run> run = {};           ///< of the complete network, to a state that decides the property
-    std::vector<std::size_t> blamed = {};  ///< without a run: the instances that the last stage waits for
+    std::optional<Run> run = {};           ///< run of the complete network to a state that decides the property
+    std::vector<std::size_t> blamed = {};  ///< if there is no run: the instances for which the last stage waits
 };
 
-/// A place in a run where a single process, given the values of the others, cannot do what the run requires of it.
+/// A position in a run at which a single process, given the values of the others, cannot perform what the run requires.
 struct SpuriousMove {
-    std::size_t at = 0;     ///< in the path
-    InputLevel level = {};  ///< an abstraction with this level excludes this run
+    std::size_t at = 0;     ///< index in the path
+    InputLevel level = {};  ///< level of the process with which the abstraction excludes this run
 };
 
-/// The first such place, if there is one. `waits`: initially, and whenever all PLCs are stable, any time may pass
-/// before the run continues. Values that the run does not have (Chosen instances, flags) are any that the process
-/// needs. `complete`: the expanded network, whose time unit divides that of the abstract run.
+/// Returns the first such position, if there is one. If `waits` is true, any time may pass initially and whenever all
+/// PLCs are stable. Variables whose values the run does not contain (Chosen instances, flags) may have any value that
+/// the process requires. `complete` is the expanded network; its time unit divides that of the abstract run.
 std::optional<SpuriousMove> impossible(const Network& complete, const AbstractRun& abstract, std::size_t instance,
                                        bool waits);
 
-/// `network`: complete, expanded, with the same observer; `property`: one of its properties about single states, or one
-/// step of `reachable all steps`.
+/// Searches for a run along the abstract one. `network` is complete, expanded, and has the same observer. `property` is
+/// one of its properties about single states, or one step of `reachable all steps`.
 ConcreteRun follow(const Network& network, const Property& property, const AbstractRun& abstract,
                    const FollowLimits& limits);
 

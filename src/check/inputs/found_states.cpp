@@ -19,7 +19,8 @@ std::optional<std::size_t> FoundStates::add(const timed::Word* words, std::size_
 }
 
 std::uint64_t FoundStates::bytes() const {
-    constexpr std::uint64_t entry = sizeof(std::size_t) + 2 * sizeof(void*);  // in a list of the hash table
+    // Memory of an entry in a list of the hash table.
+    constexpr std::uint64_t entry = sizeof(std::size_t) + 2 * sizeof(void*);
     return nodes_.capacity() * sizeof(Node) + words_.capacity() * sizeof(timed::Word) +
            known_.bucket_count() * sizeof(void*) + known_.size() * entry;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// States of a network that a guided search has found, each with the run to it.
+// States that a guided search of a network has found, each with the run to it.
 #pragma once
 
 #include <cstddef>
@@ -18,12 +18,12 @@ public:
     explicit FoundStates(const timed::Layout& layout) : layout_(layout) {}
     FoundStates(FoundStates&&) = delete;
 
-    /// The number of a new state; nothing if it is known with this `mark`. `parent`: the state before `move`. The
-    /// first state is the initial one.
+    /// Adds a state and returns its number; empty if the state is already known with this `mark`. `parent` is the state
+    /// before `move`. The first state is the initial one.
     std::optional<std::size_t> add(const timed::Word* words, std::size_t parent, std::size_t mark, const Move& move);
 
     std::size_t size() const { return nodes_.size(); }
-    /// Memory in bytes, approximately.
+    /// Returns the approximate memory in bytes.
     std::uint64_t bytes() const;
     const timed::Word* words(std::size_t state) const { return words_.data() + state * layout_.words; }
     std::size_t mark(std::size_t state) const { return nodes_[state].mark; }

@@ -37,7 +37,7 @@ public:
           observed_(expand(observe(loop))),
           complete_(in_longest_unit(observed_)),
           writers_(observed_.variables.size()) {
-        // Otherwise a property that holds in an abstraction may be vacuous in the loop.
+        // This is required because a property that holds in an abstraction may hold vacuously in the loop.
         if (!instances_.empty() && result_.errors.empty() && result_.time_passes) collect();
     }
 
@@ -56,21 +56,21 @@ public:
     }
 
 private:
-    /// Properties to decide on one abstraction: indices of verdicts.
+    /// Properties to decide on one abstraction, as indices of verdicts.
     struct Task {
         Levels levels = {};
         std::vector<std::size_t> verdicts = {};
         std::size_t rounds = 0;
-        bool coarse = false;   // instances that read the loop, and timers, are abstracted
-        bool passing = false;  // of time: verdicts on `no timelock` and `no deadlock`
+        bool coarse = false;   // true if instances that read the loop, and timers, are also abstracted
+        bool passing = false;  // true for verdicts on `no timelock` and `no deadlock`
     };
 
     bool stopped() const { return is_over(deadline_, options_.stop); }
-    /// Bound on the states of a complete search for the task.
+    /// Returns the bound on the states of a complete search for the task.
     std::uint64_t bound_of(const Task& task) const {
         return std::min(options_.max_states, task.coarse ? limits_.coarse_states : limits_.states);
     }
-    /// True if the search of the task ended at the bound of the round.
+    /// True if the bound of the round ended the search of the task.
     bool ends_with_round(const Task& task, const TimedResult& found) const {
         return round_ < bound_of(task) && !found.complete && found.states >= round_;
     }
@@ -103,12 +103,12 @@ private:
     const InputAblations ablations_;
     const std::vector<AbstractableProcess> instances_;
     const Network observed_;
-    const Network complete_;                        // in its longest time unit
-    std::vector<std::set<std::uint32_t>> writers_;  // processes, per variable of observed_
+    const Network complete_;                        // complete network in its longest time unit
+    std::vector<std::set<std::uint32_t>> writers_;  // processes that write each variable of observed_
     std::deque<Task> tasks_ = {}, postponed_ = {};
-    std::vector<std::size_t> explored_ = {};  // verdicts that `novelty_` looks for, in its order
+    std::vector<std::size_t> explored_ = {};  // verdicts for which `novelty_` searches, in its order
     std::optional<NoveltySearch> novelty_ = {};
-    std::uint64_t round_ = 0;  // bound of its searches
+    std::uint64_t round_ = 0;  // bound of the searches of the current round
     Deadline deadline_ = {};
 };
 
@@ -140,7 +140,8 @@ void InputAbstractionCheck::collect() {
     if (!passing.verdicts.empty()) tasks_.push_front(std::move(passing));
 }
 
-/// Looks for runs of the complete loop. False if a further round finds no other run. An observer multiplies the states.
+/// Searches for runs of the complete loop. Returns false if another round would find no further run. An observer
+/// multiplies the number of states.
 bool InputAbstractionCheck::explore() {
     const std::uint64_t states = std::min(round_, limits_.explored);
     const bool looks = observed_.processes.size() == loop_.processes.size() && states > 0 &&
@@ -151,7 +152,7 @@ bool InputAbstractionCheck::explore() {
     return false;
 }
 
-/// Continues up to so many states. False if it cannot continue further.
+/// Continues the search up to this number of states. Returns false if it cannot be continued.
 bool InputAbstractionCheck::search_for_runs(std::uint64_t states) {
     if (!novelty_) {
         std::vector<Property> properties;
@@ -174,7 +175,7 @@ bool InputAbstractionCheck::search_for_runs(std::uint64_t states) {
     return more;
 }
 
-/// `property` is one of observe(loop): it also reads the variables and processes that its observer reads.
+/// `property` is a property of observe(loop): it also reads the variables and processes that its observer reads.
 Levels InputAbstractionCheck::first_levels(const Property& property, bool coarse) const {
     std::set<std::uint32_t> variables, processes;
     const auto read = [&](Id<Expr> term) {
@@ -193,8 +194,8 @@ Levels InputAbstractionCheck::first_levels(const Property& property, bool coarse
             for (const Network::Assignment& assignment : edge.assignments) read(assignment.value);
         }
     }
-    // Observers read the location of a process in a variable that only this process writes; all processes write that an
-    // event has occurred.
+    // Observers read the location of a process in a variable that only this process writes. The variable that records
+    // an event is written by all processes.
     for (const std::uint32_t variable : variables) {
         if (variable < loop_.variables.size()) continue;
         const std::set<std::uint32_t>& writers = writers_[variable];
@@ -222,8 +223,8 @@ Levels InputAbstractionCheck::first_levels(const Property& property, bool coarse
     return levels;
 }
 
-/// Adds the verdict to the task of its next search: with `levels` if they are other than those of `task`, otherwise
-/// with all processes complete that read the loop. Properties that look for a state have one next search.
+/// Adds the verdict to the task of its next search. If `levels` differ from those of `task`, they are used; otherwise
+/// all processes that read the loop are complete. Properties that search for a state have only one next search.
 void InputAbstractionCheck::refine(std::size_t verdict, const Task& task, const Levels& levels,
                                    std::vector<Task>& tasks) const {
     const Property& property = observed_.properties[result_.verdicts[verdict].about];
@@ -245,14 +246,14 @@ void InputAbstractionCheck::refine(std::size_t verdict, const Task& task, const 
     if (!ablations_.ignore_readers) store_what_is_read(instances_, joined->levels);
 }
 
-/// `no timelock`, declared or not, and `no deadlock`.
+/// True for `no timelock`, declared or not, and for `no deadlock`.
 bool InputAbstractionCheck::is_about_passing(const Verdict& verdict) const {
     if (!verdict.about.valid()) return true;
     const Property& property = observed_.properties[verdict.about];
     return property.pattern == Pattern::NoDeadlock || timed::about_time(property);
 }
 
-/// As coarse as the premises of ir/network_inputs.hpp allow.
+/// Returns the coarsest levels that the premises of ir/network_inputs.hpp allow.
 Levels InputAbstractionCheck::levels_of_resting() const {
     Levels levels;
     for (const AbstractableProcess& process : instances_) {
@@ -366,7 +367,7 @@ void InputAbstractionCheck::conclude(std::size_t k, const Verdict& found, const 
     verdict.abstraction = abstracted(levels);
 }
 
-/// The property of one verdict; for `reachable all steps` the step.
+/// Returns the property of one verdict; for `reachable all steps`, the property of the step.
 Property InputAbstractionCheck::single(std::size_t k) const {
     Property property = complete_.properties[result_.verdicts[k].about];
     if (property.pattern != Pattern::ReachableAllSteps) return property;
@@ -376,7 +377,7 @@ Property InputAbstractionCheck::single(std::size_t k) const {
     return property;
 }
 
-/// A run of `complete_` in the time unit of `observed_`.
+/// Converts a run of `complete_` to the time unit of `observed_`.
 Run InputAbstractionCheck::in_units(Run run) const {
     for (Move& move : run.moves)
         if (Delay* const delay = std::get_if<Delay>(&move))
@@ -384,10 +385,10 @@ Run InputAbstractionCheck::in_units(Run run) const {
     return run;
 }
 
-/// If there is no real run, `raised` are the levels to try next.
+/// Returns a real run. If there is none, `raised` receives the levels to try next.
 std::optional<Run> InputAbstractionCheck::real_run(std::size_t k, const AbstractRun& abstract, const Task& task,
                                                    Levels& raised) {
-    // A guided search costs more than a coarse abstraction.
+    // A guided search is more expensive than a search of a coarse abstraction.
     if (task.coarse && first_impossible(abstract, true, raised)) return {};
     FollowLimits limits{.states = task.coarse ? limits_.followed_coarse : limits_.followed,
                         .deadline = deadline_,
@@ -402,8 +403,8 @@ std::optional<Run> InputAbstractionCheck::real_run(std::size_t k, const Abstract
     return {};
 }
 
-/// Raises the level of one process that cannot do what the run requires of it, since few are usually needed: one that
-/// the property reads, or the first in the run. False if there is none.
+/// Raises the level of one process that cannot perform what the run requires. Only one is raised, since few are usually
+/// necessary: one that the property reads, otherwise the first in the run. Returns false if there is none.
 bool InputAbstractionCheck::first_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const {
     std::optional<SpuriousMove> best;
     std::size_t process = 0;

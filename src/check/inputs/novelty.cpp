@@ -54,16 +54,16 @@ public:
     }
 
 private:
-    static constexpr std::size_t poll_every = 1024;  // states
+    static constexpr std::size_t poll_every = 1024;  // number of states between two polls
 
     struct Open {
         std::size_t cost = 0, state = 0;
         auto operator<=>(const Open&) const = default;
     };
-    /// The data of a state that its cost depends on.
+    /// The data of a state that determine its cost.
     struct Situation {
         std::uint64_t signature = 0;
-        std::size_t moves = 0;  // of autonomous instances since the signature changed
+        std::size_t moves = 0;  // number of moves of autonomous instances since the signature changed
     };
 
     std::uint64_t signature_of(const timed::Word* words) const {
@@ -107,9 +107,9 @@ private:
     timed::PropertyMonitor monitor_ = {};
     timed::PropertyQueries queries_;
     std::vector<timed::Field> signature_ = {};
-    std::vector<bool> is_autonomous_ = {};  // per process
+    std::vector<bool> is_autonomous_ = {};  // true for the processes of autonomous instances
     FoundStates states_ = FoundStates(machine_.layout());
-    std::vector<Situation> situations_ = {};  // per state
+    std::vector<Situation> situations_ = {};  // data of each state
     std::unordered_map<std::uint64_t, std::size_t> visits_ = {};
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open_ = {};
     timed::Moves moves_ = {};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Searches a complete closed loop for runs, continuing in situations that it has seen rarely.
+// Searches a complete closed loop for runs. It prefers situations that have occurred rarely.
 //
-// A breadth-first search of a loop with an operator panel spends its states on combinations of buttons. This search
-// orders states by the number of earlier states with the same signature: steps and internal variables of the PLCs,
-// locations and variables of the plants. Within a signature, states with fewer moves of autonomous instances come
-// first. The order decides only what is found early: each run is one of the loop.
+// In a loop with an operator panel, a breadth-first search finds mainly combinations of buttons. This search orders
+// states by the number of earlier states with the same signature: steps and internal variables of the PLCs, locations
+// and variables of the plants. Within a signature, states with fewer moves of autonomous instances come first. The
+// order only determines which runs are found early: each of them is a run of the loop.
 #pragma once
 
 #include <memory>
@@ -17,17 +17,17 @@ namespace grafverif {
 
 class NoveltySearch {
 public:
-    /// `network`: complete, expanded, without observers, and must outlive the search. `properties`: about single
-    /// states, or one step of `reachable all steps` each.
+    /// `network` is complete, expanded, without observers, and must outlive the search. Each of `properties` concerns
+    /// single states, or one step of `reachable all steps`.
     NoveltySearch(const Network& network, std::vector<Property> properties,
                   const std::vector<AbstractableProcess>& instances);
     ~NoveltySearch();
 
-    /// Continues up to `limits.states` states in total. False if all states or all required states are found, or the
-    /// memory is used.
+    /// Continues up to `limits.states` states in total. Returns false if all states or all required states are found,
+    /// or if the memory limit is reached.
     bool run(const FollowLimits& limits);
     std::size_t states() const;
-    /// The run to a state that decides the property.
+    /// Returns the run to a state that decides the property; empty if none was found.
     std::optional<Run> run_of(std::size_t property) const;
 
 private:

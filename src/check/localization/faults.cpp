@@ -16,7 +16,7 @@ namespace {
 
 using Variable = Id<Network::Variable>;
 
-constexpr std::int64_t most_tried = 4096;  // values that are enumerated
+constexpr std::int64_t most_tried = 4096;  // maximum number of values that are enumerated
 
 class Faults {
 public:
@@ -38,15 +38,15 @@ public:
         return std::ranges::all_of(operands, [this](Id<Expr> operand) { return has_value(operand); });
     }
 
-    /// True if the k-th assignment of an edge keeps its target in range in every state. The guard is used if no
-    /// variable that the value reads has been assigned before.
+    /// True if the k-th assignment of an edge keeps its target in range in every state. The guard is considered if the
+    /// edge has not yet assigned any variable that the value reads.
     bool stays_in_range(const Network::Edge& edge, const std::vector<Network::Assignment>& assignments,
                         std::size_t k) const {
         const Type& type = network_.variables[variable_of(assignments[k].target)].type;
         const Id<Expr> value = assignments[k].value;
         const Interval values = interval_of(value);
         if (type.boolean || (type.low <= values.low && values.high <= type.high)) return true;
-        std::map<std::int64_t, std::int64_t> now;  // per variable read
+        std::map<std::int64_t, std::int64_t> now;  // current value of each variable that is read
         std::int64_t combinations = 1;
         const auto read = [&](Id<Expr> term) {
             for (const Id<Expr> leaf : leaves(network_.exprs, term)) {
@@ -97,7 +97,7 @@ private:
     }
 
     const Network& network_;
-    std::set<Id<Expr>> known_ = {};  // terms with a value, or being examined
+    std::set<Id<Expr>> known_ = {};  // terms that have a value or are being examined
 };
 
 }  // namespace
@@ -130,7 +130,8 @@ std::set<std::uint32_t> cells_that_may_err(const Network& network, const Network
                 if (network.race.valid() && network.exprs[target].value == network.race.index) {
                     for (const Id<Expr> reason : operands_of(network.exprs, assignments[k].value, Op::Or))
                         if (reason != target) {
-                            // the abstraction detects the reason if it contains one fragment that the reason reads
+                            // the abstraction detects the reason if it contains one of the fragments that the reason
+                            // reads
                             std::uint32_t cell = NetworkFragments::none;
                             for (const Id<Expr> leaf : leaves(network.exprs, reason))
                                 cell = std::min(cell, cell_of(leaf));

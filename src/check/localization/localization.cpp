@@ -20,17 +20,17 @@ namespace grafverif {
 
 namespace {
 
-/// Name of the property that the first search of the complete network adds: some state is quiescent.
+/// Name of a property that is added to the first search of the complete network: some state is quiescent.
 constexpr const char* settled_probe = "some state is quiescent";
 
 using Cells = std::vector<std::uint32_t>;
 
 bool wanted(const Property& property) { return property.pattern == Pattern::Reachable; }
 
-/// False if a search of the complete network decided it.
+/// False if a search of the complete network decided the verdict.
 bool is_decided_separately(const Verdict& verdict) { return verdict.scope.cells || verdict.abstraction; }
 
-/// True if localization may decide something that `options` select.
+/// True if localization may decide a property that `options` select.
 bool has_local(const Network& network, const TimedOptions& options) {
     return terms_have_values(network) && std::ranges::any_of(network.properties, [&](const Property& property) {
                const Pattern pattern = property.pattern;
@@ -56,13 +56,14 @@ public:
     void begin() {
         if (!has_local(network_, options_)) return search_complete();
         look_at_whole();
-        // Otherwise a property that holds by localization may be unknown or vacuous in the complete network.
+        // This is required because a property that holds by localization may be unknown or vacuous in the complete
+        // network.
         if (limits_.local == 0 || !is_open() || !result_.errors.empty() || !result_.time_passes) return;
         ask();
         if (tasks_.empty() && !race_) return;
         may_err_ = cells_that_may_err(network_, cells_);
         if (may_err_.contains(NetworkFragments::none)) return;
-        local_deadline_ = share_of(options_.deadline, 3);  // the rest is for the complete network
+        local_deadline_ = share_of(options_.deadline, 3);  // the remaining time is for the complete network
         search_locally();
         const auto is_faultless = [&](std::uint32_t cell) { return faultless_.contains(cell); };
         if (ablations_.break_off || std::ranges::all_of(may_err_, is_faultless)) take_local();
@@ -74,14 +75,14 @@ public:
     TimedResult result();
 
 private:
-    /// A choice of fragments, with its queries as indices of verdicts.
+    /// A choice of fragments with its queries, as indices of verdicts.
     struct Task {
         Cells cells = {};
         std::vector<std::size_t> requested = {};
     };
 
-    /// A task that its fragments did not decide, with the others that they read; `known`: number of invariants at that
-    /// time.
+    /// A task that its fragments did not decide, with the other fragments that they read. `known` is the number of
+    /// invariants at that time.
     struct Open {
         Task task = {};
         Cells borders = {}, tied = {};
@@ -107,28 +108,28 @@ private:
     SearchScope scope(const std::set<std::uint32_t>& searched, std::string because) const;
     void take_local();
 
-    Network network_;  // terms are added
+    Network network_;  // terms are added to it
     const NetworkFragments cells_;
     const TimedOptions& options_;
     const LocalizationLimits limits_;
     const LocalAblations ablations_;
     const WholeSearch whole_;
     TimedResult result_ = {};
-    std::vector<std::optional<Property>> questions_ = {};  // per verdict, its property if localization can decide it
+    std::vector<std::optional<Property>> questions_ = {};  // per verdict: its property if localization can decide it
     std::deque<Task> tasks_ = {};
     std::vector<Open> open_ = {};
     std::vector<Invariant> known_ = {};
-    std::map<std::size_t, Verdict> found_ = {};  // by localization
-    std::optional<std::size_t> race_ = {};       // the verdict on action races
+    std::map<std::size_t, Verdict> found_ = {};  // verdicts found by localization
+    std::optional<std::size_t> race_ = {};       // index of the verdict on action races
     std::set<std::uint32_t> may_err_ = {}, faultless_ = {};
     bool searched_whole_ = false;
-    Deadline local_deadline_ = {};                                    // for all searches of fragments
-    std::uint64_t local_states_ = 0;                                  // of these searches
-    std::uint64_t faultless_states_ = 0, faultless_transitions_ = 0;  // of all searches without an error
+    Deadline local_deadline_ = {};                                    // deadline of all searches of fragments
+    std::uint64_t local_states_ = 0;                                  // number of states of these searches
+    std::uint64_t faultless_states_ = 0, faultless_transitions_ = 0;  // total of all searches without an error
 };
 
-/// Explores a small number of states of the complete network: often all of them, and otherwise near ones that decide
-/// many properties.
+/// Explores a small number of states of the complete network. These are often all states, and otherwise include nearby
+/// states that decide many properties.
 void LocalizationCheck::look_at_whole() {
     TimedOptions first = options_;
     first.max_states = std::min(options_.max_states, limits_.whole);
@@ -180,7 +181,7 @@ bool LocalizationCheck::about_race(const Property& property) const {
     return operand.op == Op::Variable && operand.value == network_.race.index;
 }
 
-/// Searches each query in the fragments that it reads, and each fragment that may have a model error.
+/// Searches for each query in the fragments that it reads, and in each fragment that may have a model error.
 void LocalizationCheck::search_locally() {
     std::set<std::uint32_t> looked_at;
     const auto work = [&] {
@@ -242,14 +243,14 @@ void LocalizationCheck::search(const Task& task) {
 }
 
 /// Uses a property that holds by localization as an invariant. If a model error is possible, no result of localization
-/// is reported. Up to the error the invariant holds in each state of a run, and so do results that use it.
+/// is reported. In each state of a run before the first error, the invariant and the results that use it hold.
 void LocalizationCheck::know(const Property& property) {
     if (property.at_stable || about_race(property)) return;
     const Id<Expr> term = property.operands[0];
     const bool is_true = property.pattern == Pattern::Always;
     if (!is_true && property.pattern != Pattern::Never) return;
     for (const Id<Expr> leaf : leaves(network_.exprs, term))
-        if (network_.exprs[leaf].op == Op::At) return;  // no guard reads it
+        if (network_.exprs[leaf].op == Op::At) return;  // no guard reads a location
     known_.push_back(
         {property.name, is_true ? term : network_.exprs.negation(term), cells_read(network_, cells_, property)});
 }
@@ -269,8 +270,8 @@ SearchScope LocalizationCheck::scope(const std::set<std::uint32_t>& searched, st
     return made;
 }
 
-/// Searches again if more invariants about its fragments are known, otherwise with additional fragments: first those
-/// whose values the border reads, then those that keep its PLCs from being stable.
+/// Repeats a search if more invariants about its fragments are known. Otherwise fragments are added: first those whose
+/// values the border reads, then those that prevent its PLCs from being stable.
 void LocalizationCheck::go_on_with(Open open) {
     Task& task = open.task;
     const auto tells = [&](const Invariant& invariant) {
@@ -292,7 +293,7 @@ void LocalizationCheck::go_on_with(Open open) {
 }
 
 void LocalizationCheck::take_local() {
-    if (race_) {  // each fragment that may race has been searched
+    if (race_) {  // if races are possible, each fragment that may race has been searched
         Verdict& none = found_[*race_] = {.outcome = Outcome::Holds};
         none.scope = scope(faultless_, "cannot have a model error");
         if (!faultless_.empty()) {
@@ -311,7 +312,7 @@ void LocalizationCheck::take_local() {
     }
 }
 
-/// `no timelock` is also reported without a request if the complete network is searched anyway.
+/// If the complete network is searched anyway, `no timelock` is reported even if it was not requested.
 bool LocalizationCheck::needs_whole() {
     if (searched_whole_ || !is_open()) return false;
     if (std::ranges::none_of(result_.verdicts, is_decided_separately)) return true;
@@ -364,7 +365,7 @@ void LocalizationCheck::search_complete() {
 
 namespace {
 
-/// After a timelock no further state is reachable: verdicts state how far timelocks were searched for.
+/// Adds to verdicts how far timelocks were searched for. After a timelock no further state is reachable.
 TimedResult with_time_reported(TimedResult result) {
     const auto time = std::ranges::find(result.verdicts, Pattern::NoTimelock, &Verdict::pattern);
     if (time == result.verdicts.end()) return result;

@@ -8,7 +8,7 @@ namespace grafverif::pdr {
 
 namespace {
 
-/// The complete circuit as clauses, gate by gate; variable n + 1 is node n.
+/// Clauses of the complete circuit, gate by gate. Variable n + 1 represents node n.
 class CircuitClauses {
 public:
     CircuitClauses(const Circuit& circuit, LimitMonitor& watch) : solver_(watch) {

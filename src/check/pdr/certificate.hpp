@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Certificates of unreachability, checked by a solver that is independent of the search.
+// Certificates of unreachability, checked by a solver that does not depend on the search.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace grafverif::pdr {
 
-/// The states in which each of these latches has the given value: literals of latches, increasing.
+/// A set of states in which each of these latches has the given value, as increasing literals of latches.
 using Cube = std::vector<Literal>;
 
-/// The reason why the complement of the cubes is not an inductive invariant that excludes `bad`; empty if it is one.
-/// Then no state with `bad` is reachable: the first state is in none of the cubes, no step leads from outside all cubes
-/// into one, and outside all cubes `bad` is false. Throws Exhausted.
+/// Returns the reason why the complement of the cubes is not an inductive invariant that excludes `bad`; empty if it is
+/// one. If it is one, no state with `bad` is reachable: the first state is outside of all cubes, no step leads from
+/// outside of all cubes into one, and `bad` is false outside of all cubes. Throws Exhausted.
 std::string flaw(const Circuit& circuit, Literal bad, const std::vector<Cube>& cubes, LimitMonitor& watch);
 
 }  // namespace grafverif::pdr

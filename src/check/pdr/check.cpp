@@ -20,7 +20,7 @@ namespace pdr {
 
 namespace {
 
-/// The reason why this engine does not support a property; empty if it does.
+/// Returns the reason why this engine does not support a property; empty if it does.
 std::string refusal(Pattern pattern) {
     const bool about_runs =
         pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo || pattern == Pattern::AlwaysPossible;
@@ -63,23 +63,24 @@ private:
         const Property& property;
         Verdict verdict = {};
         std::optional<SystemRun> run = {};
-        const Circuit::Target* target = nullptr;  ///< null: nothing to search for
-        std::size_t cleared = 0;                  ///< number of initial states of every run in which `bad` is false
-        bool open = true, has_value = false;      ///< has_value: proved for every reachable state
-        const std::atomic<bool>* moot = nullptr;  ///< another engine has decided it
-        std::function<PdrAnswer()> search = {};   ///< an interrupted PDR search
+        const Circuit::Target* target = nullptr;  ///< null if no search is necessary
+        std::size_t cleared = 0;  ///< number of first states of every run in which `bad` is proved false
+        /// has_value: an operand is proved to have a value in every reachable state.
+        bool open = true, has_value = false;
+        const std::atomic<bool>* moot = nullptr;  ///< set when another engine has decided the query
+        std::function<PdrAnswer()> search = {};   ///< an interrupted PDR search, to be continued
 
         bool is_open() const { return open && (moot == nullptr || !moot->load()); }
         bool wants() const { return property.pattern == Pattern::Reachable; }
     };
 
-    /// Adds a query; queries that need no search are decided here.
+    /// Adds a query. Queries that require no search are decided immediately.
     void ask(Id<Property> id) {
         const Property& property = system_.properties[id];
         PropertyQuery& question = questions_.emplace_back(PropertyQuery{property, verdict_on(id, property)});
         if (const std::string why = refusal(property.pattern); !why.empty())
             return give_up(question, UnknownReason::Unsupported, why);
-        if (is_probe(property) && options_.method == PdrOptions::Method::Bmc)  // it never proves that a property holds
+        if (is_probe(property) && options_.method == PdrOptions::Method::Bmc)  // BMC never proves that a property holds
             return give_up(question, UnknownReason::Unsupported, "its property is not proved");
         if (fault_obstacle_ != UnknownReason::None) return give_up(question, fault_obstacle_, fault_reason_);
         question.target = &element_of(circuit_.targets, id, &Circuit::Target::about);
@@ -104,8 +105,8 @@ private:
     }
 
     /// Searches for a state with `bad`. Both possible results are validated for every query, since other verdicts
-    /// depend on faults and quiescence. `going_on`: an interrupted search, or empty; stores the search if it is
-    /// interrupted again.
+    /// depend on faults and quiescence. `going_on` is an interrupted search or empty. If the search is interrupted
+    /// again, it is stored there.
     PdrAnswer searched(Literal bad, const std::string& name, std::function<PdrAnswer()>* going_on = nullptr) {
         const auto told = [this, &name](std::size_t frames) {
             if (options_.progress) options_.progress({name, frames, watch_.bytes(), seconds()});
@@ -126,7 +127,7 @@ private:
         return answer;
     }
 
-    /// True if the run has a state with `bad`; removes the states after the first of them.
+    /// True if the run has a state with `bad`. Removes the states after the first such state.
     bool gets_to(Literal bad, std::vector<std::vector<bool>>& inputs) const {
         std::size_t states = 0, first = 0;
         run_through(circuit_, inputs, [&](const NodeValues& values) {
@@ -137,7 +138,7 @@ private:
         return first != 0;
     }
 
-    /// An unsound result of an internal engine.
+    /// A result of an internal engine that failed validation.
     struct UnsoundResult {
         std::string what = {};
     };
@@ -157,7 +158,7 @@ private:
 
     // -- validity of the system ------------------------------------------------------------------------------------
 
-    /// Calls `work` and handles exhausted limits and invalid results: open queries then stay undecided.
+    /// Calls `work` and handles exhausted limits and invalid results. In these cases open queries remain undecided.
     template <class Work>
     void guarded(const Work& work) {
         obstacle_ = UnknownReason::None;
@@ -167,7 +168,7 @@ private:
             obstacle_ = obstacle(end.cause);
             reason_ = words(end.cause);
         } catch (const std::bad_alloc&) {
-            unrolling_.reset();  // an exception may have left these incomplete
+            unrolling_.reset();  // an exception may have left these objects incomplete
             equal_latches_.reset();
             obstacle_ = UnknownReason::Memory;
             reason_ = words(Exhausted::Cause::Memory);
@@ -180,7 +181,8 @@ private:
         if (obstacle_ == UnknownReason::Stopped && !watch_.over()) reason_ = "its share of the time limit is used up";
     }
 
-    /// For an internal engine a failure; the result of an external program is only rejected.
+    /// Records an invalid result. For an internal engine it is a failure; the result of an external program is only
+    /// rejected.
     void disbelieve(const std::string& what) {
         if (!options_.reach) result_.failures.push_back(what);
         obstacle_ = options_.reach ? UnknownReason::Disagrees : UnknownReason::Failed;
@@ -204,8 +206,8 @@ private:
         return solver.solve(std::vector{first, possible});
     }
 
-    /// If all values are initially in range, and no step leaves the range, they stay in range. For a step that may
-    /// leave it, a search determines whether it is reachable.
+    /// Determines if values can leave their ranges. If all values are initially in range and no step leaves the range,
+    /// they stay in range. If a step may leave it, a search determines if the step is reachable.
     void find_leaks() {
         Solver solver(circuit_, watch_);
         const int in_range = circuit_.leaks.empty() ? 0 : solver.of(circuit_.in_range);
@@ -232,8 +234,8 @@ private:
         return of == questions_.end() || of->open || of->verdict.outcome == Outcome::Holds;
     }
 
-    /// Decides the queries sequentially, each with its share of the time, or for at most `time`; undecided ones stay
-    /// open.
+    /// Decides the queries sequentially by PDR, each within its share of the time, or within `time`. Undecided queries
+    /// remain open.
     void by_pdr(std::optional<Clock::duration> time) {
         auto left = static_cast<std::size_t>(std::ranges::count_if(questions_, &PropertyQuery::is_open));
         for (PropertyQuery& question : questions_) {
@@ -253,7 +255,8 @@ private:
         }
     }
 
-    /// Evaluates the work on a query. `later`: it may continue if only its share of the time is used up.
+    /// Evaluates the work on a query. If `later` is true, the query may be continued later, provided that only its
+    /// share of the time is used up.
     void conclude(PropertyQuery& question, const char* by, bool later) {
         if (obstacle_ == UnknownReason::None) {
             if (options_.method != PdrOptions::Method::InTurns || question.verdict.outcome == Outcome::Unknown) return;
@@ -264,7 +267,8 @@ private:
         }
     }
 
-    /// An interrupted PDR search loses its current obligation: with few queries, each gets a longer first round.
+    /// Alternates PDR and BMC. An interrupted PDR search loses its current obligation. Therefore, with few queries,
+    /// each query gets a longer first round.
     void interleaved_steps() {
         constexpr std::ptrdiff_t few = 8;
         const auto open = std::max<std::ptrdiff_t>(1, std::ranges::count_if(questions_, &PropertyQuery::is_open));
@@ -272,7 +276,7 @@ private:
              time *= 4) {
             const auto start = Clock::now();
             by_pdr(time);
-            by_bmc(std::max<Clock::duration>(time, Clock::now() - start) / 3);  // PDR finds violations too
+            by_bmc(std::max<Clock::duration>(time, Clock::now() - start) / 3);  // PDR also finds violations
         }
     }
 
@@ -289,7 +293,8 @@ private:
             if (!options_.reach && !is_probe(property)) shorten(question, answer, Clock::now() - start);
             return reached(question, answer);
         }
-        if (!question.wants() && property.at_stable) is_settled();  // if that is interrupted, the query stays open
+        // If this search is interrupted, the query remains open.
+        if (!question.wants() && property.at_stable) is_settled();
         close(question, question.wants() ? Outcome::Violated : Outcome::Holds);
         question.verdict.notes.push_back("proved by an inductive invariant of " +
                                          std::to_string(answer.invariant.size()) +
@@ -320,7 +325,7 @@ private:
         question.verdict.outcome = outcome;
     }
 
-    /// Validates the run in `answer` by the terms of the system.
+    /// Validates the run in `answer` with the terms of the system.
     void reached(PropertyQuery& question, const PdrAnswer& answer) {
         if (const std::string why = doubt(system_, flat_, question.property, external_trace(answer)); !why.empty())
             throw UnsoundResult{"the trace for `" + question.property.name + "` is invalid: " + why};
@@ -333,7 +338,7 @@ private:
 
     // -- bounded model checking --------------------------------------------------------------------------------------
 
-    /// Searches for a shorter run, for about as long as it took to find this one.
+    /// Searches for a shorter run, for about as long as it took to find this run.
     void shorten(PropertyQuery& question, PdrAnswer& answer, Clock::duration took) {
         watch_.limit(took + std::chrono::seconds(2));
         try {
@@ -346,7 +351,7 @@ private:
         }
     }
 
-    /// A run to the first state that has not been searched yet; nothing if there is none.
+    /// Returns a run to the first state that has not been searched yet; empty if there is none.
     std::optional<RunInputs> next_step(PropertyQuery& question) {
         if (!unrolling_) unrolling_.emplace(circuit_, watch_);
         std::optional<RunInputs> found = unrolling_->run_to(question.target->bad, question.cleared);
@@ -357,7 +362,8 @@ private:
         return found;
     }
 
-    /// Extends the search of all open queries step by step; with `time`, queries that are open at its end stay open.
+    /// Extends the search of all open queries step by step. If `time` is given, queries that are open at its end remain
+    /// open.
     void by_bmc(std::optional<Clock::duration> time) {
         if (without_bmc_) return;
         if (!time) refuse_what_has_no_value();
@@ -375,7 +381,7 @@ private:
                         reached(*question, {.reached = true, .inputs = std::move(*inputs)});
                 });
             question->verdict.seconds = seconds();
-            if (time && obstacle_ == UnknownReason::Memory) {  // PDR may need less
+            if (time && obstacle_ == UnknownReason::Memory) {  // PDR may need less memory
                 unrolling_.reset();
                 without_bmc_ = true;
                 return;
@@ -393,7 +399,7 @@ private:
         }
     }
 
-    /// The open query with a value that has been searched least; null if there is none.
+    /// Returns the open query with a value that has been searched least; null if there is none.
     PropertyQuery* least_looked_at() {
         PropertyQuery* least = nullptr;
         for (PropertyQuery& question : questions_)
@@ -402,7 +408,7 @@ private:
         return least;
     }
 
-    /// The reason why BMC ends without a run, and the length of the searched runs.
+    /// Returns the reason why BMC ends without a run, and the length of the searched runs.
     std::string what_is_cleared(const PropertyQuery& question) const {
         std::string words = obstacle_ == UnknownReason::Bound ? "" : reason_;
         if (question.cleared == 0) return words;
@@ -433,12 +439,12 @@ private:
     std::vector<PropertyQuery> questions_ = {};
     std::optional<Unrolling> unrolling_ = {};
     std::optional<EqualLatches> equal_latches_ = {};
-    bool without_bmc_ = false;                      ///< there is not enough memory for it
-    UnknownReason obstacle_ = UnknownReason::None;  ///< of the current work
+    bool without_bmc_ = false;                      ///< true if there is not enough memory for BMC
+    UnknownReason obstacle_ = UnknownReason::None;  ///< reason why the current work ended
     std::string reason_ = {};
-    UnknownReason fault_obstacle_ = UnknownReason::None;  ///< of the search for faults
+    UnknownReason fault_obstacle_ = UnknownReason::None;  ///< reason why the search for faults ended
     std::string fault_reason_ = {};
-    std::optional<bool> settled_ = {};  ///< true if some state is quiescent
+    std::optional<bool> settled_ = {};  ///< true if some state is quiescent; empty if unknown
 };
 
 }  // namespace

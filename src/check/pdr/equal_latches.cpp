@@ -18,7 +18,7 @@ constexpr std::size_t runs = 8, states_of_a_run = 64;
 EqualLatches::EqualLatches(const Circuit& circuit, LimitMonitor& watch)
     : circuit_(circuit), watch_(watch), class_of_(circuit.latches.size()) {}
 
-/// Splits each class by value; class 0 keeps the latches whose value is false.
+/// Splits each class by value. Class 0 keeps the latches whose value is false.
 template <class Value>
 void EqualLatches::split(const Value& value) {
     std::map<std::pair<std::size_t, bool>, std::size_t> classes{{{0, false}, 0}};
@@ -39,16 +39,16 @@ void EqualLatches::split_by_runs() {
     }
 }
 
-/// False if there is no step to split by.
+/// Splits the classes by a step that the solver finds. Returns false if there is no such step.
 bool EqualLatches::split_by_solver() {
     if (!solver_) solver_.emplace(circuit_, watch_);
     Solver& solver = *solver_;
     const int equal = solver.fresh();
     std::vector<int> differ;
-    std::map<std::size_t, std::size_t> first;  // per class, the latch that represents it
+    std::map<std::size_t, std::size_t> first;  // latch that represents each class
     for (std::size_t k = 0; k < class_of_.size(); ++k) {
         const Circuit::Latch& latch = circuit_.latches[k];
-        Circuit::Latch other;  // the constant false
+        Circuit::Latch other;  // default: the constant false
         if (class_of_[k] != 0) {
             const auto [place, fresh] = first.try_emplace(class_of_[k], k);
             if (fresh) continue;

@@ -16,16 +16,16 @@ namespace grafverif::pdr {
 
 namespace {
 
-/// The first state has every latch false.
+/// True if the cube contains the first state, in which every latch is false.
 bool holds_first_state(const Cube& cube) { return std::ranges::all_of(cube, is_inverted); }
 
 bool contains(const Cube& cube, const Cube& part) { return std::ranges::includes(cube, part); }
 
-/// A partial state that leads to `bad`.
+/// A partial state from which `bad` is reachable.
 struct Obligation {
     Cube state = {};
-    Sources inputs = {};        ///< with these it leads to `successor`, or is bad
-    std::size_t successor = 0;  ///< of the last one: itself
+    Sources inputs = {};        ///< inputs with which the state leads to `successor`, or is bad
+    std::size_t successor = 0;  ///< index of the next state; for the last state, its own index
     std::size_t frame = 0, depth = 0;
 };
 
@@ -36,10 +36,10 @@ public:
         for (const Circuit::Latch& latch : circuit.latches) next_[latch.node] = latch.next;
     }
 
-    /// After Exhausted, another call continues.
+    /// Searches for the result. After Exhausted, another call continues the search.
     PdrAnswer result() {
         obligations_.clear();
-        if (frames_.empty()) add_frame();  // frame 0: the first state
+        if (frames_.empty()) add_frame();  // frame 0 contains only the first state
         if (!solver_) renew();
         if (top() == 0) {
             if (auto found = bad_state(0)) return reached(add(std::move(*found)));
@@ -68,7 +68,7 @@ private:
         active_.push_back(solver_ ? solver_->fresh() : 0);
     }
 
-    /// Replaces the solver by one without unused clauses.
+    /// Replaces the solver by a new one without unused clauses.
     void renew() {
         solver_.emplace(circuit_, watch_);
         for (int& each : active_) each = solver_->fresh();
@@ -86,13 +86,13 @@ private:
         ++live_;
     }
 
-    /// The assumptions of frame i: it excludes the cubes of later frames too.
+    /// Returns the assumptions of frame i, which also exclude the cubes of later frames.
     std::vector<int> in_frame(std::size_t frame) const {
         return {active_.begin() + static_cast<std::ptrdiff_t>(frame), active_.end()};
     }
 
-    /// Searches for a step from a state of frame i outside `cube` into `cube`; if there is none, `core` is the part of
-    /// the cube that the solver needed.
+    /// Searches for a step from a state of frame i outside of `cube` into `cube`. If there is none, `core` is the part
+    /// of the cube that the solver needed.
     bool steps_into(const Cube& cube, std::size_t frame, bool from_outside, Cube& core) {
         std::vector<int> assumptions = in_frame(frame);
         const std::size_t first = assumptions.size();
@@ -117,7 +117,7 @@ private:
         return nexts;
     }
 
-    /// Extends `core` so that it excludes the first state, as `cube` does.
+    /// Extends `core` so that it does not contain the first state. Requires that `cube` does not contain it.
     static void keep_off_first_state(Cube& core, const Cube& cube) {
         if (!holds_first_state(core)) return;
         const auto found = std::ranges::find_if_not(cube, is_inverted);
@@ -125,7 +125,7 @@ private:
         core.insert(std::ranges::lower_bound(core, *found), *found);
     }
 
-    /// From the solver's model: the part of it that makes `targets` true.
+    /// Returns the part of the solver's model that makes `targets` true.
     Obligation found_for(const std::vector<Literal>& targets) {
         Justifier::Justification part =
             justifier_.part(targets, [this](Literal literal) { return solver_->value(literal); });
@@ -152,8 +152,8 @@ private:
         return obligations_.size() - 1;
     }
 
-    /// Excludes the state from its frame, and all its predecessors from the frames before; or returns the obligation
-    /// that contains the first state.
+    /// Excludes the state from its frame, and all its predecessors from the previous frames. Otherwise returns the
+    /// obligation that contains the first state.
     std::size_t block(std::size_t first) {
         const auto later = [this](std::size_t a, std::size_t b) {
             const Obligation &one = obligations_[a], &other = obligations_[b];
@@ -211,7 +211,7 @@ private:
         frames_[frame].push_back(std::move(cube));
     }
 
-    /// Removes literals that the cube does not need, beginning with those that were least useful so far.
+    /// Removes literals that the cube does not need, starting with those that have been least useful so far.
     void generalise(Cube& cube, std::size_t before, bool obstacles) {
         Cube order = cube;
         std::ranges::stable_sort(order, {}, [this](Literal literal) {
@@ -226,9 +226,9 @@ private:
         }
     }
 
-    /// True if the step relation excludes the cube; reduces it to the part needed for that. A state that prevents this
-    /// is excluded itself if it has no predecessors; the number of these attempts is limited (Hassan, Bradley and
-    /// Somenzi 2013: "Better generalization in IC3").
+    /// True if the step relation excludes the cube; reduces it to the part that is necessary for this. A state that
+    /// prevents this is itself excluded if it has no predecessors. The number of these attempts is limited (Hassan,
+    /// Bradley and Somenzi 2013: "Better generalization in IC3").
     bool excludes(Cube& cube, std::size_t before, bool obstacles) {
         if (holds_first_state(cube)) return false;
         Cube core;
@@ -242,7 +242,7 @@ private:
         return true;
     }
 
-    /// Moves every cube to the next frame if that excludes it too; returns a frame that has become empty.
+    /// Moves every cube to the next frame if that frame also excludes it. Returns a frame that has become empty.
     std::optional<std::size_t> propagated() {
         for (std::size_t frame = 1; frame < top(); ++frame) {
             const std::vector<Cube> cubes = frames_[frame];
@@ -287,9 +287,9 @@ private:
     LimitMonitor& watch_;
     std::function<void(std::size_t)> progress_;
     Justifier justifier_;
-    std::unordered_map<std::uint32_t, Literal> next_ = {};  ///< per node of a latch
+    std::unordered_map<std::uint32_t, Literal> next_ = {};  ///< per node of a latch: its next value
     std::optional<Solver> solver_ = {};
-    std::vector<std::vector<Cube>> frames_ = {};  ///< the cubes that a frame excludes and the next one does not
+    std::vector<std::vector<Cube>> frames_ = {};  ///< per frame: the cubes that it excludes but the next frame does not
     std::vector<int> active_ = {};                ///< per frame: the assumption under which its clauses hold
     std::vector<Obligation> obligations_ = {};
     std::unordered_map<Literal, unsigned> uses_ = {};

@@ -8,7 +8,7 @@
 #include <new>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define SANITIZED                                                  // they have a separate allocator
+#define SANITIZED                                                  // sanitizers replace the allocator
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // NOLINT: its name
 #endif
 
@@ -33,7 +33,7 @@ LimitMonitor::LimitMonitor(const SolverLimits& bounds)
 void LimitMonitor::share(std::size_t parts) {
     met_.reset();
     calls_ = 0;
-    share_ = bounds_.deadline;  // a limit of earlier work no longer applies
+    share_ = bounds_.deadline;  // the limit of earlier work no longer applies
     if (!bounds_.deadline || parts == 0) return;
     const auto now = std::chrono::steady_clock::now();
     if (now < *bounds_.deadline) share_ = now + (*bounds_.deadline - now) / static_cast<std::int64_t>(parts);
@@ -60,7 +60,7 @@ bool LimitMonitor::terminate() {
     if (met_) return true;
     for (const std::atomic<bool>* each : {bounds_.stop, moot_})
         if (each != nullptr && each->load(std::memory_order_relaxed)) met_ = Exhausted::Cause::Stopped;
-    constexpr std::uint32_t seldom = 64;  // the following queries call the system
+    constexpr std::uint32_t seldom = 64;  // number of calls between two tests of time and memory
     if (calls_++ % seldom != 0 || met_) return met_.has_value();
     const auto now = std::chrono::steady_clock::now();
     if (share_ && now >= *share_) met_ = Exhausted::Cause::Stopped;
@@ -76,7 +76,7 @@ void LimitMonitor::look() {
 
 SatSolver::SatSolver(LimitMonitor& watch) : watch_(watch), solver_(std::make_unique<CaDiCaL::Solver>()) {
     solver_->set("quiet", 1);
-    solver_->set("profile", 0);  // it would query the clock in every call
+    solver_->set("profile", 0);  // profiling would query the clock in every call
     solver_->connect_terminator(&watch);
 }
 
@@ -155,7 +155,7 @@ int Solver::literal(Literal literal) const {
 int Solver::of(Literal wanted) {
     variable_.resize(circuit_.gates.size());
     is_latch_.resize(circuit_.gates.size());
-    std::vector<std::uint32_t> open;  // gates that have a variable but no clauses yet
+    std::vector<std::uint32_t> open;  // gates that already have a variable but no clauses
     const auto name = [&](std::uint32_t node) {
         if (variable_[node] != 0) return;
         variable(node);

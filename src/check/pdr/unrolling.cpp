@@ -18,7 +18,7 @@ Unrolling::Unrolling(const Circuit& circuit, LimitMonitor& watch)
     }
 }
 
-/// True if the node at that step is determined, after requesting its operands.
+/// True if the value of the node at that step is determined, after its operands have been requested.
 bool Unrolling::settle(std::uint32_t node, std::size_t step) {
     Literal& made = states_[step][node];
     const auto known = [&](Literal literal, std::size_t when) {
@@ -38,7 +38,7 @@ bool Unrolling::settle(std::uint32_t node, std::size_t step) {
     return made != unknown;
 }
 
-/// The literal after that many steps, as an unrolled gate.
+/// Returns the literal after that number of steps, as an unrolled gate.
 Literal Unrolling::at(Literal literal, std::size_t step) {
     while (states_.size() <= step) {
         states_.emplace_back(circuit_.gates.size(), unknown);
@@ -56,7 +56,7 @@ Literal Unrolling::at(Literal literal, std::size_t step) {
             open.emplace_back(node_of(next_[node]), when - 1);
             continue;
         }
-        // One operand first: if it is false, the other is not unrolled.
+        // One operand is unrolled first; if it is false, the other operand is not unrolled.
         const Gates::Node gate = circuit_.gates[node];
         const bool left = states_[when][node_of(gate.left)] == unknown;
         open.emplace_back(node_of(left ? gate.left : gate.right), when);

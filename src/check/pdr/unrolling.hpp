@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Bounded model checking (Biere, Cimatti, Clarke and Zhu 1999: "Symbolic model checking without BDDs"): the first
-// states of all runs of a circuit as one graph of gates, which grows with every step. The latches of the first state
-// are constants, and equal gates of different steps are one gate. So for few steps most gates are simplified away
-// before solving. Only gates that a query needs are unrolled.
+// Bounded model checking (Biere, Cimatti, Clarke and Zhu 1999: "Symbolic model checking without BDDs"). The first
+// states of all runs of a circuit are one graph of gates, which grows with every step. The latches of the first state
+// are constants, and equal gates of different steps are one gate. Therefore, for a small number of steps, most gates
+// are simplified before solving. Only gates that a query requires are unrolled.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace grafverif::pdr {
 
-/// The values of the inputs of a circuit in each state of a run.
+/// Values of the inputs of a circuit in each state of a run.
 using RunInputs = std::vector<std::vector<bool>>;
 
 class Unrolling {
@@ -21,8 +21,8 @@ public:
     /// Both arguments must outlive the object.
     Unrolling(const Circuit& circuit, LimitMonitor& watch);
 
-    /// A run with `bad` in the state after that many steps; nothing if there is none, which is recorded. Throws
-    /// Exhausted; may be called again after that.
+    /// Returns a run with `bad` in the state after that number of steps. If there is none, this is recorded and the
+    /// result is empty. Throws Exhausted; may be called again afterwards.
     std::optional<RunInputs> run_to(Literal bad, std::size_t steps);
 
 private:
@@ -34,10 +34,10 @@ private:
 
     const Circuit& circuit_;
     LimitMonitor& watch_;
-    std::vector<Literal> next_;                      ///< per node of a latch
-    std::vector<bool> is_latch_;                     ///< per node
-    Circuit unrolled_ = {};                          ///< only gates
-    std::vector<std::vector<Literal>> states_ = {};  ///< per step and node: the unrolled literal
+    std::vector<Literal> next_;                      ///< per node of a latch: its next value
+    std::vector<bool> is_latch_;                     ///< true if the node is a latch
+    Circuit unrolled_ = {};                          ///< contains only gates
+    std::vector<std::vector<Literal>> states_ = {};  ///< unrolled literal per step and node
     Solver solver_;
 };
 

@@ -15,8 +15,8 @@ struct Irredundant {
     Bdd function = {};
 };
 
-/// Minato 1992, "Fast generation of irredundant sum-of-products forms from binary decision diagrams": a sum between
-/// `low` and `high`. Recurses once for each variable.
+/// Computes a sum of products between `low` and `high` (Minato 1992, "Fast generation of irredundant sum-of-products
+/// forms from binary decision diagrams"). Recurses once for each variable.
 class Generator {
 public:
     Generator(const BddSpace& space, std::size_t most) : space_(space), most_(most) {}

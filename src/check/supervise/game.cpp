@@ -26,7 +26,7 @@ Bdd Game::evolved(std::size_t player, const Bdd& pairs) const {
     return states(model_.image(pairs, evolutions_[player]));
 }
 
-/// The states from which `to` cannot be avoided: a move leads to it, or an evolution under every permission.
+/// Returns the states from which `to` cannot be avoided: a move leads to it, or an evolution under every permission.
 Bdd Game::unwilling(const Bdd& to) const {
     Bdd found = moves_to(to);
     for (std::size_t player = 0; player < players(); ++player) found |= helpless(player, to);
@@ -37,7 +37,7 @@ Bdd Game::allowed(std::size_t player, const LosingRegion& lost) const {
     return ready(player) & ~lost.all & ~evolves_to(player, lost.all);
 }
 
-/// The winning states from which a path through winning states leads to a marked one.
+/// Returns the winning states from which a path through winning states leads to a marked state.
 Bdd Game::coreachable(const LosingRegion& lost, const Bdd& marked) const {
     const Bdd won = reached_ & ~lost.all;
     std::vector<Bdd> pairs;

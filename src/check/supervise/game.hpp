@@ -22,16 +22,16 @@ namespace grafverif::supervise {
 
 /// A controller of the system as a player.
 struct Player {
-    Bdd evolves = {};           ///< over states and choices: true if the step is one of its evolutions
-    std::vector<Bdd> may = {};  ///< its permissions: each is a choice, a variable of the space
+    Bdd evolves = {};           ///< function of states and choices: true if the step is one of its evolutions
+    std::vector<Bdd> may = {};  ///< permissions; each is a choice, represented by a variable of the space
 };
 
-/// The losing states, in the order of their detection: each set is bad or blocked, or one move or evolution leads from
-/// each of its states to earlier ones.
+/// The losing states, in stages in the order of their detection. The states of a stage are bad or blocked, or one move
+/// or evolution leads from each of them to an earlier stage.
 struct LosingRegion {
     struct Stage {
         Bdd states = {};
-        bool blocked = false;  ///< no marked state is reachable from here without an earlier losing state
+        bool blocked = false;  ///< no marked state is reachable from here unless an earlier losing state is passed
     };
     std::vector<Stage> stages = {};
     Bdd all = {};
@@ -39,33 +39,35 @@ struct LosingRegion {
 
 class Game {
 public:
-    /// The model must outlive the game. `reached`: the states reachable under all permissions.
+    /// The model must outlive the game. `reached` contains the states that are reachable under all permissions.
     Game(const symbolic::StateSpace& model, const BddSpace& space, std::vector<Player> players, Bdd reached);
 
     std::size_t players() const { return players_.size(); }
     const std::vector<Bdd>& may(std::size_t player) const { return players_[player].may; }
     const Bdd& reached() const { return reached_; }
 
-    /// The successors of `states` by uncontrollable moves; the predecessors of `to`.
+    /// Return the successors of `states`, and the predecessors of `to`, by uncontrollable moves.
     Bdd moved(const Bdd& states) const { return model_.image(states, moves_); }
     Bdd moves_to(const Bdd& to) const { return model_.preimage(to, moves_); }
-    /// The successors of pairs of states and permissions by evolutions of a player.
+    /// Returns the successors of pairs of a state and permissions by evolutions of a player.
     Bdd evolved(std::size_t player, const Bdd& pairs) const;
-    /// The pairs whose evolution leads to one of `to`.
+    /// Returns the pairs whose evolution leads to a state of `to`.
     Bdd evolves_to(std::size_t player, const Bdd& to) const { return model_.preimage(to, evolutions_[player]); }
-    /// The states in which the player can evolve; those of them whose evolution leads to `to` under every permission.
+    /// Return the states in which the player can evolve, and those of them whose evolution leads to `to` under every
+    /// permission.
     const Bdd& ready(std::size_t player) const { return ready_[player]; }
     Bdd helpless(std::size_t player, const Bdd& to) const { return ready(player) & ~states(~evolves_to(player, to)); }
-    /// Over states and choices: true if the step is not an evolution; true if it is one of the player.
+    /// Functions of states and choices. The first is true if the step is not an evolution, the second if it is an
+    /// evolution of the player.
     const Bdd& is_move() const { return is_move_; }
     const Bdd& is_evolution(std::size_t player) const { return players_[player].evolves; }
-    /// `pairs` without the permissions.
+    /// Returns the states of `pairs`, without the permissions.
     Bdd states(const Bdd& pairs) const { return exists(pairs, all_may_); }
 
-    /// All losing states for the bad states `bad`; `lost`: those already known.
+    /// Returns all losing states for the bad states `bad`. `lost` contains those that are already known.
     LosingRegion solve(const Bdd& bad, const Bdd& marked, LosingRegion lost = {}) const;
-    /// The pairs of winning states in which the player can evolve, and permissions whose evolution leads to a winning
-    /// state.
+    /// Returns the pairs of a winning state in which the player can evolve and permissions with which the evolution
+    /// leads to a winning state.
     Bdd allowed(std::size_t player, const LosingRegion& lost) const;
 
 private:

@@ -12,20 +12,21 @@ namespace grafverif::supervise {
 
 class ObservationMap {
 public:
-    /// Adds variables to the space.
+    /// Creates the map and adds variables to the space.
     ObservationMap(const symbolic::StateSpace& model, BddSpace& space, const std::vector<Bdd>& seen);
 
-    /// The observations of the states; the states with one of the observations.
+    /// Return the observations of the states, and the states that have one of the observations.
     Bdd sights(const Bdd& states) const { return and_exists(states, link_, unseen_); }
     Bdd states(const Bdd& sights) const { return and_exists(sights, link_, own_); }
 
-    /// The variable of each observation, with the value at which the observed function is true.
+    /// Returns the variable of each observation, with the value at which the observed function is true.
     const std::vector<BddLiteral>& literals() const { return literals_; }
 
 private:
     std::vector<BddLiteral> literals_ = {};
     Bdd link_ = Bdd::constant(true);
-    Bdd unseen_ = {}, own_ = {};  ///< sets of variables: of states and not observed; of observations only
+    /// Sets of variables: those of states that are not observed; those of observations only.
+    Bdd unseen_ = {}, own_ = {};
 };
 
 }  // namespace grafverif::supervise

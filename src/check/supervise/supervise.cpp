@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Synthesis of conditions from a game. States are explored as they are reached under the current conditions. If these
-// let an evolution reach a losing state, all conditions are computed again for the explored states, until none does.
-// States that cannot be distinguished by observation, or that allow infinite cycles under the conditions, are treated
-// as losing, and the synthesis restarts: the conditions stay sound, and are `Cautious`.
+// Synthesis of conditions from a game. States are explored as they are reached under the current conditions. If an
+// evolution then reaches a losing state, all conditions are recomputed for the explored states, until no evolution
+// does. Two types of states are treated as losing: states that observation cannot distinguish, and states that allow
+// infinite cycles under the conditions. The synthesis then restarts; the conditions remain sound and are `Cautious`.
 #include "check/supervise/supervise.hpp"
 
 #include <algorithm>
@@ -20,12 +20,12 @@ namespace supervise {
 
 namespace {
 
-constexpr std::size_t most_products = 64;  ///< of a condition: longer ones are unreadable
+constexpr std::size_t most_products = 64;  ///< maximum length of a condition; longer conditions are not readable
 
 using symbolic::StateSpace;
 
-/// The policy of a player: per permission the observations at which it is refused, for outputs those after the
-/// evolution; and the same as permissions over states.
+/// The policy of a player. `refusals` contains, for each permission, the observations at which it is refused; for
+/// outputs, the observations after the evolution. `obeyed` is the same as a function of states and permissions.
 struct Policy {
     std::vector<Bdd> refusals = {};
     Bdd obeyed = Bdd::constant(true);
@@ -79,7 +79,7 @@ private:
     struct Terms {
         Id<Expr> evolves = {};
         std::vector<Id<Expr>> seen = {}, may = {}, effects = {};
-        std::vector<std::vector<Id<Expr>>> site_effects = {};  ///< per permission
+        std::vector<std::vector<Id<Expr>>> site_effects = {};  ///< terms of the sites of each permission
     };
 
     Supervisor unknown(std::string why) {
@@ -144,22 +144,22 @@ private:
 
     // -- conditions over observations ---------------------------------------------------------------------------------
 
-    /// The pairs in which a permission is refused at these observations.
+    /// Returns the pairs in which a permission is refused at these observations.
     Bdd refused(std::size_t player, std::size_t index, const Bdd& sights) const {
         if (sights.is_false()) return {};
         const Bdd states = seen_[player].states(sights);
         return permission(player, index).output ? game_->evolves_to(player, states) : states;
     }
 
-    /// The policy that refuses nothing.
+    /// Returns the policy that refuses nothing.
     Policy lenient(std::size_t player) const {
         Policy made{std::vector<Bdd>(game_->may(player).size())};
         for (const Bdd& may : game_->may(player)) made.obeyed &= may;
         return made;
     }
 
-    /// Refuses a player permissions in the states of `within`, one by one, as few as possible, and transitions before
-    /// outputs; states without an allowed permission are added to `none_left`.
+    /// Returns a policy for the states of `within`. It refuses permissions one by one, as few as possible, and
+    /// transitions before outputs. States without an allowed permission are added to `none_left`.
     Policy decided(std::size_t player, const Bdd& within, const LosingRegion& lost, Bdd& none_left) const {
         const std::vector<Bdd>& may = game_->may(player);
         Policy made{std::vector<Bdd>(may.size())};
@@ -176,7 +176,7 @@ private:
             made.obeyed &= obeyed;
             return obeyed;
         };
-        Bdd wanted = pairs;  // with as many outputs as possible
+        Bdd wanted = pairs;  // the pairs with as many outputs as possible
         for (std::size_t index = 0; index < may.size(); ++index)
             if (permission(player, index).output) wanted &= may[index] | ~game_->states(wanted & may[index]);
         for (std::size_t index = 0; index < may.size(); ++index)
@@ -187,7 +187,7 @@ private:
         return made;
     }
 
-    /// The states reachable from `states` without losing states, under the policies.
+    /// Returns the states that are reachable from `states` under the policies without passing a losing state.
     Bdd closed(Bdd states, const LosingRegion& lost) const {
         for (Bdd latest = states; !latest.is_false(); states |= latest) {
             Bdd next = game_->moved(latest);
@@ -198,7 +198,7 @@ private:
         return states;
     }
 
-    /// Computes the policies; false if there are none for these states, after adding losing states.
+    /// Computes the policies. If no policies exist for these states, losing states are added and the result is false.
     bool settled(LosingRegion& lost) {
         policies_.clear();
         for (std::size_t player = 0; player < game_->players(); ++player) policies_.push_back(lenient(player));
@@ -223,7 +223,7 @@ private:
         return false;
     }
 
-    /// The reached states from which a marked one is reachable under the policies.
+    /// Returns the reached states from which a marked state is reachable under the policies.
     Bdd returning(const LosingRegion& lost) const {
         std::vector<Bdd> pairs;
         for (std::size_t player = 0; player < game_->players(); ++player)
@@ -240,7 +240,7 @@ private:
 
     // -- classification of the conditions -----------------------------------------------------------------------------
 
-    /// The pairs in which the permission has an effect.
+    /// Returns the pairs in which the permission has an effect.
     Bdd relevant(std::size_t player, std::size_t index) const {
         const Bdd& may = game_->may(player)[index];
         const auto with = [&](const Bdd& f, bool value) {
@@ -253,7 +253,7 @@ private:
         return with(set, true) & ~with(set, false);
     }
 
-    /// Writes each condition and the classification. False if a condition is too long.
+    /// Writes each condition and the classification. Returns false if a condition is too long.
     bool write(const LosingRegion& lost) {
         for (std::size_t player = 0; player < game_->players(); ++player) {
             const Bdd here = under_ & game_->ready(player);
@@ -313,13 +313,13 @@ private:
         return true;
     }
 
-    /// Compares the chosen permissions with all allowed ones; permissions without effect count as given.
+    /// Compares the chosen permissions with all allowed ones. A permission without effect is treated as granted.
     void claim(std::size_t player, const Bdd& chosen, const std::vector<Bdd>& matters, Bdd allowed) {
         const std::vector<Bdd>& may = game_->may(player);
-        std::vector<Bdd> permitted;  // states in which it is given, or has no effect
+        std::vector<Bdd> permitted;  // states in which it is granted or has no effect
         Bdd above = Bdd::constant(true);
         for (std::size_t index = 0; index < may.size(); ++index) {
-            allowed &= may[index] | matters[index];  // a permission without effect counts as given
+            allowed &= may[index] | matters[index];  // a permission without effect is treated as granted
             permitted.push_back(game_->states(chosen & (may[index] | ~matters[index])));
             above &= implies(permitted.back(), may[index]);
         }
@@ -330,8 +330,7 @@ private:
         }
     }
 
-    // -- runs that cannot be prevented
-    // ----------------------------------------------------------------------------------
+    // -- runs that cannot be prevented --------------------------------------------------------------------------------
 
     Supervisor nothing(const LosingRegion& lost) {
         result_.outcome = Supervisor::Outcome::None;
@@ -350,7 +349,7 @@ private:
         return std::move(result_);
     }
 
-    /// A step to the first reachable stage before `stage`: a move, or an evolution under all permissions.
+    /// Adds a step to the first reachable stage before `stage`: a move, or an evolution under all permissions.
     void step(symbolic::Path& path, symbolic::State& state, const LosingRegion& lost, std::size_t stage) const {
         const Bdd only = model_->only(state);
         const auto go = [&](const Bdd& to, const Bdd& how) {
@@ -382,12 +381,12 @@ private:
     Id<Expr> marked_term_ = {};
     std::optional<StateSpace> model_ = {};
     std::optional<Game> game_ = {};
-    std::vector<ObservationMap> seen_ = {};                         ///< per player
-    std::vector<std::vector<Bdd>> effects_ = {};                    ///< per player and permission
-    std::vector<std::vector<std::vector<Bdd>>> site_effects_ = {};  ///< per player, permission and site
+    std::vector<ObservationMap> seen_ = {};                         ///< observations of each player
+    std::vector<std::vector<Bdd>> effects_ = {};                    ///< effect per player and permission
+    std::vector<std::vector<std::vector<Bdd>>> site_effects_ = {};  ///< effect per player, permission and site
     Bdd bad_ = {}, marked_ = {};
-    std::vector<Policy> policies_ = {};  ///< per player
-    Bdd under_ = {};                     ///< the states reachable under the policies
+    std::vector<Policy> policies_ = {};  ///< policy of each player
+    Bdd under_ = {};                     ///< states that are reachable under the policies
     Supervisor result_ = {};
 };
 

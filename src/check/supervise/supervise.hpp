@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// supervisor_of: synthesizes the restrictions of charts under which no bad state is reachable and marked states stay
+// supervisor_of: synthesizes the restrictions of charts under which no bad state is reachable and marked states remain
 // reachable.
 //
-// It solves the game (game.hpp) on a system in which each transition and each output of the charts has a permission,
-// which is a choice. A condition is over the observations of its chart: states with equal observations are restricted
-// equally.
+// The synthesis solves the game (game.hpp) on a system in which each transition and each output of the charts has a
+// permission, which is a choice. A condition reads only the observations of its chart, so that states with equal
+// observations are restricted equally.
 //
-// The conditions are classified by the states that are reachable under them:
+// The conditions are classified with respect to the states that are reachable under them:
 //   Least     every refused permission there leads to a losing state: no supervisor could allow more
 //   Several   in an evolution more can be allowed only if another permission is refused instead; transitions are
 //             refused before outputs, later ones before earlier ones
@@ -27,29 +27,31 @@
 namespace grafverif {
 
 struct Supervision {
-    /// A permission: to clear a transition, or to set an output.
+    /// A permission to clear a transition or to set an output.
     struct Permission {
-        Id<TransitionSystem::Symbol> symbol = {};  ///< of main: a Boolean choice; false refuses
+        Id<TransitionSystem::Symbol> symbol = {};  ///< symbol of main: a Boolean choice; false refuses the permission
         bool output = false;
-        Id<Expr> effect = {};                 ///< over main: true if the transition is cleared, or the output is set,
-                                              ///< in the step
-        std::vector<std::size_t> sites = {};  ///< of an output: observations while its actions may set it, one by one
-        /// Per site, over main: true if its action sets the output in the step, if permitted. Missing or not valid:
-        /// always while the site is observed.
+        Id<Expr> effect = {};  ///< term over main: true if the transition is cleared, or the output is set, in the step
+        /// For an output: the observations at which its actions may set it, one per site.
+        std::vector<std::size_t> sites = {};
+        /// Per site, a term over main: true if its action sets the output in the step, provided that this is permitted.
+        /// If the term is missing or invalid, the action sets the output whenever the site is observed.
         std::vector<Id<Expr>> site_effects = {};
     };
     struct Controller {
-        Id<Expr> evolves = {};            ///< over main: true if the step is one of its evolutions
-        std::vector<Id<Expr>> seen = {};  ///< over main, of states: its observations; its outputs are not observed
+        Id<Expr> evolves = {};  ///< term over main: true if the step is one of its evolutions
+        /// Terms over main, without choices: its observations; its outputs are not observed.
+        std::vector<Id<Expr>> seen = {};
         std::vector<Permission> permissions = {};
     };
     std::vector<Controller> controllers = {};
-    std::vector<Id<Expr>> bad = {};  ///< over main, of states: to be avoided; undefined counts as bad
-    Id<Expr> marked = {};            ///< over main, of states: must stay reachable
+    /// Terms over main, without choices: states to avoid; an undefined value is treated as bad.
+    std::vector<Id<Expr>> bad = {};
+    Id<Expr> marked = {};  ///< term over main, without choices: states that must remain reachable
 };
 
 struct SuperviseOptions {
-    std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< bytes, for decision diagrams
+    std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< memory limit of decision diagrams, in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;
     std::function<void(const std::string& doing)> progress = {};  ///< called periodically
@@ -58,25 +60,25 @@ struct SuperviseOptions {
 struct Supervisor {
     enum class Outcome {
         Found,
-        None,     ///< no conditions suffice, even over all variables
-        Unknown,  ///< see `reason`
+        None,     ///< no conditions are sufficient, even over all variables
+        Unknown,  ///< `reason` states why
     };
     enum class Permissiveness { Least, Several, Cautious };
 
     struct Literal {
-        std::size_t seen = 0;  ///< of its controller
+        std::size_t seen = 0;  ///< index of the observation of its controller
         bool value = true;
         bool operator==(const Literal&) const = default;
     };
-    /// `all`: a conjunction of disjunctions; otherwise a disjunction of conjunctions.
+    /// A condition. If `all` is true, it is a conjunction of disjunctions; otherwise a disjunction of conjunctions.
     struct Condition {
         std::size_t controller = 0, permission = 0;
-        std::optional<std::size_t> site = {};  ///< of an output: index of its site
+        std::optional<std::size_t> site = {};  ///< for an output: index of its site
         std::vector<std::vector<Literal>> terms = {};
         bool all = false;
         bool operator==(const Condition&) const = default;
     };
-    /// A permission by its indices.
+    /// A permission, selected by its indices.
     struct Selection {
         std::size_t controller = 0, permission = 0;
         bool operator==(const Selection&) const = default;
@@ -85,19 +87,19 @@ struct Supervisor {
     Outcome outcome = Outcome::Unknown;
     std::string reason = {};
     Permissiveness claim = Permissiveness::Least;
-    std::vector<Condition> conditions = {};  ///< none: no restriction is needed
-    std::vector<Selection> hidden = {};      ///< Cautious: permissions that a supervisor with full observation could
-                                             ///< give more often
-    std::vector<Selection> traded = {};      ///< Several: permissions that could be given more often if others were
-                                             ///< refused more often
-    /// None: a run under all permissions to a bad state, none of whose moves can be prevented; if `blocked`, to a state
-    /// from which every path to a marked one contains a losing state.
+    std::vector<Condition> conditions = {};  ///< conditions; empty if no restriction is necessary
+    /// Cautious: permissions that a supervisor with full observation could grant more often.
+    std::vector<Selection> hidden = {};
+    /// Several: permissions that could be granted more often if others were refused more often.
+    std::vector<Selection> traded = {};
+    /// None: a run under all permissions to a bad state; none of its moves can be prevented. If `blocked`, it leads to
+    /// a state from which every path to a marked state contains a losing state.
     std::optional<FlatRun> run = {};
     bool blocked = false;
-    FlatSystem flat = {};  ///< the variables of the run
+    FlatSystem flat = {};  ///< variables of the run
 };
 
-/// Requires verify(system).empty().
+/// Synthesizes the conditions. Requires verify(system).empty().
 Supervisor supervisor_of(const TransitionSystem& system, const Supervision& requested,
                          const SuperviseOptions& options = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One symbolic check, from the space of diagrams to the verdicts. It can be kept for further queries of its state
-// space.
+// One symbolic check, from the space of decision diagrams to the verdicts. It can be kept for further queries about its
+// state space.
 #pragma once
 
 #include <chrono>
@@ -19,20 +19,20 @@ public:
     Check(const Check&) = delete;
     Check& operator=(const Check&) = delete;
 
-    /// Searches and decides the queries. Must be called once, before the following functions.
+    /// Searches the states and decides the queries. It must be called once, before the following functions.
     SymbolicResult result();
 
     /// True if all states were reached, and none of them is faulty.
     bool complete() const { return search_.obstacle == UnknownReason::None; }
     std::uint64_t bytes() const { return space_.bytes(); }
     const FlatSystem& flat() const { return flat_; }
-    /// The run of each verdict.
+    /// Returns the run of each verdict.
     const std::vector<std::optional<FlatRun>>& runs() const { return runs_; }
-    /// Requires complete().
+    /// Returns the state space. Requires complete().
     const StateSpace& model() const { return *model_; }
     const Bdd& reached() const { return search_.reached; }
     ReachableSet& search_made() { return search_; }
-    /// A term over main that is defined everywhere, as a function of states and choices.
+    /// Returns a term over main, which must be defined everywhere, as a function of states and choices.
     Bdd meaning(const TransitionSystem& system, Id<Expr> term);
 
 private:

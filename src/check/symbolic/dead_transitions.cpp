@@ -54,7 +54,7 @@ private:
         if (value.op == Op::Variable) names_.emplace(value.value, name);
     }
 
-    /// True if it is cleared in some step from some state, or if this is unknown.
+    /// True if some step from some state clears the transition, or if this is unknown.
     bool is_cleared(const System::Controller& controller, const System::Named& transition) {
         Id<Expr> clears = flat_.symbols[transition.variable.index];
         if (controller.evolves.valid())
@@ -65,7 +65,7 @@ private:
         return !model_.image(behind_, model_.steps_where(term.bits.front())).is_false();
     }
 
-    /// The first part of the condition that is false in all of these states.
+    /// Returns the first conjunct of the condition that is false in all of these states.
     std::string false_part(Id<Expr> condition) {
         std::vector<Id<Expr>> parts = {condition};
         if (flat_.exprs[condition].op == Op::And)
@@ -84,7 +84,7 @@ private:
     FlatSystem& flat_;
     const StateSpace& model_;
     Bdd behind_;
-    std::map<std::int64_t, std::string> names_ = {};  // per variable of the flat system
+    std::map<std::int64_t, std::string> names_ = {};  // names of the values of each variable of the flat system
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Dead transitions after the point of no return of an untimed model: transitions that are never cleared in the states
-// that are still reachable.
+// Dead transitions of an untimed model: transitions that are never cleared in the states that remain reachable after
+// the point of no return.
 #pragma once
 
 #include <string>
@@ -9,9 +9,10 @@
 
 namespace grafverif::symbolic {
 
-/// Lists them, each with the part of its condition that is constantly false, if that is a step or a variable.
-/// `reached`: all reachable states; `from`, one of them: the point of no return. `flat`, of `system`, gains terms.
-/// Empty if there are none, or if the system has no charts.
+/// Returns a note that lists them, each with a conjunct of its condition that is constantly false, if that is a step or
+/// a variable. `reached` contains all reachable states; `from` is one of them, the point of no return. Terms are added
+/// to `flat`, which belongs to `system`. The note is empty if there are no such transitions, or if the system has no
+/// charts.
 std::string dead_transitions_note(const TransitionSystem& system, FlatSystem& flat, const StateSpace& model,
                                   const Bdd& reached, const State& from);
 

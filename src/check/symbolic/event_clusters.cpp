@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A choice is split if its values leave most bits unchanged. Before that, the choices implied by a value are
-// substituted: a process that does not have its turn takes no edge, and without an edge its bits are unchanged.
+// A choice is split if its values leave most bits unchanged. Before this test, the choices that a value implies are
+// substituted. For example, a process that is not selected takes no edge, and without an edge its bits are unchanged.
 #include "check/symbolic/event_clusters.hpp"
 
 #include <algorithm>
@@ -13,10 +13,10 @@ namespace {
 
 /// A choice is split if, on average over its values, at most this fraction of the bits can change.
 constexpr double worth_splitting = 0.6;
-/// Larger conditions are not checked for implying that a bit is unchanged.
+/// Larger conditions are not examined for implying that a bit is unchanged.
 constexpr std::size_t easily_joined = 100;
 
-/// A function with its support, which is needed repeatedly.
+/// A function with its support, which is used repeatedly.
 struct Read {
     Bdd function = {};
     std::vector<std::uint32_t> variables = {};
@@ -34,7 +34,7 @@ struct Read {
 
 struct Rules {
     std::vector<Read> conditions = {};
-    std::vector<std::pair<std::uint32_t, Read>> bits = {};  ///< the variable before a step, and its next value
+    std::vector<std::pair<std::uint32_t, Read>> bits = {};  ///< each variable before a step, with its next value
 };
 
 bool is_cube(const Bdd& f) {
@@ -75,7 +75,7 @@ public:
     }
 
 private:
-    /// The remaining rules for each value of the word; none if no rule reads it.
+    /// Returns the rules that remain for each value of the word; empty if no rule reads it.
     std::vector<Rules> by_value(const Rules& rules, const BddWord& word) const {
         const auto read = [&](const Read& each) { return each.reads_any(word.bits); };
         std::vector<Rules> parts;
@@ -86,8 +86,8 @@ private:
         return parts;
     }
 
-    /// The rules restricted to literals of choices and to their implications, without unchanged bits. Empty: there is
-    /// no such step.
+    /// Returns the rules restricted to literals of choices and their implications, without unchanged bits. The result
+    /// is empty if there is no such step.
     std::optional<Rules> under(const Rules& rules, Bdd literals) const {
         Rules left = rules;
         while (!literals.is_true()) {
@@ -120,7 +120,7 @@ private:
 
     const BddSpace& space_;
     const std::span<const BddWord> choices_;
-    std::vector<std::uint32_t> bits_ = {};  ///< of all choices, increasing
+    std::vector<std::uint32_t> bits_ = {};  ///< bits of all choices, increasing
 };
 
 }  // namespace

@@ -12,13 +12,15 @@
 
 namespace grafverif::symbolic {
 
-/// A cluster of steps: the bits that they may change, and the conjuncts of their condition, over states and choices.
+/// A cluster of steps: the bits that they may change, and the conjuncts of their condition as functions of states and
+/// choices.
 struct EventCluster {
     std::vector<Bdd> conditions = {};
     std::vector<bdd::NextBit> bits = {};
 };
 
-/// Clusters whose union is the set of steps of `all`; they may overlap. `choices`: words that are chosen in each step.
+/// Returns clusters whose union is the set of steps of `all`; they may overlap. `choices` are words that are chosen in
+/// each step.
 std::vector<EventCluster> kinds(const BddSpace& space, EventCluster all, std::span<const BddWord> choices);
 
 }  // namespace grafverif::symbolic

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Interleaving premises: the properties of a part of a loop that matter to the parts interleaved with it, and the runs
-// that show them (docs/explanation/decomposition.md, "Sub-loops").
+// Interleaving premises: the properties of a part of a loop on which verdicts about interleaved parts depend, and the
+// runs that show them (docs/explanation/decomposition.md, "Sub-loops").
 //
-// A step of the part waits or moves. If clocks matter, waiting is the passing of time, and a step that does neither
-// repeats a state that cannot be left.
+// In a step, the part waits or moves. If the loop has clocks, waiting is the passing of time, and a step that neither
+// waits nor moves repeats a state that cannot be left.
 #pragma once
 
 #include <optional>
@@ -15,32 +15,32 @@ namespace grafverif::symbolic {
 
 class InterleavingPremises {
 public:
-    /// `waits`, `moves`: conditions over main of `part`, for a step. Requires check.complete(); `check` is of `part`
-    /// and must outlive the object.
+    /// `waits` and `moves` are conditions of a step, over main of `part`. Requires check.complete(). `check` belongs to
+    /// `part` and must outlive the object.
     InterleavingPremises(const TransitionSystem& part, Check& check, Id<Expr> waits,
                          const std::vector<Id<Expr>>& moves);
 
     /// True if some run waits infinitely often.
     bool diverges() { return !(waiting_for_ever() & model_.initial()).is_false(); }
-    /// True if from each reachable state it can wait again.
+    /// True if the part can wait again after each reachable state.
     bool never_locks();
     /// True if no run moves forever without waiting.
     bool rests() { return moving_for_ever().is_false(); }
-    /// The reachable states in which it can wait.
+    /// Returns the reachable states in which the part can wait.
     const Bdd& ready();
     const Bdd& reached() const { return reached_; }
     /// True if the state with these values is reachable.
     bool reaches(const std::vector<std::int64_t>& values) const { return evaluate(reached_, model_.state_of(values)); }
 
-    /// A run that waits infinitely often; none if it is too long. Requires diverges().
+    /// Returns a run that waits infinitely often; empty if it is too long. Requires diverges().
     std::optional<FlatRun> waiting_run();
-    /// Moves from the state with these values to one of `goal`; if none is reachable, an infinite sequence of moves.
-    /// Requires that sequences of moves end only in `goal`.
+    /// Returns moves from the state with these values to a state of `goal`. If no such state is reachable, returns an
+    /// infinite sequence of moves. Requires that sequences of moves end only in `goal`.
     FlatRun moves_on(const std::vector<std::int64_t>& from, const Bdd& goal) const;
-    /// The states without a move.
+    /// Returns the states without a move.
     Bdd still() const { return reached_ & ~model_.preimage(reached_, move_steps_); }
-    /// An infinite run of moves from the initial state. Requires that rests() is false, and that waiting changes
-    /// nothing.
+    /// Returns an infinite run of moves from the initial state. Requires that rests() is false and that waiting does
+    /// not change the state.
     FlatRun endless_run();
 
 private:

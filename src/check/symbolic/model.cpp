@@ -22,7 +22,8 @@ struct Signed {
     bool positive = true;
 };
 
-/// The operands of a conjunction (or, if `disjunction`, of a disjunction); of any other term itself.
+/// Returns the operands of a conjunction, or of a disjunction if `disjunction` is true. For any other term, the result
+/// is the term itself.
 std::vector<Signed> operands_of(const Exprs& exprs, Signed root, bool disjunction) {
     std::vector<Signed> open{root}, found;
     while (!open.empty()) {
@@ -38,9 +39,10 @@ std::vector<Signed> operands_of(const Exprs& exprs, Signed root, bool disjunctio
     return found;
 }
 
-/// Conjuncts whose conjunction is true where `condition` is true and defined: for `a -> b and not (c or d)` three, of
-/// `a -> b`, `a -> not c`, `a -> not d`. Points where only operands are undefined need not be considered: if the
-/// complete condition is defined, an operand before them decides it.
+/// Returns conjuncts. Their conjunction is true for the assignments for which `condition` is true and defined. For
+/// example, `a -> b and not (c or d)` yields `a -> b`, `a -> not c` and `a -> not d`. Assignments for which only
+/// operands are undefined need not be considered: if the complete condition is defined, an operand before them
+/// determines it.
 std::vector<Bdd> conjuncts(const Exprs& exprs, BddTerms& terms, Id<Expr> condition) {
     const BddTerm& whole = terms(condition);
     if (!whole.undefined.is_false()) return {whole.bits.front() & ~whole.undefined};
@@ -51,7 +53,7 @@ std::vector<Bdd> conjuncts(const Exprs& exprs, BddTerms& terms, Id<Expr> conditi
     std::vector<Bdd> found;
     for (const Signed& conjunct : operands_of(exprs, {condition}, false)) {
         const std::vector<Signed> disjuncts = operands_of(exprs, conjunct, true);
-        std::vector<std::vector<Signed>> parts;  // of each disjunct
+        std::vector<std::vector<Signed>> parts;  // operands of each disjunct
         for (const Signed& disjunct : disjuncts) parts.push_back(operands_of(exprs, disjunct, false));
         const auto longest = std::ranges::max_element(parts, {}, &std::vector<Signed>::size);
         Bdd others;
@@ -62,7 +64,7 @@ std::vector<Bdd> conjuncts(const Exprs& exprs, BddTerms& terms, Id<Expr> conditi
     return found;
 }
 
-Bdd together(std::vector<Bdd> operands) {  // in pairs, so that both operands have similar sizes
+Bdd together(std::vector<Bdd> operands) {  // conjoins in pairs, so that both operands have similar sizes
     if (operands.empty()) return Bdd::constant(true);
     for (; operands.size() > 1; operands.resize((operands.size() + 1) / 2))
         for (std::size_t i = 0; i < operands.size(); i += 2)
@@ -138,7 +140,8 @@ void StateSpace::add_next_bits(BddTerms& terms) {
     }
 }
 
-/// Clusters keep bits unchanged, and free inputs always change: with them, all steps form one cluster.
+/// Clusters leave bits unchanged, but free inputs may always change. Therefore, if there are free inputs, all steps
+/// form one cluster.
 std::deque<bdd::ClusterSteps> StateSpace::steps_where(const Bdd& condition,
                                                       const std::vector<std::uint32_t>& kept) const {
     EventCluster all{offered_, next_bits_};

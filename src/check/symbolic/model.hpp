@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A FlatSystem over the variables of a BddSpace: its states as assignments, its steps as a relation.
+// StateSpace: a FlatSystem over the variables of a BddSpace. Its states are assignments; its steps are a relation.
 //
-// Each bit of a state variable with a next value has two variables, for the bit before and after a step. Free variables
-// and choices have one, since the value of a free variable after a step is arbitrary.
+// Each bit of a state variable with a next value has two variables: one for the bit before a step and one for the bit
+// after it. Free variables and choices have one variable, since the value of a free variable after a step is arbitrary.
 #pragma once
 
 #include <cstdint>
@@ -17,54 +17,57 @@
 
 namespace grafverif::symbolic {
 
-/// An assignment to all variables of the space; only those of states matter.
+/// An assignment to all variables of the space. Only the values of state variables are relevant.
 using State = std::vector<bool>;
 
 class StateSpace {
 public:
-    /// `by_kind`: partitions the steps by their choices, if these determine which bits change.
+    /// Builds the model. If `by_kind` is true, the steps are partitioned by their choices, provided that these
+    /// determine which bits change.
     StateSpace(const FlatSystem& flat, BddSpace& space, bool by_kind);
 
-    /// States, here and below, are functions of the bits of a state, and imply the invariants.
+    /// In this class, sets of states are functions of the bits of a state, and imply the invariants.
     const Bdd& initial() const { return initial_; }
     const Bdd& invariant() const { return invariant_; }
-    /// The successors of `states` by one step.
+    /// Returns the successors of `states` by one step.
     Bdd image(const Bdd& states) const { return image(states, steps_); }
     Bdd image(const Bdd& states, const std::deque<bdd::ClusterSteps>& steps) const;
-    /// True if the steps are partitioned; then `closure` is fast.
+    /// True if the steps are partitioned, so that `closure` is fast.
     bool has_clusters() const { return steps_.size() > 1; }
-    /// The states reachable from `states` by any number of steps, provided that all values stay in their ranges;
-    /// otherwise it may contain an invalid state and its successors.
+    /// Returns the states that are reachable from `states` by any number of steps. If a value can leave its range, the
+    /// result may contain invalid states and their successors.
     Bdd closure(const Bdd& states) const;
-    /// The predecessors of `states` by one step.
+    /// Returns the predecessors of `states` by one step.
     Bdd preimage(const Bdd& states) const { return preimage(states, steps_); }
     Bdd preimage(const Bdd& states, const std::deque<bdd::ClusterSteps>& steps) const;
-    /// States in which some step changes nothing; may miss states if its cluster does not determine that.
+    /// Returns states in which some step changes nothing. States may be missing if the cluster of the step does not
+    /// determine this.
     Bdd still() const;
-    /// The steps that satisfy `condition`, over states and choices. Images and preimages leave the choices `kept`, bits
-    /// of the space, unchanged.
+    /// Returns the steps that satisfy `condition`, a function of states and choices. Images and preimages leave the
+    /// choices `kept`, which are bits of the space, unchanged.
     std::deque<bdd::ClusterSteps> steps_where(const Bdd& condition, const std::vector<std::uint32_t>& kept = {}) const;
 
-    /// Terms over the variables of the system as functions of the bits of a state.
+    /// Returns a translator of terms over the variables of the system to functions of the bits of a state.
     BddTerms terms() const;
 
-    /// The part of `states` in which a step gives a variable a value outside its range, or an undefined one.
+    /// The part of `states` in which a step assigns a variable an undefined value or a value outside its range.
     struct Leak {
         Id<FlatSystem::Variable> variable = {};
         Bdd states = {};
     };
     std::optional<Leak> leak(const Bdd& states) const;
 
-    /// One of `states`, which must not be empty: with as many bits of `near` as possible, the others false.
+    /// Returns one of `states`, which must not be empty. As many bits as possible have their value in `near`; the
+    /// others are false.
     State pick(const Bdd& states, const State& near) const;
     Bdd only(const State& state) const;
-    /// The state with these values of the variables.
+    /// Returns the state with these values of the variables.
     State state_of(const std::vector<std::int64_t>& values) const;
-    /// The values of all variables. The choices are those of a step from `state` to `next`, if one is given, that
-    /// satisfies `condition`.
+    /// Returns the values of all variables. If `next` is given, the choices are those of a step from `state` to `next`
+    /// that satisfies `condition`.
     std::vector<std::int64_t> values(const State& state, const State* next, const Bdd& condition) const;
 
-    /// The bits of a state, increasing.
+    /// Returns the bits of a state, increasing.
     const std::vector<std::uint32_t>& state_bits() const { return state_bits_; }
     std::size_t size() const { return space_.variables(); }
 
@@ -76,14 +79,14 @@ private:
     const FlatSystem& flat_;
     BddSpace& space_;
     const bool by_kind_;
-    std::vector<BddWord> words_ = {};  ///< per variable: its bits before a step
+    std::vector<BddWord> words_ = {};  ///< bits of each variable before a step
     std::vector<std::uint32_t> state_bits_ = {}, choice_bits_ = {};
     Bdd initial_ = {}, invariant_ = {};
-    std::vector<Bdd> offered_ = {};  ///< choices that a state offers: conjuncts over both
-    std::vector<Leak> leaks_ = {};   ///< over states and choices
+    std::vector<Bdd> offered_ = {};  ///< relation between states and the choices that they offer: conjuncts over both
+    std::vector<Leak> leaks_ = {};   ///< functions of states and choices
     Bdd choices_ = {}, free_ = {};   ///< sets of variables
     std::vector<bdd::NextBit> next_bits_ = {};
-    std::deque<bdd::ClusterSteps> steps_ = {};  ///< by cluster
+    std::deque<bdd::ClusterSteps> steps_ = {};  ///< steps of each cluster
 };
 
 }  // namespace grafverif::symbolic

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Variable order by quadratic placement on a line. Each variable and each term has a place, such that the sum of the
-// squared distances is small: between an operator and its operands, and between a variable and its next value (Hall
-// 1970: "An r-dimensional quadratic placement algorithm"; Fiedler 1973). The weight of an operator decreases with its
-// number of operands, so that a wide disjunction does not force all its variables into one block. Terms have separate
-// places, so that the variables of a large term need not be adjacent.
+// Variable order by quadratic placement on a line. Each variable and each term has a position. The sum of the squared
+// distances between an operator and its operands, and between a variable and its next value, is minimized (Hall 1970:
+// "An r-dimensional quadratic placement algorithm"; Fiedler 1973). The weight of an operator decreases with its number
+// of operands, so that a wide disjunction does not force all its variables into one block. Terms have separate
+// positions, so that the variables of a large term need not be adjacent.
 //
-// The places are the second eigenvector of a random walk over the terms, computed by power iteration: beginning with an
-// initial guess, each vertex repeatedly moves to the mean place of its neighbours, and the common mean is removed.
+// The positions are the second eigenvector of a random walk over the terms, which is computed by power iteration.
+// Starting with an initial guess, each vertex is repeatedly moved to the mean position of its neighbours, and the
+// common mean is subtracted.
 #include "check/symbolic/order.hpp"
 
 #include <algorithm>
@@ -58,7 +59,7 @@ private:
 
     double weight(std::size_t tie) const { return 1 / static_cast<double>(ties_[tie].size() - 1); }
 
-    /// Adds a vertex for each term below `root`, and a tie for each operator. Variables are the first vertices.
+    /// Adds a vertex for each term below `root`, and a connection for each operator. Variables are the first vertices.
     void add(Id<Expr> root) {
         std::vector<Id<Expr>> open{root}, operators;
         while (!open.empty()) {
@@ -89,7 +90,8 @@ private:
         for (const std::uint32_t vertex : ties_.back()) weights_[vertex] += weight(ties_.size() - 1);
     }
 
-    /// Variables in the order of the system; a term in the middle of its operands, which precede it in the table.
+    /// Returns the initial guess: variables in the order of the system; each term at the mean position of its operands,
+    /// which precede it in the table.
     std::vector<double> first_guess() const {
         std::vector<double> place(weights_.size());
         for (std::size_t vertex = 0; vertex < flat_.variables.size(); ++vertex)
@@ -104,7 +106,7 @@ private:
         return place;
     }
 
-    /// Scales so that the mean is 0 and the greatest distance 1.
+    /// Shifts and scales the positions so that the mean is 0 and the greatest distance is 1.
     void centred(std::vector<double>& place) const {
         double sum = 0, all = 0, farthest = 0;
         for (std::size_t vertex = 0; vertex < place.size(); ++vertex) {
@@ -121,8 +123,9 @@ private:
     }
 
     const FlatSystem& flat_;
-    std::vector<double> weights_ = std::vector<double>(flat_.variables.size());  ///< per vertex: of all its ties
-    std::vector<std::uint32_t> vertex_ = {};                                     ///< per term
+    /// Per vertex: total weight of its connections.
+    std::vector<double> weights_ = std::vector<double>(flat_.variables.size());
+    std::vector<std::uint32_t> vertex_ = {};  ///< vertex of each term
     std::vector<std::vector<std::uint32_t>> ties_ = {};
 };
 

@@ -9,7 +9,7 @@
 
 namespace grafverif::symbolic {
 
-/// Every variable once, the topmost first.
+/// Returns every variable once, the topmost first.
 std::vector<Id<FlatSystem::Variable>> variable_order(const FlatSystem& flat);
 
 }  // namespace grafverif::symbolic

@@ -11,28 +11,29 @@
 
 namespace grafverif::symbolic {
 
-/// A run as states of the model.
+/// A run, as states of the model.
 struct Path {
     std::vector<State> states = {};
     std::optional<std::size_t> loop = {};
-    std::vector<Bdd> steps = {};  ///< condition on the choices of the step that leaves each state; missing: none
+    /// Condition on the choices of the step that leaves each state; a missing entry means no condition.
+    std::vector<Bdd> steps = {};
 };
 
-/// Adds rings to `rings` until one intersects `goal`, no new state is found, or `goes_on` returns false for their
-/// number. Rings are subsets of `within`, which contains the first. True if there may be further states.
+/// Adds rings to `rings` until one intersects `goal`, no new state is found, or `goes_on` returns false for the number
+/// of rings. Rings are subsets of `within`, which contains the first ring. Returns true if further states may exist.
 bool grow(const StateSpace& model, bdd::Rings& rings, const Bdd& within, const Bdd& goal,
           const std::function<bool(std::size_t)>& goes_on = {});
 
-/// A shortest path through `rings` to a state of `goal`; empty if no ring contains one.
+/// Returns a shortest path through `rings` to a state of `goal`; empty if no ring contains such a state.
 std::vector<State> shortest_path(const StateSpace& model, const bdd::Rings& rings, const Bdd& goal);
 
-/// The states of `within` from which a path in it, possibly of length 0, leads to a state of `goal`.
+/// Returns the states of `within` from which a path in `within`, possibly of length 0, leads to a state of `goal`.
 Bdd can_reach(const StateSpace& model, const Bdd& within, const Bdd& goal);
-/// The states of `within` from which some infinite path stays in it and visits each of `justice` infinitely often
-/// (Emerson and Lei 1986).
+/// Returns the states of `within` from which some infinite path stays in `within` and visits each of `justice`
+/// infinitely often (Emerson and Lei 1986).
 Bdd can_stay(const StateSpace& model, const Bdd& within, const std::vector<Bdd>& justice);
 
-/// An infinite path in `staying`, which is a result of can_stay, from its state `first`.
+/// Returns an infinite path in `staying`, which is a result of can_stay, starting in its state `first`.
 Path stay(const StateSpace& model, const State& first, const Bdd& staying, const std::vector<Bdd>& justice);
 
 FlatRun run_of(const StateSpace& model, const Path& path);

@@ -49,7 +49,7 @@ void PropertyQueries::ask(Id<Property> about) {
     PropertyQuery question{about, {}};
     for (const Id<Expr> operand : property.operands) question.operands.push_back(flattened(system_, flat_, operand));
     Exprs& exprs = flat_.exprs;
-    // A property of every state is decided by searching for a state that violates it.
+    // To decide a property of every state, a state that violates it is searched for.
     if (property.pattern == Pattern::ExactlyOneOf) question.operands = {exprs.negation(exactly_one(question.operands))};
     if (property.pattern == Pattern::Always) question.operands = {exprs.negation(question.operands.front())};
     for (Id<Expr>& operand : question.operands) operand = settled_and(property, operand);
@@ -60,13 +60,13 @@ std::vector<QueryResult> PropertyQueries::answers(const StateSpace* model, Reach
                                                   const SymbolicOptions& options) {
     std::vector<QueryResult> all;
     UnknownReason obstacle =
-        model == nullptr ? search.obstacle : UnknownReason::None;  // applies to all following queries
+        model == nullptr ? search.obstacle : UnknownReason::None;  // this reason applies to all following queries
     std::string reason = search.reason;
     for (const PropertyQuery& question : questions_) {
         QueryResult found{verdict_on(question.about, of(question)), {}};
         const auto exhausted = [&](UnknownReason what, std::string why) {
             unknown(found.verdict, what, why);
-            if (what != UnknownReason::Stopped) return;  // with less work, the memory may suffice
+            if (what != UnknownReason::Stopped) return;  // a query with less work may fit into the memory
             obstacle = what;
             reason = std::move(why);
         };
@@ -84,7 +84,7 @@ std::vector<QueryResult> PropertyQueries::answers(const StateSpace* model, Reach
         }
         all.push_back(std::move(found));
     }
-    // Explanations are computed after all verdicts: they may use up time or memory that another verdict needs.
+    // Explanations are computed after all verdicts, because they may use up time or memory that another verdict needs.
     for (QueryResult& found : all) {
         if (!found.lost) continue;
         std::string words = what_is_dead(*model, search, *found.lost);
@@ -171,7 +171,7 @@ void PropertyQueries::decide_paths(QueryResult& found, const PropertyQuery& ques
     found.run = run_of(model, lasso(model, search, from, staying));
 }
 
-/// Omitted if it needs more memory or time than is available.
+/// Returns the note on dead transitions; empty if it would need more memory or time than is available.
 std::string PropertyQueries::what_is_dead(const StateSpace& model, const ReachableSet& search, const State& from) {
     try {
         return dead_transitions_note(system_, flat_, model, search.reached, from);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Queries: the properties of a system as sets of states, and their evaluation on the reachable states.
+// Property queries: the properties of a system as sets of states, and their evaluation on the reachable states.
 #pragma once
 
 #include <string>
@@ -12,18 +12,18 @@ namespace grafverif::symbolic {
 
 /// Result of a search of the reachable states.
 struct ReachableSet {
-    bdd::Rings rings = {};  ///< around the initial states, as many as were needed so far
+    bdd::Rings rings = {};  ///< rings around the initial states, as many as were needed so far
     Bdd reached = {};
-    bool witnesses = true;                         ///< a run for each `reachable` that holds
-    UnknownReason obstacle = UnknownReason::None;  ///< None: all states were reached
+    bool witnesses = true;                         ///< find a run for each `reachable` that holds
+    UnknownReason obstacle = UnknownReason::None;  ///< reason why the search ended; None: all states were reached
     std::string reason = {};
 };
 
-/// A shortest path from an initial state to one of `goal`, of which some are reachable; extends the search if
-/// necessary.
+/// Returns a shortest path from an initial state to a state of `goal`, some of which are reachable. Extends the search
+/// if necessary.
 std::vector<State> shortest_trace(const StateSpace& model, ReachableSet& search, const Bdd& goal);
 
-/// One verdict, and the run that shows it.
+/// One verdict and the run that shows it.
 struct QueryResult {
     Verdict verdict = {};
     std::optional<FlatRun> run = {};
@@ -34,20 +34,22 @@ class PropertyQueries {
 public:
     PropertyQueries(const TransitionSystem& system, FlatSystem& flat);
 
-    /// Translates a property; must precede answers(), because the terms of `flat` may grow.
+    /// Translates a property. All calls must precede answers(), because terms are added to `flat`.
     void ask(Id<Property> property);
-    /// The verdicts, in the order requested. `model` may be null if the search ended before it was built.
+    /// Returns the verdicts, in the order of the calls of ask(). `model` may be null if the search ended before it was
+    /// built.
     std::vector<QueryResult> answers(const StateSpace* model, ReachableSet& search, const SymbolicOptions& options);
 
 private:
     struct PropertyQuery {
         Id<Property> about = {};
-        std::vector<Id<Expr>> operands = {};  ///< over the variables of the flat system, `at stable` resolved
+        /// Operands over the variables of the flat system, with `at stable` included.
+        std::vector<Id<Expr>> operands = {};
     };
     /// The sets of states of a query.
     struct Sets {
         std::vector<Bdd> operands = {};
-        bool undefined = false;  ///< some operand is undefined in some reachable state
+        bool undefined = false;  ///< true if some operand is undefined in some reachable state
     };
 
     const Property& of(const PropertyQuery& question) const { return system_.properties[question.about]; }

@@ -67,15 +67,15 @@ void Check::note(const BddExhausted& exhausted) {
 void Check::count_states() {
     try {
         result_.states = count(search_.reached, model_->state_bits());
-    } catch (const BddExhausted&) {  // then it is unknown
+    } catch (const BddExhausted&) {  // the value is then unknown
     }
 }
 
 void Check::search() {
     const StateSpace& model = *model_;
     const std::uint64_t enough = space_.work() + options_.one_by_one;
-    // The successor of a step out of a range is not a state: the search ends there, and the successors of a ring are
-    // used only after the ring was checked for such steps.
+    // If a step leaves a range, its successor is not a state. The search ends with that step: the successors of a ring
+    // are used only after the ring was checked for such steps.
     bool leaks = false;
     const auto goes_on = [&](bool kinds) {
         return [&, kinds](std::size_t depth) {
@@ -91,7 +91,7 @@ void Check::search() {
     search_.rings.add(model.initial());
     if (grow(model, search_.rings, model.invariant(), {}, goes_on(model.has_clusters())) && !leaks) {
         const Bdd closure = model.closure(search_.reached);
-        // States outside a range or the invariants may have further successors, although no run leads to them.
+        // States that violate a range or the invariants may have further successors, although no run leads to them.
         if ((closure & ~model.invariant()).is_false() && !model.leak(closure)) search_.reached = closure;
         else grow(model, search_.rings, model.invariant(), {}, goes_on(false));
     }
@@ -107,7 +107,7 @@ std::optional<SystemFault> Check::fault() {
     };
     if (const auto some = model.leak(search_.reached)) {
         (void)shortest_trace(model, search_, some->states);
-        // The nearest one: states after a leak do not belong to a run.
+        // The nearest leak is reported: states after a leak do not belong to a run.
         for (const Bdd& ring : search_.rings.each)
             if (const auto leak = model.leak(ring))
                 return SystemFault{OutOfRange, flat_.variables[leak->variable].name, path_to(leak->states)};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Counterexamples of liveness properties: a short run to a state that lies on a cycle, or in which a run ends, and that
-// avoids `met` from a root on.
+// Counterexamples of liveness properties: short runs that avoid `met` after a root, and reach a state that lies on a
+// cycle or in which the run ends.
 //
-// A breadth-first walk outside `met`, which each root enters at its own depth in the search, gives every visited state
-// a near root and a short path from it. Then the strongly connected components of the visited states are computed. The
-// result is the first state of the walk that is on a cycle, or stuck. Its cycle is found breadth first in its
-// component.
+// A breadth-first walk outside `met`, in which each root starts at its depth in the search, determines for every
+// visited state a near root and a short path from it. Then the strongly connected components of the visited states are
+// computed. The result is the first state of the walk that is on a cycle or has no successor. A breadth-first search in
+// its component finds the cycle.
 #include "check/timed/components.hpp"
 #include "check/timed/fixpoints.hpp"
 
@@ -15,10 +15,11 @@ namespace {
 
 constexpr std::uint32_t none = Store::none;
 
-/// The states reached outside `met`, in the order of the walk, and the predecessor of each (of a root: itself).
+/// The states reached outside `met`, in the order of the walk, and the predecessor of each state. The predecessor of a
+/// root is the root.
 struct Walk {
     Column<std::uint32_t> order = {};
-    Column<std::uint32_t> from = {};  // per state of the graph; none: not reached
+    Column<std::uint32_t> from = {};  // per state of the graph; none if it was not reached
 
     bool has(std::uint32_t state) const { return from[state] != none; }
 };

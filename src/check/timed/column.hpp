@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Data about states, by number. Memory grows in chunks: nothing is copied, and growth does not double the peak.
+// Column: data about states, indexed by state number. Memory grows in chunks: elements are not copied, and growth does
+// not double the peak.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +33,7 @@ public:
             size_ += now;
         }
     }
-    /// Ensures that the next `count` calls of `push_back` need no memory.
+    /// Ensures that the next `count` calls of `push_back` do not allocate memory.
     void free_memory(std::size_t count) {
         while (chunks_.size() * chunk < size_ + count) chunks_.push_back(std::make_unique_for_overwrite<T[]>(chunk));
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compiles terms to code (see program). Operands of a conjunction that are tests of bits are evaluated first and
-// together, word by word. The order of operands matters only if one of them may be undefined, and is kept in that case.
+// Compiles terms to code (see program). If operands of a conjunction are tests of bits, they are evaluated first, all
+// bits of a word in one test. The order of operands matters only if one of them may be undefined; it is then kept.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -13,8 +13,8 @@ namespace grafverif::timed {
 
 namespace {
 
-constexpr std::uint32_t largest_tree = 4096;  // larger terms are evaluated in their shared form
-constexpr double largest_value = 4.0e18;      // larger bounds may overflow
+constexpr std::uint32_t largest_tree = 4096;  // larger terms are evaluated in the form with shared subterms
+constexpr double largest_value = 4.0e18;      // terms with larger bounds may overflow
 
 Id<Network::Variable> variable_of(const Expr& node) { return {static_cast<std::uint32_t>(node.value)}; }
 
@@ -180,7 +180,7 @@ std::uint32_t Compiler::load(Id<Network::Variable> variable, std::uint32_t to, s
     if (is_chosen(variable)) {
         const std::set<std::int64_t> values(chosen_.at(variable.index).values.begin(),
                                             chosen_.at(variable.index).values.end());
-        std::uint32_t start = Program::no;  // no valuation has another value
+        std::uint32_t start = Program::no;  // result if no valuation has another value
         for (const std::int64_t value : values) {
             const std::uint32_t constant =
                 emit({.value = static_cast<Word>(value), .yes = next, .to = to, .op = Opcode::Constant});
@@ -259,7 +259,7 @@ std::uint32_t Compiler::boolean(Id<Expr> term, std::uint32_t yes, std::uint32_t 
     case Op::LessEqual:
     case Op::Greater:
     case Op::GreaterEqual: return comparison(term, yes, no, base);
-    case Op::Variable:  // chosen, or a Boolean with another representation
+    case Op::Variable:  // a chosen variable, or a Boolean in another representation
         if (is_chosen(variable_of(node))) return chosen_within(variable_of(node), 1, 1, yes, no);
         return emit({.mask = layout_.variables[variable_of(node).index].mask(),
                      .yes = no,
@@ -284,8 +284,8 @@ std::uint32_t Compiler::boolean(Id<Expr> term, std::uint32_t yes, std::uint32_t 
     unreachable();
 }
 
-/// And, Or. An Or is the And of the negated operands with its successors exchanged; only single bits are negated as
-/// bits.
+/// Compiles an And or Or. An Or is the And of the negated operands with exchanged successors. Only single bits are
+/// negated in the test itself.
 std::uint32_t Compiler::junction(Id<Expr> term, std::uint32_t yes, std::uint32_t no, std::uint32_t base) {
     const auto operands = network_.exprs.operands(term);
     const bool conjunction = network_.exprs[term].op == Op::And;

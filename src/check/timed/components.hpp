@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Strongly connected components of a graph of states (Tarjan 1972, without recursion), and cycles within them.
+// Strongly connected components of a graph of states (Tarjan 1972, without recursion), and cycles within components.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 
 namespace grafverif::timed {
 
-/// Components of the states reachable from the visited ones by `each(state, take)`, which calls `take` with every
-/// successor.
+/// Computes the components of the states that are reachable from the visited ones. `each(state, take)` calls `take`
+/// with every successor.
 template <class Each>
 class Components {
 public:
@@ -49,8 +49,8 @@ public:
     bool has_cycle(std::uint32_t state) const { return cyclic_[of(state)]; }
     bool any_cycle() const { return std::ranges::find(cyclic_, true) != cyclic_.end(); }
 
-    /// A shortest cycle through `state`, whose first move leads to the state `first`, if given: the states after
-    /// `state`, which comes last.
+    /// Returns a shortest cycle through `state`: the states after `state`, which comes last. If `first` is given, it is
+    /// the first state of the cycle.
     std::vector<std::uint32_t> cycle(std::uint32_t state, std::optional<std::uint32_t> first = {}) {
         std::unordered_map<std::uint32_t, std::uint32_t> from;
         std::vector<std::uint32_t> queue = {first.value_or(state)};
@@ -70,8 +70,8 @@ private:
     struct Frame {
         std::uint32_t state = 0;
         std::uint32_t low = 0;
-        std::uint32_t first = 0;  // in successors_, where its own end at the top
-        bool loops = false;       // an edge to itself
+        std::uint32_t first = 0;  // its start in successors_; its end is the top of the stack
+        bool loops = false;       // true if the state has an edge to itself
     };
 
     void enter(std::uint32_t state) {

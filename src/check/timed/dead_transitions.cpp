@@ -30,7 +30,7 @@ States reachable_from(Graph& graph, std::uint32_t from, const Limits& limits) {
     return found;
 }
 
-/// Its condition, as the cycle computes it; not valid if it has none.
+/// Returns the condition of the transition as the cycle computes it; invalid if there is none.
 Id<Expr> condition_of(const Network& network, const Network::Controller& controller, const Named& transition) {
     const Network::Template& automaton = network.templates[network.processes[controller.process].automaton];
     for (const Network::Assignment& assignment : automaton.procedures[controller.fire].assignments)
@@ -39,7 +39,7 @@ Id<Expr> condition_of(const Network& network, const Network::Controller& control
     return {};
 }
 
-/// `X3`, `!a`; empty if it is neither a step nor a named variable.
+/// Returns `X3` or `!a`; empty if the term is neither a step nor a named variable.
 std::string literal_text(const Network& network, Id<Expr> term) {
     if (network.exprs[term].op == Op::Not) {
         const std::string words = literal_text(network, network.exprs.operands(term)[0]);
@@ -57,7 +57,7 @@ std::string literal_text(const Network& network, Id<Expr> term) {
     }
 }
 
-/// The first part of the condition that is false in all of these states.
+/// Returns the first conjunct of the condition that is false in all of these states.
 std::string false_part(Graph& graph, Id<Expr> condition, const States& states) {
     const Network& network = graph.machine.network();
     if (!condition.valid()) return {};
@@ -74,7 +74,7 @@ std::string false_part(Graph& graph, Id<Expr> condition, const States& states) {
     return {};
 }
 
-/// True if the edge, one of `machine`, is an evolution of the controller.
+/// True if the edge of `machine` is an evolution of the controller.
 bool fires(const Network& network, const Network::Controller& controller, const Machine& machine, std::uint32_t edge) {
     if (machine.process_of(edge) != controller.process) return false;
     const Network::Template& automaton = network.templates[network.processes[controller.process].automaton];
@@ -82,8 +82,9 @@ bool fires(const Network& network, const Network::Controller& controller, const 
     return std::ranges::find(calls, controller.fire) != calls.end();
 }
 
-/// Per controller and transition, true if it is cleared in some evolution from one of these states. The clearing is
-/// visible in the state before the situation changes or, if the evolution is one edge, only while that edge is taken.
+/// Determines, per controller and transition, if some evolution from one of these states clears it. The clearing is
+/// visible in the state before the situation changes. If the evolution is one edge, it is visible only while that edge
+/// is taken.
 std::vector<std::vector<bool>> cleared(Graph& graph, const States& states, const Limits& limits) {
     const Network& network = graph.machine.network();
     const Layout& layout = graph.machine.layout();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Dead transitions after the point of no return: transitions that are never cleared in the states that are still
-// reachable.
+// Dead transitions: transitions that are never cleared in the states that remain reachable after the point of no
+// return.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace grafverif::timed {
 
-/// Lists them, each with the part of its condition that is constantly false, if that is a step or a variable. Requires
-/// that every reachable state was expanded. Empty if there are none.
+/// Returns a note that lists them, each with a conjunct of its condition that is constantly false, if that is a step or
+/// a variable. The note is empty if there are no such transitions. Requires that every reachable state was expanded.
 std::string dead_transitions_note(Graph& graph, std::uint32_t from, const Limits& limits);
 
 }  // namespace grafverif::timed

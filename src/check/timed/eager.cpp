@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiles the shared form of a large term: one register per subterm, children before parents, without branches.
+// Compiles large terms with shared subterms: one register per subterm, children before parents, without branches.
 #include <algorithm>
 #include <unordered_map>
 
@@ -10,7 +10,7 @@ namespace grafverif::timed {
 
 namespace {
 
-/// The subterms of `root`, children first.
+/// Returns the subterms of `root`, children first.
 std::vector<Id<Expr>> subterms(const Exprs& exprs, Id<Expr> root) {
     std::vector<Id<Expr>> open = {root};
     std::unordered_map<std::uint32_t, bool> seen = {{root.index, true}};
@@ -29,7 +29,7 @@ Opcode operation(Op op) {
     case Op::Equal: return Opcode::EagerEqual;
     case Op::NotEqual: return Opcode::EagerUnequal;
     case Op::Less:
-    case Op::Greater: return Opcode::EagerLess;  // with operands exchanged
+    case Op::Greater: return Opcode::EagerLess;  // operands are exchanged
     case Op::LessEqual:
     case Op::GreaterEqual: return Opcode::EagerLessEqual;
     case Op::Negate: return Opcode::Negate;

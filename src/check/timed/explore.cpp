@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Breadth-first search by the number of moves, a delay of any length counting one: a state reached by a delay continues
-// the same delay at no cost. So if time passes in a state, it passes further at once, unit by unit, until it is stopped
-// or reaches a state whose own delay is known; all states on the way are one level below. A state of that level that
-// was first reached by an edge has the same distance by the delay. Its parent becomes the state before it in time, so
-// that its successors in time have their shortest runs through it.
+// Breadth-first search by the number of moves. A delay of any length counts as one move: a state reached by a delay
+// continues the same delay at no cost. Therefore, if time passes in a state, it is advanced immediately, unit by unit,
+// until it is stopped or reaches a state whose delay is known. All states on the way are one level below. A state of
+// that level that was first reached by an edge has the same distance by the delay. Its parent becomes its predecessor
+// in time, so that its successors in time have their shortest runs through it.
 //
 // The queue is processed block by block. All threads compute the moves of a block while nothing is written. States that
 // the store does not contain are grouped by hash. Then one thread numbers the new states in the order of the block, as
-// if it had found each of them itself, but does no other work. Finally all threads index the new states and store the
-// targets of the edges of the block. So numbers, and all results derived from them, are the same for any number of
-// threads and any size of blocks.
+// a sequential search would; it does no other work. Finally all threads index the new states and store the targets of
+// the edges of the block. Therefore numbers, and all results derived from them, do not depend on the number of threads
+// or the size of blocks.
 #include "check/timed/explore.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ bool Limits::stopped() const {
 
 UnknownReason Limits::judge(const Graph& graph, std::uint32_t state, std::size_t more) {
     if (stopped()) return UnknownReason::Stopped;
-    // Evaluating the properties needs additional memory; if there are links, the index has been freed by then.
+    // Evaluating the properties requires additional memory. If links are kept, the index has then been freed.
     const std::size_t freed = graph.linked ? graph.store.index_bytes() : 0;
     const std::size_t bytes = graph.bytes() + more + std::max(16 * graph.states(), freed) - freed;
     if (allowed_used_ = bytes > options_.max_memory; allowed_used_) return UnknownReason::Memory;
@@ -54,12 +54,13 @@ void Limits::explain(Graph& graph) {
 
 namespace {
 
-constexpr std::uint32_t slices_each = 64;      // per thread, in a block
-constexpr std::size_t many_text = 1U << 21U;   // of computed states in a block; above this no further slice is begun
-constexpr std::size_t kept_bytes = 1U << 21U;  // of a slice, for the next one
-constexpr std::size_t worth_sharing = 16;      // slices of states or new states; fewer are processed by one thread
-constexpr std::size_t link_bytes = 24;         // per state; above it links are dropped
-constexpr std::size_t link_grace = 1U << 18U;  // but not before they use this number of bytes in total
+constexpr std::uint32_t slices_each = 64;     // slices per thread in a block
+constexpr std::size_t many_text = 1U << 21U;  // size of computed states in a block; above it, no further slice is begun
+constexpr std::size_t kept_bytes = 1U << 21U;  // memory that a slice keeps for the next one
+// Minimum number of slices of states or new states that are processed in parallel.
+constexpr std::size_t worth_sharing = 16;
+constexpr std::size_t link_bytes = 24;         // bytes per state above which links are dropped
+constexpr std::size_t link_grace = 1U << 18U;  // total size in bytes below which links are never dropped
 
 class Exploration {
 public:
@@ -96,7 +97,8 @@ private:
         return bytes;
     }
 
-    /// The next states of the queue: computes their moves in parallel, then numbers the new states one by one.
+    /// Processes the next states of the queue: computes their moves in parallel, then numbers the new states
+    /// sequentially.
     UnknownReason block() {
         const auto first = static_cast<std::uint32_t>(graph_.states());
         filled_ = compute();
@@ -116,7 +118,7 @@ private:
         return obstacle;
     }
 
-    /// Fills slices with the moves of the next states. Returns the number of filled slices; all but the last are
+    /// Fills slices with the moves of the next states. Returns the number of filled slices; all except the last are
     /// complete.
     std::size_t compute() {
         const std::size_t most = std::size_t{slices_each} * team_.size();
@@ -144,7 +146,7 @@ private:
         return begun;
     }
 
-    /// Identifies equal new states of the slices, and reserves memory for them.
+    /// Finds equal new states in the slices and reserves memory for them.
     void gather() {
         std::size_t count = 0;
         for (std::size_t i = 0; i < filled_; ++i) {
@@ -176,7 +178,7 @@ private:
         }
     }
 
-    /// Requires that `kept` includes the new state.
+    /// Requires that `kept` contains the new state.
     const Word* words_of(const SuccessorBatch& slice, std::uint32_t new_state) const {
         const auto at = std::ranges::lower_bound(slice.kept, new_state) - slice.kept.begin();
         return slice.words.data() + static_cast<std::size_t>(at) * graph_.machine.layout().words;
@@ -205,11 +207,11 @@ private:
         for (std::uint32_t i = at.first; i != at.first + at.edges; ++i) {
             const std::uint32_t target = slice.targets[i];
             if ((target & SuccessorBatch::new_state) != 0 && slice.new_states[target & SuccessorBatch::number].first)
-                resolve(slice, target, state);  // afterwards the others of the same state have its number
+                resolve(slice, target, state);  // sets the number of all other entries of the same state
         }
         graph_.transitions += at.edges;
         const bool acts = at.edges != 0;
-        // `lead` fills in the targets of edges.
+        // `lead` sets the targets of edges.
         if (at.urgent) graph_.set_kind(state, StateKind::Urgent, state);
         else if (graph_.kind(state) == StateKind::Unknown) pass_time(state);
         if (acts && graph_.kind(state) == StateKind::Passes)
@@ -218,7 +220,8 @@ private:
         if (at.fault) graph_.set_kind(state, StateKind::Open, state);
     }
 
-    /// From here on new states can be found, and expanded states know the targets of their edges.
+    /// Indexes the new states and stores the targets of edges. Afterwards new states can be found, and expanded states
+    /// have the targets of their edges.
     void write_down(std::size_t found) {
         next_slice_ = 0;
         share(std::max<std::size_t>(found, graph_.looked_at - slices_[0].begin), [&](unsigned member) {
@@ -235,13 +238,14 @@ private:
         }
     }
 
-    /// Stores the targets of the edges of a slice's expanded states. Allocates no memory.
+    /// Stores the targets of the edges of a slice's expanded states, without allocating memory.
     void lead(SuccessorBatch& slice) {
         for (std::uint32_t state = slice.begin; state < std::min(slice.end, graph_.looked_at); ++state) {
             const SuccessorBatch::State& at = slice.states[state - slice.begin];
             if (graph_.linked) slice.links.begin();
             std::uint32_t last = state;
-            std::uint32_t onward = 0;    // target of an edge; a late state, since these lead to further ones
+            // Target of an edge; a state with a large number, since these tend to lead to later states.
+            std::uint32_t onward = 0;
             std::uint32_t urgently = 0;  // target of an urgent edge
             for (std::uint32_t i = at.first; i != at.first + at.edges; ++i) {
                 const std::uint32_t next = number_of(slice, slice.targets[i]);
@@ -255,13 +259,13 @@ private:
         }
     }
 
-    /// Requires a numbered target.
+    /// Returns the number of the target. Requires that it has one.
     std::uint32_t number_of(const SuccessorBatch& slice, std::uint32_t target) const {
         const std::uint32_t number = target & SuccessorBatch::number;
         return (target & SuccessorBatch::new_state) == 0 ? number : new_states_.number(slice.new_states[number].entry);
     }
 
-    /// The number of a target; a new state gets the next number when the search first reaches it.
+    /// Returns the number of a target. A new state gets the next number when the search first reaches it.
     std::uint32_t resolve(const SuccessorBatch& slice, std::uint32_t target, std::uint32_t parent) {
         const std::uint32_t index = target & SuccessorBatch::number;
         if ((target & SuccessorBatch::new_state) == 0) return index;
@@ -273,9 +277,9 @@ private:
         return entry.number;
     }
 
-    /// Adds a new state with its parent: completely, or not at all if memory is exhausted.
+    /// Adds a new state with its parent. If memory is exhausted, nothing is changed.
     std::uint32_t discover(Word root, std::uint32_t parent) {
-        if (graph_.states() >= Store::most) throw std::bad_alloc();  // one state may have many successors
+        if (graph_.states() >= Store::most) throw std::bad_alloc();  // a single state may have many successors
         graph_.parent.free_memory(1);
         graph_.kinds.free_memory(1);
         const std::uint32_t state = graph_.store.roots().append(root);
@@ -284,7 +288,7 @@ private:
         return state;
     }
 
-    /// The number of the state in `now_.words`, which may be new.
+    /// Returns the number of the state in `now_.words`, which may be new.
     std::uint32_t find_or_discover(std::uint32_t parent) {
         const Word root = graph_.store.fold(now_.words.data(), {}, next_);
         if (const std::uint32_t known = graph_.store.roots().find(root); known != Store::none) return known;
@@ -297,8 +301,8 @@ private:
         return entry.number;
     }
 
-    /// The successor of the state by a unit of time: from its slice if it is in this block, otherwise computed here.
-    /// None if time does not pass.
+    /// Returns the successor of the state after one unit of time: from its slice if it is in this block, otherwise
+    /// computed. The result is Store::none if time does not pass.
     std::uint32_t later(std::uint32_t state) {
         const std::size_t index = (state - slices_[0].begin) / limits_.slice();
         if (state >= slices_[0].begin && index < filled_) {
@@ -312,7 +316,8 @@ private:
         return graph_.machine.delay(now_.words.data()) ? find_or_discover(state) : Store::none;
     }
 
-    /// See the comment at the top of the file.
+    /// Advances time from the state until it is stopped or reaches a known state. See the comment at the top of the
+    /// file.
     void pass_time(std::uint32_t state) {
         for (std::uint32_t now = state; graph_.kind(now) == StateKind::Unknown;) {
             const std::uint32_t next = later(now);
@@ -340,7 +345,7 @@ private:
         graph_.links.clear();
     }
 
-    /// Records the faults and bounds found in the expanded states of a slice.
+    /// Records the model errors and uncovered bounds of the expanded states of a slice.
     void note(const SuccessorBatch& slice) {
         const auto first = [&](std::optional<UncoveredAt>& of, const std::optional<UncoveredAt>& at) {
             if (!of && at && at->state < graph_.looked_at) of = at;
@@ -363,9 +368,9 @@ private:
     Limits& limits_;
     ThreadPool& team_;
     std::vector<SuccessorBatch> slices_ = {};
-    std::vector<Slicer> slicers_ = {};  // per thread
+    std::vector<Slicer> slicers_ = {};  // one per thread
     NewStates new_states_ = {};
-    std::size_t filled_ = 0;  // slices of the current block
+    std::size_t filled_ = 0;  // number of slices in the current block
     std::atomic<std::size_t> next_slice_ = 0;
     std::uint32_t level_end_ = 0;
     Unfolded now_ = {}, next_ = {};
@@ -378,7 +383,8 @@ UnknownReason explore(Graph& graph, PropertyMonitor& watch, const std::vector<Fi
     try {
         return Exploration(graph, watch, races, limits).run();
     } catch (const std::bad_alloc&) {
-        return UnknownReason::Memory;  // the states found are complete and indexed, the expanded ones have their links
+        // The states found are complete and indexed, and the expanded ones have their links.
+        return UnknownReason::Memory;
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exploration: every reachable state, breadth first.
+// Exploration: finds every reachable state, breadth first.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@
 
 namespace grafverif::timed {
 
-/// The limits of one check, its threads, and its progress.
+/// Limits of one check, its threads, and its progress report.
 class Limits {
 public:
     explicit Limits(const TimedOptions& options)
@@ -22,7 +22,7 @@ public:
 
     ThreadPool& team() const { return team_; }
     std::uint32_t slice() const { return options_.slice; }
-    /// Number of parts into which cheap work on this number of states is divided.
+    /// Returns the number of parts into which inexpensive work on this number of states is divided.
     std::size_t parts(std::size_t states) const { return states < std::size_t{1024} * slice() ? 1 : team_.size(); }
     /// Calls `work(part)` for each part, in parallel.
     template <class Work>
@@ -33,7 +33,8 @@ public:
         });
     }
 
-    /// Calls `work(begin, end)` for ranges that partition the states, in parallel; ranges share no word of a set.
+    /// Calls `work(begin, end)` in parallel for ranges that partition the states. Different ranges do not share a word
+    /// of a StateSet.
     template <class Work>
     void share_states(std::size_t states, const Work& work) const {
         const std::size_t parts = this->parts(states);
@@ -44,20 +45,21 @@ public:
     double seconds() const;
     /// True if the user or the deadline ends the check.
     bool stopped() const;
-    /// For every state in loops outside the exploration: throws Stop if the check ends.
+    /// Thrown by loops outside the exploration, which test it for every state, if the check ends.
     struct Stop {};
-    static constexpr std::size_t poll_interval = 65536;  ///< states
+    static constexpr std::size_t poll_interval = 65536;  ///< number of states between two polls
     void poll() const {
         if (++polls_ % poll_interval == 0 && stopped()) throw Stop{};
     }
-    /// The cause that ends the search, or None; reports progress periodically. `more`: bytes used besides the graph.
+    /// Returns the reason that ends the search, or None. Reports progress periodically. `more` is the number of bytes
+    /// used in addition to the graph.
     UnknownReason judge(const Graph& graph, std::uint32_t state, std::size_t more);
-    /// Computes a profile of the states found, once, if there are many and one was requested.
+    /// Computes a profile of the states found, at most once, if there are many states and a profile was requested.
     void explain(Graph& graph);
     bool too_many(std::size_t states) const { return states >= options_.max_states || states >= Store::most; }
     bool until_decided() const { return options_.until_decided; }
     std::uint64_t max_memory() const { return options_.max_memory; }
-    /// True if the memory limit ended the search, not a lack of system memory.
+    /// True if the memory limit ended the search; false if the system has no more memory.
     bool allowed_used() const { return allowed_used_; }
 
 private:
@@ -70,8 +72,8 @@ private:
     mutable ThreadPool team_;
 };
 
-/// Fills `graph` from the initial state; returns the cause of an early end, or None. States in which the `race` bit is
-/// set are found but not expanded.
+/// Fills `graph` from the initial state. Returns the reason of an early end, or None. States in which the `race` bit is
+/// set are stored but not expanded.
 UnknownReason explore(Graph& graph, PropertyMonitor& watch, const std::vector<Field>& races, Limits& limits);
 
 }  // namespace grafverif::timed

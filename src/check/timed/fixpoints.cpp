@@ -10,13 +10,13 @@ namespace grafverif::timed {
 
 namespace {
 
-/// One sweep over `open`: states for which `decided(state)` is true move to `set`. With `beside`, threads sweep parts
-/// in parallel.
+/// One sweep over `open`: each state for which `decided(state)` is true moves to `set`. If `beside` is true, threads
+/// sweep parts in parallel.
 template <class Decided>
 void sweep_once(std::vector<std::uint32_t>& open, StateSet& set, bool beside, const Limits& limits,
                 const Decided& decided) {
     const std::size_t parts = beside ? limits.parts(open.size()) : 1;
-    std::vector<std::size_t> ends(parts);  // of the remaining states of each part
+    std::vector<std::size_t> ends(parts);  // end of the remaining states of each part
     const auto sweep_part = [&](std::size_t part) {
         std::size_t kept = open.size() * part / parts;
         const std::size_t end = open.size() * (part + 1) / parts;
@@ -36,8 +36,8 @@ void sweep_once(std::vector<std::uint32_t>& open, StateSet& set, bool beside, co
     open.resize(kept);
 }
 
-/// Sweeps over `open` in alternating directions, until a sweep decides less than one state in `stall` (none, for 0).
-/// `decided(state)` is true if the state joins. False: stopped.
+/// Sweeps over `open` in alternating directions, until a sweep decides less than one state in `stall`; if `stall` is 0,
+/// until it decides none. `decided(state)` is true if the state moves to `set`. Returns false if the check was stopped.
 template <class Decided>
 bool sweep(std::vector<std::uint32_t>& open, StateSet& set, std::size_t stall, bool beside, const Limits& limits,
            const Decided& decided) {
@@ -62,7 +62,7 @@ void join_open(const Graph& graph, StateSet& set, const Limits& limits) {
     });
 }
 
-/// The first `states` states without those in `set`, in order.
+/// Returns the first `states` states that are not in `set`, in order.
 std::vector<std::uint32_t> all_but(const StateSet& set, std::size_t states, const Limits& limits) {
     const std::size_t words = (states + 63) / 64;
     const auto bits = [&](std::size_t word) {
@@ -71,7 +71,7 @@ std::vector<std::uint32_t> all_but(const StateSet& set, std::size_t states, cons
         return ~set.bits(word) & all;
     };
     const std::size_t parts = limits.parts(states);
-    std::vector<std::size_t> first(parts + 1);  // in the list
+    std::vector<std::size_t> first(parts + 1);  // first index of each part in the list
     limits.share(parts, [&](std::size_t part) {
         std::size_t count = 0;
         for (std::size_t word = words * part / parts; word != words * (part + 1) / parts; ++word)
@@ -89,25 +89,26 @@ std::vector<std::uint32_t> all_but(const StateSet& set, std::size_t states, cons
     return list;
 }
 
-/// The expanded states that are not in `set`; adds the states that were not expanded to `set`.
+/// Returns the expanded states that are not in `set`. Adds the states that were not expanded to `set`.
 std::vector<std::uint32_t> undecided(const Graph& graph, StateSet& set, const Limits& limits) {
     join_open(graph, set, limits);
     return all_but(set, graph.states(), limits);
 }
 
-constexpr std::size_t most_walkers = 4;  // each has separate path memory
+constexpr std::size_t most_walkers = 4;  // limited because each walker has separate memory for its path
 
-/// Decides the states that sweeps leave open, depth first from the roots: a state is left for good, and joins `met`,
-/// when all its successors are in `met`. Several threads walk in parallel, from different roots and into successors in
-/// different orders; none enters a state that another one has left. A state that avoids `met` is on a cycle of such
-/// states, leads to one, or is a terminal state. No walk ever leaves it, so it is found regardless of the thread.
+/// Decides the states that sweeps leave open by a depth-first walk from the roots. When all successors of a state are
+/// in `met`, the walk leaves the state permanently and adds it to `met`. Several threads walk in parallel, from
+/// different roots and with different orders of successors. A thread does not enter a state that another one has left.
+/// A state from which a run avoids `met` lies on a cycle of such states, leads to one, or is terminal. No walk ever
+/// leaves such a state, so it is found independently of the thread.
 class DepthFirst {
 public:
     DepthFirst(Graph& graph, StateSet& met, const std::vector<std::uint32_t>& roots, const Limits& limits,
                std::size_t walkers)
         : graph_(graph), met_(met), roots_(roots), limits_(limits), walkers_(walkers) {}
 
-    /// True if no run from the roots avoids `met`.
+    /// Returns true if no run from the roots avoids `met`.
     bool run() {
         limits_.share(walkers_, [&](std::size_t walker) { walk(walker); });
         return !avoided_;
@@ -120,7 +121,7 @@ private:
         StateSet states;
         Column<std::uint32_t> stack = {};
         std::uint32_t steps = 0;
-        bool in_order = false;  // successors; otherwise the last comes first
+        bool in_order = false;  // true: visits successors in order; false: in reverse order
     };
 
     void walk(std::size_t walker) {
@@ -132,7 +133,7 @@ private:
         }
     }
 
-    /// False if some walker has found a run.
+    /// Returns false if some walker has found a run that avoids `met`.
     bool walk_from(std::uint32_t root, Path& path) {
         Column<std::uint32_t>& stack = path.stack;
         stack.push_back(root);
@@ -180,13 +181,13 @@ private:
 std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Transitions by,
                                                        const Limits& limits) {
     std::vector<std::uint32_t> open = undecided(graph, goal, limits);
-    const auto target_leads = [&](std::uint32_t state) {  // without visiting all successors
+    const auto target_leads = [&](std::uint32_t state) {  // tests the stored target without visiting all successors
         const StateKind kind = graph.kind(state);
         const bool has_one = kind == StateKind::Urgent || (kind == StateKind::Acts && by != Transitions::UrgentActions);
         return has_one && goal.has(graph.target(state));
     };
     if (!sweep(open, goal, 0, true, limits, target_leads)) return {};
-    std::vector<std::uint32_t> successors;  // of urgent edges; their sweep is sequential
+    std::vector<std::uint32_t> successors;  // successors by urgent edges; the sweep that uses them is sequential
     const auto leads = [&](std::uint32_t state) {
         bool found = false;
         const auto look = [&](std::uint32_t next) { found = found || goal.has(next); };

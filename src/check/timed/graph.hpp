@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Graph: the states that a search has found and the transitions between them.
 //
-// A state's kind states, in one word with its target, if time passes in it and where to. The targets of edges are in
-// `links`: each as the distance of its number from the previous one (the first: from the state itself), in as few
-// groups of seven bits as possible, since most are near. If links use too many bytes per state they are dropped, and
-// computed again on demand: less memory for more time. Parents give each state its shortest run.
+// The kind of a state is stored in one word together with a target. It states if time passes in the state, and the
+// target is a successor. The targets of edges are in `links`: each is encoded as the difference of its number from the
+// previous one (for the first, from the state itself), in as few groups of seven bits as possible, since most
+// differences are small. If links use too many bytes per state, they are dropped and computed again on demand, which
+// saves memory but costs time. Parents determine a shortest run to each state.
 #pragma once
 
 #include <atomic>
@@ -20,29 +21,29 @@
 
 namespace grafverif::timed {
 
-/// The behaviour of a state apart from its edges.
+/// The behaviour of a state except for its edges.
 enum class StateKind : std::uint32_t {
-    Unknown,       ///< not expanded
+    Unknown,       ///< the state was not expanded
     Passes,        ///< time passes, no edge is enabled
-    PassesOrActs,  ///< time passes, or an edge is taken
+    PassesOrActs,  ///< time passes, and an edge can be taken
     Urgent,        ///< an urgent edge stops time; the target is its successor
-    Stuck,         ///< an invariant stops time, no edge is enabled
-    Acts,          ///< an invariant stops time, an edge is enabled; the target is a successor
-    Open,          ///< a model error: nothing is concluded from this state
+    Stuck,         ///< an invariant stops time, and no edge is enabled
+    Acts,          ///< an invariant stops time, and an edge is enabled; the target is a successor
+    Open,          ///< a model error occurs: nothing is concluded from this state
 };
 
-/// Compressed lists of states, one list per state.
+/// Compressed lists of target states, one list per state.
 class Links {
 public:
-    /// The lists of a few consecutive states, built in parallel with others.
+    /// The lists of a few consecutive states, built in parallel with other chunks.
     struct Chunk {
-        static constexpr std::size_t most = 5;  ///< maximum bytes of one state in a list
+        static constexpr std::size_t most = 5;  ///< maximum bytes of one target in a list
         std::vector<std::uint8_t> bytes = {};
-        std::vector<std::uint32_t> begins = {};  ///< in `bytes`, of each list
+        std::vector<std::uint32_t> begins = {};  ///< start of each list in `bytes`
 
         /// Begins the list of the next state.
         void begin() { begins.push_back(static_cast<std::uint32_t>(bytes.size())); }
-        /// `last`: the previous state of the list, or the state that the list belongs to.
+        /// Adds the target `next`. `last` is the previous target of the list, or the state to which the list belongs.
         void add(std::uint32_t last, std::uint32_t next) {
             const auto distance = static_cast<std::int64_t>(next) - static_cast<std::int64_t>(last);
             auto rest = static_cast<std::uint64_t>(distance < 0 ? -2 * distance - 1 : 2 * distance);
@@ -50,7 +51,7 @@ public:
             bytes.push_back(static_cast<std::uint8_t>(rest));
         }
     };
-    /// Appends the lists of the next states.
+    /// Appends the lists of the states that follow.
     void append(const Chunk& part) {
         const auto first = static_cast<std::uint32_t>(bytes_.size());
         bytes_.append(part.bytes.data(), part.bytes.size());
@@ -84,10 +85,10 @@ public:
 
 private:
     Column<std::uint8_t> bytes_ = {};
-    Column<std::uint32_t> ends_ = {};  // where the list of each state begins
+    Column<std::uint32_t> ends_ = {};  // start of the list of each state
 };
 
-/// A set of states. Threads may add to it in parallel by `add_beside`, and read it concurrently.
+/// A set of states. Threads may add to it in parallel with `add_beside`, and read it at the same time.
 class StateSet {
 public:
     explicit StateSet(std::size_t states) : words_((states + 63) / 64) {}
@@ -96,7 +97,7 @@ public:
     void add_beside(std::uint32_t state) { word(state).fetch_or(bit(state), relaxed); }
     void remove(std::uint32_t state) { word(state).store(word(state).load(relaxed) & ~bit(state), relaxed); }
 
-    /// The states from 64 * `index` on, one per bit.
+    /// Returns the 64 states from 64 * `index` on, one per bit.
     std::uint64_t bits(std::size_t index) const { return words_[index].load(relaxed); }
 
 private:
@@ -118,7 +119,7 @@ struct FaultAt {
     Fault fault = {};
 };
 
-/// Thread-safe for reading by const functions.
+/// The states and transitions of a search. Const functions are thread-safe.
 class Graph {
 public:
     explicit Graph(Machine& compiled) : machine(compiled), store(compiled.layout()) {}
@@ -128,20 +129,20 @@ public:
     Machine& machine;
     Store store;
     Column<std::uint32_t> parent = {};
-    Column<std::uint32_t> kinds = {};  // with targets
-    Links links = {};                  // per expanded state
+    Column<std::uint32_t> kinds = {};  // kind and target of each state
+    Links links = {};                  // lists of the expanded states
     bool linked = true;
     std::uint32_t looked_at = 0;             // all states below this number have `kinds` and `links`
-    std::vector<std::uint32_t> levels = {};  // the first state of each depth
+    std::vector<std::uint32_t> levels = {};  // first state of each depth
     std::uint64_t transitions = 0;
     bool time_passes = false;
     std::optional<UncoveredAt> stuck_bound = {}, locked_bound = {};
-    std::vector<FaultAt> faults = {};        // one per edge and variable
+    std::vector<FaultAt> faults = {};        // at most one per edge and variable
     std::optional<std::uint32_t> race = {};  // the first state with a race
 
     std::size_t states() const { return store.size(); }
     StateKind kind(std::uint32_t state) const { return static_cast<StateKind>(kinds[state] >> kind_shift); }
-    /// The successor by a unit of time, or by the urgent edge.
+    /// Returns the successor by a unit of time or by the urgent edge.
     std::uint32_t target(std::uint32_t state) const { return kinds[state] & target_mask; }
     bool passes(std::uint32_t state) const {
         return kind(state) == StateKind::Passes || kind(state) == StateKind::PassesOrActs;
@@ -169,16 +170,17 @@ public:
         each_action(state, visit);
         if (passes(state)) visit(target(state));
     }
-    /// The successors by urgent edges.
+    /// Returns the successors by urgent edges in `found`.
     void urgent_successors(std::uint32_t state, std::vector<std::uint32_t>& found);
 
-    /// The move that leads from one state to its successor.
+    /// Returns the move that leads from one state to its successor.
     Move move_between(std::uint32_t from, std::uint32_t to);
-    /// The moves along a path of states; joins consecutive delays, except across the index `loop` of the path.
+    /// Returns the moves along a path of states. Consecutive delays are joined, except across the index `loop` of the
+    /// path.
     Run run_along(const std::vector<std::uint32_t>& path, std::optional<std::size_t> loop = {});
-    /// The states of a path after the first, in the form of TimedResult::paths.
+    /// Returns the states of a path after the first, in the form of TimedResult::paths.
     std::vector<AbstractState> states_along(const std::vector<std::uint32_t>& path);
-    /// The path from the initial state.
+    /// Returns the path from the initial state.
     std::vector<std::uint32_t> path_to(std::uint32_t state) const;
     Run run_to(std::uint32_t state) { return run_along(path_to(state)); }
 
@@ -195,7 +197,7 @@ private:
 
     Moves moves_ = {};
     Unfolded now_ = {}, found_ = {};
-    std::size_t taken_ = 0;  // set by move_between: the number of the edge in moves_
+    std::size_t taken_ = 0;  // index in moves_ of the edge, set by move_between
 };
 
 }  // namespace grafverif::timed

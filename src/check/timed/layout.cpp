@@ -10,7 +10,8 @@ namespace grafverif::timed {
 
 namespace {
 
-/// Allocates bits, each field in the first word with enough free bits; related fields are allocated consecutively.
+/// Allocates bits. Each field is placed in the first word with enough free bits; related fields are allocated
+/// consecutively.
 class Bits {
 public:
     Field take(std::uint64_t values, std::int64_t low) {
@@ -25,14 +26,14 @@ public:
         return field;
     }
 
-    /// Later fields begin a new half word; returns its number.
+    /// Starts a new half word for later fields; returns its number.
     std::size_t seam() {
         first_ = std::max<std::size_t>(used_.size(), 1) - 1;
         if (last() > 0) used_.back() = last() <= 32 ? 32 : 64;
         return 2 * used_.size() - (last() == 32 ? 1 : 0);
     }
 
-    /// Later fields use new words.
+    /// Starts new words for later fields.
     void close() {
         base_ = size();
         first_ = 0;
@@ -44,13 +45,13 @@ public:
 
 private:
     std::size_t base_ = 0;
-    std::size_t first_ = 0;            // every word before it is full
-    std::vector<unsigned> used_ = {};  // bits used in each open word
+    std::size_t first_ = 0;            // every word before this one is full
+    std::vector<unsigned> used_ = {};  // number of bits used in each open word
 };
 
 std::uint64_t values_of(const Type& type) { return static_cast<std::uint64_t>(type.high - type.low) + 1; }
 
-/// The processes, grouped by independent subsystem.
+/// Returns the processes, grouped by independent subsystem.
 std::vector<Id<Network::Process>> by_part(const Network& network, const NetworkSubsystems& parts) {
     std::vector<Id<Network::Process>> processes;
     for (const Id<Network::Process> process : network.processes.ids()) processes.push_back(process);
@@ -58,7 +59,7 @@ std::vector<Id<Network::Process>> by_part(const Network& network, const NetworkS
     return processes;
 }
 
-/// Per process the variables that it writes first, in order; unwritten variables come last.
+/// Returns the variables that each process is the first to write, in order; unwritten variables come last.
 std::vector<std::vector<Id<Network::Variable>>> written_by_process(const Network& network) {
     std::vector<std::size_t> writer(network.variables.size(), network.processes.size());
     for (const Id<Network::Process> id : network.processes.ids()) {
@@ -145,7 +146,8 @@ std::optional<std::string> inexact_place(const Network& network) {
             const std::string place = "`" + process.name + "`, edge `" + automaton.locations[edge.from].name + " -> " +
                                       automaton.locations[edge.to].name + "`";
             const bool watches =
-                process.kind == Network::ProcessKind::Observer;  // proof: docs/explanation/timed-engine.md
+                // Proof that observers may be excluded: docs/explanation/timed-engine.md.
+                process.kind == Network::ProcessKind::Observer;
             for (const Network::ClockConstraint& constraint : edge.constraint)
                 if (strict(constraint) && !watches)
                     return "the strict constraint on clock `" + automaton.clocks[constraint.clock].name + "` of " +

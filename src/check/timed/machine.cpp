@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Computes the moves of a state: the hot loop of the search. It does not allocate after its buffers have grown.
+// Computes the moves of a state: the inner loop of the search. It does not allocate memory after its buffers have
+// grown.
 #include "check/timed/machine.hpp"
 
 #include <bit>
@@ -50,14 +51,14 @@ void Machine::fire(std::uint32_t edge, const Word* words, Moves& moves) const {
     else fire_each_way(edge, words, moves);
 }
 
-/// Adds the successor by the edge as the last move; null: a fault.
+/// Adds the successor by the edge as the last move. Returns null after a model error.
 Word* Machine::take(std::uint32_t edge, const Word* words, Moves& moves) const {
     if (const std::size_t room = (moves.edges.size() + 1) * layout_.words; moves.words.size() < room)
         moves.words.resize(2 * room);
     Word* const next = moves.words.data() + moves.edges.size() * layout_.words;
     for (std::size_t i = 0; i < layout_.stored; ++i) next[i] = words[i];
     const ExecutionResult ran = run(program_, edges_[edge].effect, next, moves.registers.data() + program_.below);
-    moves.urgent = moves.urgent || edges_[edge].urgent;  // also at a model error
+    moves.urgent = moves.urgent || edges_[edge].urgent;  // set even if a model error occurs
     if (ran.end == End::Yes) {
         moves.edges.push_back(edge);
         if (moves.record_choices) moves.chosen.insert(moves.chosen.end(), choices_.size(), 0);
@@ -67,7 +68,8 @@ Word* Machine::take(std::uint32_t edge, const Word* words, Moves& moves) const {
     return nullptr;
 }
 
-/// Depth-first over the splits in the code of the edge: each run follows `path`, which is then advanced.
+/// Executes the code of the edge once for each combination of inputs, depth-first over the splits: each execution
+/// follows `path`, which is then advanced.
 void Machine::fire_each_way(std::uint32_t edge, const Word* words, Moves& moves) const {
     const Edge& at = edges_[edge];
     std::int64_t* const registers = moves.registers.data() + program_.below;

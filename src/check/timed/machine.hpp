@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Machine: a network compiled for the search: computes the moves of a packed state as packed states.
+// Machine: a network compiled for the search. It computes the moves of a packed state as packed states.
 //
-// An edge is tested by one comparison of a word, then by the rest of its guard and clock constraint. Its effect is one
-// program on a copy of the state: assignments, procedures, the new location, resets, caps, the target's invariant.
+// An edge is tested by one comparison of a word, then by the rest of its guard and its clock constraint. One program
+// applies its effect to a copy of the state: assignments, procedures, the new location, resets, caps, and the target's
+// invariant.
 //
-// While testing the edges of a state, the machine also determines if integer time is exact there (design: "time can
-// hide a lock between the ticks"). For each bound `c <= d` in force, an edge covers it if its data guard holds and it
-// is enabled at c == d for all values of the other clocks; see `Exactness`.
+// While testing the edges of a state, the machine also determines if integer time is exact in this state (design: "time
+// can hide a lock between the ticks"). For each bound `c <= d` in force, an edge covers the bound if its data guard
+// holds and it is enabled at c == d for all values of the other clocks; see UncoveredBound.
 #pragma once
 
 #include <cstdint>
@@ -19,40 +20,40 @@
 
 namespace grafverif::timed {
 
-/// A model error and its place.
+/// A model error with its edge and variable.
 struct Fault {
     End kind = End::OutOfRange;
-    std::uint32_t edge = 0;      ///< in Machine::edges
-    std::uint32_t variable = 0;  ///< for OutOfRange
+    std::uint32_t edge = 0;      ///< index in Machine::edges
+    std::uint32_t variable = 0;  ///< variable, only for OutOfRange
 };
 
 /// A bound in force that no edge covers.
 struct UncoveredBound {
     std::uint32_t process = 0;
-    std::uint32_t bound = 0;  ///< in the invariant of its location
+    std::uint32_t bound = 0;  ///< index in the invariant of its location
 };
 
 /// The moves of one state; reused to avoid allocation.
 struct Moves {
     std::vector<std::uint32_t> edges = {};  ///< the enabled edges, in the order of processes and edges
-    std::vector<Word> words = {};           ///< their target states, at intervals of Machine::layout.words
+    std::vector<Word> words = {};           ///< target states of the moves, at intervals of Machine::layout.words
     std::vector<std::int64_t> registers = {};
     bool record_choices = false;
-    std::vector<Word> chosen = {};  ///< if recorded: per move and choice, the valuations that are possible after it
-    bool cut = false;               ///< an edge has more than Machine::most_choices combinations of inputs
-    bool urgent = false;            ///< some urgent edge is enabled: time stops
+    std::vector<Word> chosen = {};  ///< if recorded: the valuations that remain possible, per move and choice
+    bool cut = false;               ///< true if an edge has more than Machine::most_choices combinations of inputs
+    bool urgent = false;            ///< true if some urgent edge is enabled, so that time stops
     std::optional<Fault> fault = {};
-    std::optional<UncoveredBound> stuck_bound = {};   ///< a run may end here between the ticks
-    std::optional<UncoveredBound> locked_bound = {};  ///< a timelock may occur here between the ticks
+    std::optional<UncoveredBound> stuck_bound = {};   ///< a bound at which a run may end between the ticks
+    std::optional<UncoveredBound> locked_bound = {};  ///< a bound at which a timelock may occur between the ticks
 };
 
-/// A network as code. Threads may share it as long as nothing is compiled.
+/// A network as code. Threads may share it while nothing is compiled.
 class Machine {
 public:
     static constexpr std::size_t most_choices = std::size_t{1} << 14U;
 
-    /// `network` is expanded, and must outlive the machine. An edge of a PLC that reads chosen inputs represents one
-    /// edge per combination of their values. Requires at most Choices::most_splits valuations in total.
+    /// Compiles `network`, which must be expanded and outlive the machine. An edge of a PLC that reads chosen inputs
+    /// represents one edge per combination of their values. Requires at most Choices::most_splits valuations in total.
     explicit Machine(const Network& network, std::vector<InputChoice> choices = {});
 
     const Network& network() const { return network_; }
@@ -60,49 +61,49 @@ public:
     Program& program() { return program_; }
     Compiler& compiler() { return compiler_; }
 
-    /// Every enabled edge in `words` (layout().words of them).
+    /// Computes the moves by every edge that is enabled in `words` (layout().words words).
     void expand(const Word* words, Moves& moves) const;
-    /// Lets one unit of time pass if invariants permit it; ignores urgency. False: some invariant forbids it.
+    /// Lets one unit of time pass, without regard to urgency. Returns false if an invariant forbids it.
     bool delay(Word* words) const;
-    /// A term over variables and locations; undefined values are reported as NoValue.
+    /// Evaluates a term over variables and locations. An undefined value is reported as NoValue.
     End holds(std::uint32_t predicate, const Word* words, std::vector<std::int64_t>& registers) const;
 
     Id<Network::Process> process_of(std::uint32_t edge) const { return {edges_[edge].process}; }
     Id<Network::Edge> edge_of(std::uint32_t edge) const { return {edges_[edge].index}; }
     bool urgent(std::uint32_t edge) const { return edges_[edge].urgent; }
     const std::vector<InputChoice>& choices() const { return choices_; }
-    /// True if some clock is compared.
+    /// True if some clock is compared with a constant.
     bool timed() const { return timed_; }
 
 private:
     struct Edge {
-        Word mask = 0, value = 0;            // a first test
-        std::uint32_t guard = Program::yes;  // the rest of the guard
+        Word mask = 0, value = 0;            // first test: the masked word has this value
+        std::uint32_t guard = Program::yes;  // code of the rest of the guard
         std::uint32_t clocks = Program::yes;
         std::uint32_t effect = Program::yes;
         std::uint32_t process = 0, index = 0;
-        Word covers = 0, frees = 0;  // bounds of the source's invariant: see UncoveredBound
+        Word covers = 0, frees = 0;  // masks of bounds of the source's invariant: see UncoveredBound
         std::uint16_t word = 0;
-        std::uint32_t first_set = 0, last_set = 0;  // sets_: the choices of its PLC
+        std::uint32_t first_set = 0, last_set = 0;  // range in sets_: the choices of its PLC
         bool urgent = false;
         bool always = false;  // the edge is independent of clocks: it covers every bound of every process
     };
-    struct Set {  // of valuations, in an edge
+    struct Set {  // a set of valuations of a choice, in an edge
         std::uint32_t choice = 0;
         Word all = 0;
-        bool widened = false;  // by the edge
+        bool widened = false;  // true if the edge makes all valuations possible again
     };
     struct Tick {
         Word mask = 0;
-        Word greatest = 0;  // time passes below it
+        Word greatest = 0;  // time passes below this clock value
         Word cap = 0;
         std::uint16_t word = 0;
         std::uint8_t shift = 0;
     };
     struct Row {                                      // one location of one process
-        std::uint32_t first = 0, last = 0;            // edges_
-        std::uint32_t first_tick = 0, last_tick = 0;  // ticks_
-        Word bounds = 0, late = 0;                    // its bounds, and those of at least one unit
+        std::uint32_t first = 0, last = 0;            // range in edges_
+        std::uint32_t first_tick = 0, last_tick = 0;  // range in ticks_
+        Word bounds = 0, late = 0;                    // mask of its bounds, and of bounds of at least one unit
     };
     struct Place {
         Word mask = 0;
@@ -133,7 +134,7 @@ private:
     std::vector<Tick> ticks_ = {};
     std::vector<Row> rows_ = {};
     std::vector<Place> places_ = {};
-    std::vector<Field> until_delay_ = {};  // the sets of choices that a delay makes complete again
+    std::vector<Field> until_delay_ = {};  // sets of choices in which a delay makes all valuations possible again
     bool timed_ = false;
 };
 

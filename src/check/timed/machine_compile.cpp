@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Network -> Machine: the static part.
+// Compiles a Network to a Machine: the part that is executed once.
 #include <algorithm>
 #include <utility>
 
@@ -9,7 +9,7 @@ namespace grafverif::timed {
 
 namespace {
 
-/// The tests of a clock interval as code; clocks are compared after limiting them to `cap`.
+/// Compiles the tests of a clock interval. Clocks are compared after they are limited to `cap`.
 std::uint32_t within(Compiler& compiler, const Field& field, const Interval& wanted, std::int64_t cap,
                      std::uint32_t yes, std::uint32_t no) {
     const std::int64_t low = std::max<std::int64_t>(wanted.low, 0);
@@ -97,7 +97,7 @@ Machine::Edge Machine::compile_edge(Id<Network::Process> process, Id<Network::Ed
     compiled.index = id.index;
     compiled.urgent = edge.urgent;
     compile_guard(edge.guard, compiled);
-    // The target's invariant after the resets: it reads only clocks, so it can be tested before the effect.
+    // The target's invariant after the resets reads only clocks. It can therefore be tested before the effect.
     const std::vector<Interval> wanted = admitted(network_, edge.constraint, automaton.clocks.size());
     const std::vector<Interval> after =
         admitted(network_, automaton.locations[edge.to].invariant, automaton.clocks.size());
@@ -115,7 +115,7 @@ Machine::Edge Machine::compile_edge(Id<Network::Process> process, Id<Network::Ed
     return compiled;
 }
 
-/// The tests of bits of one word are stored in the edge itself, the rest as code.
+/// Compiles a guard. The tests of the bits of one word are stored in the edge itself, the rest as code.
 void Machine::compile_guard(Id<Expr> guard, Edge& compiled) {
     const auto alone = [&](Id<Expr> term) {
         const auto bits = compiler_.literal(term);
@@ -179,9 +179,9 @@ std::uint32_t Machine::compile_effect(Id<Network::Process> process, const Networ
     return next;
 }
 
-/// Determines which bounds of the source this edge covers (see UncoveredBound): it is enabled at `c == d` if c is the
+/// Determines which bounds of the source this edge covers (see UncoveredBound). It is enabled at `c == d` if c is the
 /// only clock that affects its constraint and the target's invariant after the resets. A bound of the target that the
-/// source implies has no effect. The edge frees the bound if c is reset, or not bounded before its next reset.
+/// source implies has no effect. The edge frees the bound if it resets c, or if c is not bounded before its next reset.
 void Machine::check_bounds(Id<Network::Process> process, const Network::Edge& edge, Edge& compiled) const {
     const Network::Template& automaton = network_.templates[network_.processes[process].automaton];
     const std::size_t clocks = automaton.clocks.size();
@@ -189,7 +189,8 @@ void Machine::check_bounds(Id<Network::Process> process, const Network::Edge& ed
     const std::vector<Interval> wanted = admitted(network_, edge.constraint, clocks);
     const std::vector<Interval> given = admitted(network_, invariant, clocks);
     const std::vector<Interval> after = admitted(network_, automaton.locations[edge.to].invariant, clocks);
-    const auto free = [&](std::uint32_t clock) {  // the clock has no effect, for all values that the source permits
+    // True if the clock has no effect for all values that the source permits.
+    const auto free = [&](std::uint32_t clock) {
         if (wanted[clock].low > 0 || wanted[clock].high < given[clock].high) return false;
         return resets(edge, {clock}) ? after[clock].high >= 0 : given[clock].high <= after[clock].high;
     };
@@ -198,7 +199,7 @@ void Machine::check_bounds(Id<Network::Process> process, const Network::Edge& ed
         if (!free(clock)) speaking.push_back(clock);
     compiled.always = speaking.empty();
     for (std::size_t bound = 0; bound < std::min<std::size_t>(invariant.size(), 63);
-         ++bound) {  // further ones stay open
+         ++bound) {  // further bounds are treated as uncovered
         const std::uint32_t clock = invariant[bound].clock.index;
         const std::int64_t value = admitted(network_, invariant[bound]).high;
         const bool reset = resets(edge, {clock});

@@ -10,11 +10,12 @@ namespace grafverif::timed {
 namespace {
 
 constexpr std::size_t first_slots = 32;
-constexpr std::uint32_t fetched_ahead = 32;  // slots whose pairs are fetched ahead of their use
-constexpr unsigned least_number_bits = 12;   // so that a print has at most the 20 bits that no slot index uses
+constexpr std::uint32_t fetched_ahead = 32;  // number of slots whose pairs are prefetched
+// Chosen such that a print has at most the 20 bits that a slot index does not use.
+constexpr unsigned least_number_bits = 12;
 
-// The topmost bits of a hash select the shard, the lowest are the print, the bits between them select the slot in the
-// shard.
+// The topmost bits of a hash select the shard, the lowest bits are the print, and the bits between them select the slot
+// in the shard.
 
 std::uint32_t print_of(std::uint64_t hash, unsigned number_bits) {
     return static_cast<std::uint32_t>(hash) & ((1U << (32U - number_bits)) - 1);
@@ -28,7 +29,7 @@ std::uint32_t mask_of(unsigned bits) { return bits == 0 ? 0 : 0xFFFFFFFFU >> (32
 
 }  // namespace
 
-/// Steele, Lea, Flood: Fast splittable pseudorandom number generators (2014), the mixing of SplitMix64.
+/// Mixing function of SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number generators, 2014).
 std::uint64_t Pairs::hash(Word pair) {
     std::uint64_t hash = pair + 0x9E3779B97F4A7C15U;
     hash = (hash ^ (hash >> 30U)) * 0xBF58476D1CE4E5B9U;
@@ -128,7 +129,7 @@ void Pairs::pack() {
     packed.low = mask_of(packed.low_bits);
     packed.high = mask_of(static_cast<unsigned>(std::bit_width(highs)));
     packed.each = static_cast<std::uint8_t>((packed.low_bits + std::bit_width(highs) + 7) / 8);
-    const std::size_t bytes = chunk * packed.each + sizeof(Word);  // the last pairs are also read as words
+    const std::size_t bytes = chunk * packed.each + sizeof(Word);  // the last pairs are also read as complete words
     packed.bytes = std::make_unique<std::uint8_t[]>(bytes);
     for (std::size_t i = 0; i < chunk; ++i) {
         const Word word = low(open_[i]) | Word{high(open_[i])} << packed.low_bits;
@@ -138,7 +139,8 @@ void Pairs::pack() {
     chunk_bytes_ += bytes + sizeof(Chunk);
 }
 
-/// Rehashes with this number of slots, and bits for `more` numbers and for those that fit until it is full.
+/// Rehashes the shard with this number of slots. The slots have enough bits for `more` further numbers and for as many
+/// as fit until the shard is full.
 void Pairs::rebuild(Shard& shard, std::size_t slots, std::size_t more) {
     Shard wider{std::vector<std::uint32_t>(slots), shard.used, 0};
     wider.number_bits =

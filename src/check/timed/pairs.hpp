@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Pairs of 32-bit numbers, each pair numbered once, in the order of its insertion: a level of the tree in which states
-// are stored (see Store).
+// Pairs: a table of pairs of 32-bit numbers, in which each pair has a unique number, in the order of insertion. It is
+// one level of the tree in which states are stored (see Store).
 //
-// The pairs are in chunks in the order of their numbers. A full chunk is packed: each of its pairs uses the bytes that
-// the greatest numbers of the chunk need. The index is split into shards by hash. A shard is doubled separately when it
-// is four fifths full, so that only one shard is duplicated at a time. A slot of 32 bits contains a pair's number. The
-// bits that no number uses yet contain a print of the hash, which distinguishes most other pairs without reading them.
+// The pairs are in chunks in the order of their numbers. A full chunk is packed: each of its pairs uses the number of
+// bytes that the largest numbers of the chunk need. The index is split into shards by hash. When a shard is four fifths
+// full, it alone is doubled, so that only one shard is duplicated at a time. A slot of 32 bits contains the number of a
+// pair. The bits that no number uses yet contain a print of the hash. It distinguishes most other pairs without an
+// access to them.
 #pragma once
 
 #include <cstdint>
@@ -33,24 +34,25 @@ public:
         std::uint32_t number = none;
         bool fresh = false;
     };
-    /// The number of the pair; a new one if it has none. Complete, or without effect if memory is exhausted.
+    /// Returns the number of the pair, which is new if it had none. If memory is exhausted, nothing is changed.
     Interned intern(Word pair);
-    /// The next number, for a pair that has none; the pair is not found before it is indexed.
+    /// Returns the next number for a pair that has none. The pair cannot be found before it is indexed.
     std::uint32_t append(Word pair);
-    // The following functions may run in several threads: each accesses only its own shards.
+    // The following functions may run in several threads, each of which accesses only the shards of its Share.
     struct Share {
         unsigned member = 0, members = 1;
     };
-    /// Reserves memory for further pairs; it may not suffice if unusually many of them fall into one shard.
+    /// Reserves memory for further pairs. It may not suffice if unusually many of them belong to one shard.
     void free_memory(std::size_t more, Share share);
-    /// The shard of the pair; it belongs to the member whose number equals it modulo the number of members.
+    /// Returns the shard of the pair. It belongs to the member whose number equals the shard modulo the number of
+    /// members.
     std::uint8_t shard_of(Word pair) const { return static_cast<std::uint8_t>(shard_at(hash(pair))); }
-    /// Makes an appended pair findable.
+    /// Adds an appended pair to the index, so that it can be found.
     void index(Word pair, std::uint32_t number);
 
-    /// The number of the pair, or none.
+    /// Returns the number of the pair, or none.
     std::uint32_t find(Word pair) const;
-    /// Prefetches the first slot of the pair, and then the pair that it refers to.
+    /// Prefetch the first slot of the pair, and then the pair to which the slot refers.
     void prefetch(Word pair) const;
     void prefetch_met(Word pair) const;
 
@@ -66,19 +68,19 @@ public:
     std::size_t size() const { return size_; }
     std::size_t bytes() const { return chunk_bytes_ + index_bytes(); }
     std::size_t index_bytes() const;
-    /// Frees the index: from here on no pair can be found.
+    /// Frees the index; afterwards no pair can be found.
     void drop_index();
 
 private:
     static constexpr std::size_t shift = 9, chunk = std::size_t{1} << shift;
     struct Chunk {
         std::unique_ptr<std::uint8_t[]> bytes = {};
-        std::uint32_t low = 0, high = 0;  // masks
+        std::uint32_t low = 0, high = 0;  // masks of the two numbers
         std::uint8_t low_bits = 0, each = 0;
     };
     struct Shard {
-        std::vector<std::uint32_t> slots = {};  // print and number + 1; 0: free
-        std::size_t used = 0;                   // including appended ones
+        std::vector<std::uint32_t> slots = {};  // each contains a print and number + 1; 0 if free
+        std::size_t used = 0;                   // number of used slots, including those of appended pairs
         unsigned number_bits = 0;
     };
 
@@ -95,7 +97,7 @@ private:
     std::size_t size_ = 0;
     std::size_t chunk_bytes_ = 0;
     std::vector<Chunk> packed_ = {};
-    std::unique_ptr<Word[]> open_;  // the last chunk
+    std::unique_ptr<Word[]> open_;  // pairs of the last chunk, which is not packed yet
     std::vector<Shard> shards_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Two premises are questions about cycles: that no run continues forever within one instant (cycles of edges alone),
-// and that time can diverge (cycles of edges and delays that contain a delay). Both are decided by strongly connected
-// components. Most parts can rest: a state that time leaves unchanged decides the second one immediately.
+// Two premises concern cycles: no run continues forever within one instant (cycles of edges only), and time can diverge
+// (cycles of edges and delays that contain a delay). Both are decided by strongly connected components. Most parts can
+// rest: a state that does not change when time passes decides the second premise immediately.
 #include "check/timed/premises.hpp"
 
 #include <optional>
@@ -13,7 +13,8 @@ namespace grafverif::timed {
 
 namespace {
 
-/// The components of all states under edges, and delays if `delays`; a state with a model error has no successors.
+/// Returns the components of all states under edges, and also under delays if `delays` is true. A state with a model
+/// error has no successors.
 auto components_of(Graph& graph, bool delays, const Limits& limits) {
     Components components(graph.states(), limits, [&graph, delays](std::uint32_t state, const auto& take) {
         if (graph.open(state)) return;
@@ -24,7 +25,7 @@ auto components_of(Graph& graph, bool delays, const Limits& limits) {
     return components;
 }
 
-/// A run in which time diverges; one that comes to rest if there is one.
+/// Returns a run in which time diverges. If a run that stays in one state exists, it is preferred.
 std::optional<Run> divergent(Graph& graph, const Limits& limits) {
     const auto along = [&](std::uint32_t state, const std::vector<std::uint32_t>& cycle) {
         std::vector<std::uint32_t> path = graph.path_to(state);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Each field of a state has a pseudorandom number that depends on its value. The hash of a state is their sum; that of
-// a component (a part, a clock) is the sum over its fields. The hash of the rest without the component is the
-// difference. So one pass over the states gives the rests of every component. Only rests in one class of 2^k are
-// counted, which bounds the memory: a class contains all states of a rest or none.
+// Each field of a state has a pseudorandom number that depends on its value. The hash of a state is the sum of these
+// numbers; the hash of a component (a part or a clock) is the sum over its fields. The difference is the hash of the
+// rest of the state. Therefore one pass over the states yields the rests for every component. Only rests in one class
+// of 2^k are counted, which bounds the memory: a class contains either all states with a given rest or none.
 #include "check/timed/profile.hpp"
 
 #include <algorithm>
@@ -17,10 +17,11 @@ namespace grafverif::timed {
 
 namespace {
 
-constexpr std::size_t most_rests = std::size_t{1} << 21U;  // kept
-constexpr std::size_t most_seen = std::size_t{1} << 20U;   // distinguished values, of all components together
+constexpr std::size_t most_rests = std::size_t{1} << 21U;  // maximum number of stored rests
+// Maximum number of distinguished values, for all components together.
+constexpr std::size_t most_seen = std::size_t{1} << 20U;
 
-/// Steele, Lea, Flood: Fast splittable pseudorandom number generators (2014), the mixing of SplitMix64.
+/// Mixing function of SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number generators, 2014).
 std::uint64_t mixed(std::uint64_t value) {
     value += 0x9E3779B97F4A7C15U;
     value = (value ^ (value >> 30U)) * 0xBF58476D1CE4E5B9U;
@@ -29,8 +30,8 @@ std::uint64_t mixed(std::uint64_t value) {
 }
 
 struct ProfiledElement {
-    std::uint64_t now = 0;  // of the current state
-    std::uint64_t met = 0;  // states whose rest is counted
+    std::uint64_t now = 0;  // hash of the component in the current state
+    std::uint64_t met = 0;  // number of states whose rest is counted
     std::vector<std::uint64_t> rests = {};
     std::unordered_set<std::uint64_t> values = {};
 
@@ -49,7 +50,7 @@ struct ProfiledElement {
     }
 };
 
-/// The components that contain a field of a state: one or two.
+/// The one or two components that contain a field of a state.
 struct Column {
     static constexpr std::size_t none = ~std::size_t{0};
     Field field = {};
@@ -57,7 +58,7 @@ struct Column {
     std::size_t clock = none;
 };
 
-/// The location of a controller's process outside a cycle.
+/// The location of a controller's process outside of a cycle.
 struct Waiting {
     Field location = {};
     std::uint32_t waiting = 0, initial = 0;
@@ -102,7 +103,7 @@ public:
 private:
     using Kind = StateProfile::Kind;
 
-    /// One part for each controller with its timers, one for each other process.
+    /// Creates one part for each controller with its timers, and one for each other process.
     void name_parts() {
         part_of_.assign(network_.processes.size(), Column::none);
         told_ = display_names(network_);
@@ -157,7 +158,7 @@ private:
         for (const Network::Edge& edge : automaton.edges) take(edge.constraint, edge.origin);
     }
 
-    /// A variable belongs to the part whose edges alone write it.
+    /// Assigns each variable to the part whose edges alone write it.
     void add_variables() {
         constexpr std::size_t several = Column::none - 1;
         std::vector<std::size_t> writer(network_.variables.size(), Column::none);
@@ -180,7 +181,7 @@ private:
         }
     }
 
-    /// The value of a clock in the coarser unit.
+    /// Returns the value of a clock in the coarser unit.
     Word coarser(Word units) const {
         const StateProfile::Finest& finest = *profile_.finest;
         return units * static_cast<Word>(finest.unit_ms) / static_cast<Word>(finest.coarser_ms);
@@ -211,12 +212,12 @@ private:
     Graph& graph_;
     const Network& network_;
     StateProfile profile_ = {};
-    std::vector<std::size_t> part_of_ = {};  // per process
-    std::vector<std::string> told_ = {};     // per process: `3s/X2` of a timer, otherwise its name
+    std::vector<std::size_t> part_of_ = {};  // part of each process
+    std::vector<std::string> told_ = {};     // name of each process: `3s/X2` for a timer, otherwise its name
     std::vector<Waiting> waiting_ = {};
     std::vector<Column> columns_ = {};
-    std::vector<ProfiledElement> elements_ = {};  // parts, then clocks
-    ProfiledElement finer_ = {};                  // the values that the coarser unit does not distinguish
+    std::vector<ProfiledElement> elements_ = {};  // parts first, then clocks
+    ProfiledElement finer_ = {};                  // clock values that the coarser unit does not distinguish
     std::uint64_t classes_ = 1;
 };
 

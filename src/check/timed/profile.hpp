@@ -10,11 +10,11 @@
 namespace grafverif::timed {
 
 enum class Effort {
-    Brief,  ///< the user waits for the end: a tenth of a second
-    Full,   ///< some seconds
+    Brief,  ///< a tenth of a second, because the user waits for the result
+    Full,   ///< a few seconds
 };
-/// Profile of the first states found, as many as the effort permits. `finest`: the cause of a fine time unit, if there
-/// is one.
+/// Returns a profile of the first states found, as many as the effort permits. `finest` is the cause of a fine time
+/// unit, if there is one.
 StateProfile profile_of(Graph& graph, std::optional<StateProfile::Finest> finest, Effort effort = Effort::Full);
 
 }  // namespace grafverif::timed

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Executes compiled code. The only state of the loop is the instruction, so its speed depends on branch prediction
-// alone.
+// Executes compiled code. The only state of the loop is the current instruction, so that the speed depends only on
+// branch prediction.
 #include "check/timed/program.hpp"
 
 #include "support/overloaded.hpp"
@@ -25,7 +25,8 @@ std::int64_t arithmetic(Opcode op, std::int64_t left, std::int64_t right) {
     return overflow ? undefined : result;
 }
 
-/// The operators of `eager` code; And and Or evaluate the right operand only if the left one does not decide.
+/// Evaluates the operators of `eager` code. And and Or evaluate the right operand only if the left one does not
+/// determine the result.
 std::int64_t eager_value(const Instruction& at, const std::int64_t* registers) {
     const std::int64_t left = registers[at.a];
     const std::int64_t right = registers[at.b];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compiles properties to code and watches. `at stable` is part of the code: for `always p at stable`, a state with
-// settled and not p is searched; every other operand p becomes settled and p.
+// Compiles properties to code and monitors. `at stable` is part of the code. For `always p at stable`, a state with
+// `settled` and not p is searched for; in all other cases an operand p becomes `settled` and p.
 #include "check/timed/property_queries.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace grafverif::timed {
 
 namespace {
 
-/// True if `at stable` restricts the states in which the property is checked.
+/// True if `at stable` restricts the states in which a property of this pattern is checked.
 bool is_checked(Pattern pattern) {
     return pattern != Pattern::Watched && pattern != Pattern::RawUppaal && pattern != Pattern::RawCtl &&
            pattern != Pattern::RawLtl;
@@ -47,7 +47,8 @@ std::uint32_t PropertyQueries::settled_but_not(const Property& property, Id<Expr
     return property.at_stable ? machine_.compiler().condition(network_.settled, code, Program::no) : code;
 }
 
-/// Yes if none or two of the operands hold. Generated from the last operand backwards, for none and for one so far.
+/// Returns code that ends in Yes if none or at least two of the operands hold. It is generated from the last operand
+/// backwards, both for the case that no operand has held so far and for the case that one has.
 std::uint32_t PropertyQueries::not_exactly_one(const Property& property) {
     Compiler& compiler = machine_.compiler();
     std::uint32_t after_none = Program::yes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Queries: the properties of a network as code and monitors before the search, and as verdicts after it.
+// Property queries: the properties of a network, as code and monitors before the search and as verdicts after it.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,9 @@
 
 namespace grafverif::timed {
 
-/// `no timelock` for models that do not declare it; timed checks decide it by default.
+/// Returns `no timelock` for models that do not declare it. Timed checks decide it by default.
 Property undeclared_timelock(const Network& network);
-/// True if `property` is `no timelock` of all states.
+/// True if `property` is `no timelock` without `at stable`.
 bool about_time(const Property& property);
 /// True if `options` select `property`.
 bool is_selected(const TimedOptions& options, const Property& property);
@@ -26,25 +26,26 @@ public:
     void ask(Id<Property> about, const Property& property);
     /// True if some selected property needs the edges of many states.
     bool follow_edges() const;
-    /// The verdicts, after a search that `ended`.
+    /// Returns the verdicts after a search that ended for the reason `ended`.
     std::vector<Verdict> answers(Graph& graph, UnknownReason ended, const std::vector<ModelError>& errors,
                                  const Limits& limits);
-    /// The state that decides a property about single states, if the search has found it; in the order of the verdicts.
+    /// Returns the state that decides a property about single states, if the search has found it. `verdict` is an index
+    /// in the order of the verdicts.
     std::optional<std::size_t> state_found(std::size_t verdict) const {
         const std::uint32_t state = watch_.found(questions_[verdict].watch);
         return state == PropertyMonitor::none ? std::nullopt : std::optional<std::size_t>(state);
     }
-    /// Per verdict the content of TimedResult::paths.
+    /// Returns the content of TimedResult::paths for each verdict.
     std::vector<std::vector<AbstractState>> paths(Graph& graph) const;
 
 private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-    /// One verdict to give.
+    /// A property for which a verdict is computed.
     struct PropertyQuery {
         Verdict verdict = {};
         const Property* property = nullptr;
-        std::size_t watch = none;  // the state that decides it, or that shows that it is not vacuous
+        std::size_t watch = none;  // monitor of the state that decides the property or shows that it is not vacuous
         std::uint32_t p = Program::no, q = Program::no;
         bool at_stable = false;
         std::optional<std::uint32_t> lost = {};  // a state from which the required states are unreachable
@@ -58,7 +59,8 @@ private:
 
     /// Data shared by all verdicts of one search.
     struct Outcomes {
-        UnknownReason obstacle = UnknownReason::None;  // prevents `holds` of properties about all states
+        // The reason that prevents `holds` for properties about all states.
+        UnknownReason obstacle = UnknownReason::None;
         std::string reason = {};
     };
     void answer(PropertyQuery& question, Graph& graph, const Limits& limits);

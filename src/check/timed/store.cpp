@@ -8,7 +8,7 @@ namespace grafverif::timed {
 
 namespace {
 
-constexpr unsigned shard_bits = 6;  // of the root
+constexpr unsigned shard_bits = 6;  // shards of the root table
 
 }  // namespace
 
@@ -21,9 +21,9 @@ Store::Store(const Layout& layout)
     for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) tables_.emplace_back(0);
 }
 
-/// Builds the subtree of the halves from `first` on; returns its root as an index of Unfolded::numbers. It splits in
-/// the middle, or at the nearest seam: the states of subsystems that share only time multiply, so each is best stored
-/// in a separate subtree.
+/// Builds the subtree of the halves from `first` on. Returns the index of its root in Unfolded::numbers. The range is
+/// split in the middle or at the nearest subsystem boundary: the states of subsystems that share only time multiply, so
+/// that each is best stored in a separate subtree.
 std::uint32_t Store::grow(const std::vector<std::size_t>& seams, std::uint32_t first, std::uint32_t end) {
     if (end - first == 1) return first;
     const std::uint32_t middle = (first + end + 1) / 2;
@@ -50,8 +50,8 @@ void Store::take(const Word* words, Unfolded& now) const {
     }
 }
 
-/// Numbers the inner nodes by `number(node, pair)`, children first; a node with the same children as in `before` keeps
-/// its number. Nothing if a pair has none.
+/// Assigns numbers to the inner nodes with `number(node, pair)`, children first. A node with the same children as in
+/// `before` keeps its number. The result is empty if a pair has no number.
 template <class Number>
 std::optional<Word> Store::numbered(const Word* words, const Unfolded& before, Unfolded& now, Number number) const {
     take(words, now);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Looking up a state costs one or two cache misses. So first the roots of all successors in a slice are computed and
-// their slots in the index prefetched; then the contents of the slots are prefetched, and finally the states are looked
-// up.
+// The lookup of a state costs one or two cache misses. Therefore the roots of all successors in a slice are computed
+// first and their slots in the index are prefetched. Then the contents of the slots are prefetched. Finally the states
+// are looked up.
 #include "check/timed/successor_batch.hpp"
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace grafverif::timed {
 
 namespace {
 
-constexpr std::size_t slice_text = 1U << 17U;  // in a slice; it ends after that
-constexpr std::size_t fetched_ahead = 16;      // entries whose slots are prefetched
+constexpr std::size_t slice_text = 1U << 17U;  // bytes of states after which a slice ends
+constexpr std::size_t fetched_ahead = 16;      // number of entries whose slots are prefetched
 
 }  // namespace
 
@@ -84,7 +84,7 @@ void Slicer::add(const Word* words, std::uint32_t flags) {
     words_.insert(words_.end(), words, words + graph_.machine.layout().words);
 }
 
-/// Removes states that the store contains from the new states.
+/// Removes states that are already in the store from the new states.
 void Slicer::look_up() {
     SuccessorBatch& slice = *slice_;
     const Pairs& roots = graph_.store.roots();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One check: compiles, searches, and evaluates the properties.
+// Performs one check: compiles the network, searches, and evaluates the properties.
 #include "check/timed/timed.hpp"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ std::optional<Premises> premises(timed::Graph& graph, std::uint32_t settled, con
     return {};
 }
 
-/// Nothing if memory is exhausted.
+/// Returns the profile; empty if memory is exhausted.
 std::optional<StateProfile> measured(timed::Graph& graph, const TimedOptions& options, timed::Effort effort) {
     try {
         return timed::profile_of(graph, options.finest ? options.finest() : std::nullopt, effort);

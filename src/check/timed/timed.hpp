@@ -9,9 +9,9 @@
 // constraints, integer time reaches the same discrete states as dense time, so `always`, `never` and `reachable` are
 // exact; a strict constraint makes them one-sided. An integer run can refute `inevitable`, `leads to`, `no deadlock`
 // and `no timelock`. These properties hold only if no timelock can occur between two ticks; otherwise the verdict is
-// unknown and names the place.
+// unknown and its reason names the location.
 //
-// Counterexamples to state properties have the fewest moves; a delay of any length counts as one move.
+// Counterexamples to state properties have the minimum number of moves; a delay of any length counts as one move.
 #pragma once
 
 #include <atomic>
@@ -36,66 +36,68 @@ constexpr std::uint64_t many_states = std::uint64_t{1} << 20U;
 struct TimedProgress {
     std::uint64_t states = 0;
     std::uint64_t transitions = 0;
-    std::uint64_t queue = 0;  ///< states found and not yet expanded
+    std::uint64_t queue = 0;  ///< number of states found but not yet expanded
     std::uint64_t bytes = 0;
     double seconds = 0;
 };
 
 struct TimedOptions {
-    std::vector<std::string> properties = {};  ///< names; empty: all. See `timelock`
+    std::vector<std::string> properties = {};  ///< names of the properties to check; empty: all. See `timelock`
     std::uint64_t max_states = 500'000'000;
     std::uint64_t max_memory = std::uint64_t{4} << 30U;  ///< bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;  ///< cancellation flag: return the results so far
-    unsigned jobs = 1;                        ///< threads; 0: one per core. The results do not depend on it
-    unsigned slice = 64;     ///< states per unit of work; with far fewer states, one thread does all the work
-    bool keep_links = true;  ///< false: less memory, several times the work for liveness. Only kept if needed
-    bool timelock = true;    ///< false: only decided if a property requires it
-    bool premises = false;   ///< compute TimedResult::premises
-    std::vector<InputChoice> choices = {};                    ///< of an input abstraction
-    bool until_decided = false;                               ///< end the search when each property has its state
-    bool paths = false;                                       ///< report TimedResult::paths
+    unsigned jobs = 1;                        ///< threads; 0 selects one per core. The results do not depend on it
+    unsigned slice = 64;  ///< states per unit of work; with far fewer states, one thread does all the work
+    /// false: uses less memory, and several times the work for liveness. Links are kept only if needed.
+    bool keep_links = true;
+    bool timelock = true;                   ///< false: `no timelock` is decided only if a property requires it
+    bool premises = false;                  ///< compute TimedResult::premises
+    std::vector<InputChoice> choices = {};  ///< choices of an input abstraction
+    bool until_decided = false;             ///< end the search when the deciding state of each property is found
+    bool paths = false;                     ///< report TimedResult::paths
     std::function<void(const TimedProgress&)> progress = {};  ///< called a few times per second
     bool profile = false;                                ///< compute TimedResult::profile for any outcome of the search
-    std::function<void(const StateProfile&)> many = {};  ///< called once, when the search has found `many_states`
-    std::function<std::optional<StateProfile::Finest>()> finest = {};  ///< called to compute a profile
+    std::function<void(const StateProfile&)> many = {};  ///< called once when the search has found `many_states`
+    std::function<std::optional<StateProfile::Finest>()> finest = {};  ///< called when a profile is computed
 };
 
-/// Properties of the network in a complete search that matter to its neighbours (docs/explanation/timed-engine.md,
+/// Results of a complete search on which verdicts about neighbouring parts depend (docs/explanation/timed-engine.md,
 /// "Sub-loops").
 struct Premises {
-    std::optional<Run> diverges = {};  ///< a lasso in which time diverges
-    bool rests = false;                ///< no run continues forever within one instant
-    bool settles = false;              ///< time passes in quiescent states only
+    std::optional<Run> diverges = {};  ///< a lasso in which time diverges; empty if there is none
+    bool rests = false;                ///< true if no run continues forever within one instant
+    bool settles = false;              ///< true if time passes only in quiescent states
 };
 
-/// A state on a run of an input abstraction, after `move`; without clocks.
+/// A state of a run of an input abstraction, after `move`; without clocks.
 struct AbstractState {
     Move move = {};
     NetworkState state = {};
-    std::vector<std::uint64_t> possible = {};  ///< per choice, a bit per valuation; 0: not an edge of its PLC
+    /// Per choice: a bit per possible valuation; 0 if the move is not an edge of its PLC.
+    std::vector<std::uint64_t> possible = {};
 };
 
 struct TimedResult {
-    std::vector<Verdict> verdicts = {};   ///< in the order of the properties, `no timelock` last if undeclared
+    std::vector<Verdict> verdicts = {};   ///< in the order of the properties; an undeclared `no timelock` comes last
     std::vector<ModelError> errors = {};  ///< at most one per kind, edge and variable
     std::uint64_t states = 0;
-    std::uint64_t transitions = 0;  ///< edges and delays of one unit
-    std::uint64_t bytes = 0;        ///< peak memory
-    std::uint64_t state_bytes = 0;  ///< one state, packed
+    std::uint64_t transitions = 0;  ///< number of edges and delays of one unit
+    std::uint64_t bytes = 0;        ///< peak memory in bytes
+    std::uint64_t state_bytes = 0;  ///< size of one packed state in bytes
     double seconds = 0;
-    bool complete = true;      ///< every reachable state was expanded
-    bool time_passes = false;  ///< in some reachable state
-    bool settles = true;       ///< false: the search looked for a quiescent state and found none
-    /// Computed if requested, if the search was stopped, or if it found `many_states`; empty if there is not enough
-    /// memory.
+    bool complete = true;      ///< true if every reachable state was expanded
+    bool time_passes = false;  ///< true if time passes in some reachable state
+    bool settles = true;       ///< false: a quiescent state was searched for and not found
+    /// Computed if it was requested, if the search was stopped, or if it found `many_states`. Empty if there is not
+    /// enough memory.
     std::optional<StateProfile> profile = {};
     std::optional<Premises> premises = {};
-    /// Per verdict with a run to a single state, the states of that run after the initial one.
+    /// For each verdict with a run to a single state: the states of that run after the initial one.
     std::vector<std::vector<AbstractState>> paths = {};
 };
 
-/// Requires verify(network).empty().
+/// Checks the properties of `network`. Requires verify(network).empty().
 TimedResult check_timed(const Network& network, const TimedOptions& options = {});
 
 }  // namespace grafverif
