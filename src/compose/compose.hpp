@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// compose: the plant's Network and the Equations of its controllers -> the Network of the closed loop (CEP13 sections
-// 5.4 and 6). A pass.
+// compose: translates the plant's Network and the Equations of its controllers to the Network of the closed loop (CEP13
+// sections 5.4 and 6).
 //
 // Each controller has the generic PLC cycle of CEP13 Fig. 33a (`plc_cycle`), one timer per time condition (Fig. 33b,
 // corrected: see timers.hpp), and the flags that couple it with the plant:
@@ -15,15 +15,15 @@
 //     P1 -> P2 evolve()  pending timers, stable, stored actions, steps
 //     P2 -> W  [stable] write()    outputs
 //     P2 -> W  [!stable]
-//   every_cycle: P2 -> W write(), stable or not.
-// All these edges are urgent. If the initial steps have actions on activation, or in mode every_cycle, a location
-// `init` before W calls start(); in mode every_cycle it also writes the outputs.
+//   every_cycle: P2 -> W write(), whether stable or not.
+// All these edges are urgent. A location `init` before W calls start() if the initial steps have actions on activation,
+// or in mode every_cycle; in this mode it also writes the outputs.
 //
 // Assignments are sequential. If an update would read a variable that an earlier one of its procedure has overwritten,
 // a scratch variable (`COUNT_old`) keeps its value. Inputs and timer outputs that evolve() and write() read are sampled
 // in fire(), because in the phased grain they may change during the cycle. Outputs of stored actions have an image
-// (`LOCK_image`) that evolve() changes and write() copies. With several controllers, the names of each are qualified:
-// `press_X_2`.
+// (`LOCK_image`) that evolve() changes and write() copies. With several controllers, names are qualified by the
+// controller: `press_X_2`.
 #pragma once
 
 #include <optional>
@@ -36,27 +36,28 @@
 
 namespace grafverif {
 
-/// The corrections of the published method. Each can be disabled to show the failure that it prevents. Only for tests
-/// and for the documentation of the method.
+/// The corrections of the published method. Each can be disabled to show the failure that it prevents. They are
+/// disabled only by tests and by the documentation of the method.
 struct Ablations {
     bool cycle_always = false;         ///< guard of W -> P0 without flags: the cycle of CEP13 Fig. 17
     bool cycle_unless_stable = false;  ///< guard of W -> P0 without `stable`, outputs in every cycle: CEP13 Fig. 24
     bool timers_as_published =
-        false;                        ///< CEP13 Fig. 33b: a step that is left and activated again within one instant is
-                                      ///< not noticed
+        /// CEP13 Fig. 33b: if a step is deactivated and activated again within one instant, the timer does not detect
+        /// this.
+        false;
     bool sensors_not_urgent = false;  ///< edges that assign an input of a controller let time pass: CEP13 Fig. 12b
 
     bool operator==(const Ablations&) const = default;
 };
 
 struct ComposeOptions {
-    std::optional<Grain> grain = {};         ///< overrides the loop
-    std::optional<ExecutionMode> mode = {};  ///< overrides the controllers
+    std::optional<Grain> grain = {};         ///< overrides the granularity of the loop
+    std::optional<ExecutionMode> mode = {};  ///< overrides the modes of the controllers
     Ablations ablations = {};
 };
 
-/// Requires that `plant` is the result of plant(model, loop), and `equations` are those of the loop's controllers, in
-/// order.
+/// Composes the loop. Requires that `plant` is the result of plant(model, loop), and that `equations` are those of the
+/// loop's controllers, in order.
 std::optional<Network> compose(const Network& plant, const ClosedLoop& loop, std::span<const Equations> equations,
                                const ComposeOptions& options, Diagnostics& diagnostics);
 

@@ -14,44 +14,45 @@ namespace grafverif {
 struct ControllerParts {
     const Equations* equations = nullptr;
     std::string name = {};
-    std::string prefix = {};  ///< of its names; empty for the only controller
+    std::string prefix = {};  ///< prefix of its names; empty if there is only one controller
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    bool starts = false;  ///< the first evolution has an effect and a separate edge
+    bool starts = false;  ///< the first evolution has an effect and therefore a separate edge
     Span origin = {};
 
-    /// Per variable of the equations: the variable visible to other processes; the one that stores an output until it
-    /// is written; the one that holds an input from fire() on. Invalid if it does not exist.
+    /// Per variable of the equations: the variable that other processes read; the variable that stores an output until
+    /// it is written; the variable that stores an input from fire() on. Invalid if it does not exist.
     std::vector<Id<Network::Variable>> variable = {}, image = {}, sample = {};
-    std::vector<Id<Equations::Variable>> sampled = {};  ///< those with a sample, in order
-    std::vector<bool> sample_written = {};              ///< per variable: its sample is needed until write()
+    std::vector<Id<Equations::Variable>> sampled = {};  ///< variables of the equations with a sample, in order
+    std::vector<bool> sample_written = {};              ///< per variable: true if its sample is needed until write()
 
-    Id<Network::Variable> evol_pl = {}, evol_ti = {}, stable = {};  ///< evol_ti: only if there are timers
-    std::vector<Id<Network::Variable>> pending = {};                ///< per timer; empty for timers as published
+    /// Flags of the controller; evol_ti only if there are timers.
+    Id<Network::Variable> evol_pl = {}, evol_ti = {}, stable = {};
+    std::vector<Id<Network::Variable>> pending = {};  ///< request of each timer; empty for timers as published
 };
 
-/// State shared while a network is composed.
+/// Data shared while a network is composed.
 struct Composition {
     Network network = {};
-    UniqueNames names = {};  ///< of variables, templates and processes
+    UniqueNames names = {};  ///< names of variables, templates and processes
     Ablations ablations = {};
     std::vector<ControllerParts> controllers = {};
-    std::vector<std::vector<std::uint32_t>> readers =
-        {};                           ///< per variable of the plant: the controllers that have it as an input
-    Id<Network::Variable> race = {};  ///< only if two stored actions can race
-    /// Templates of timers, each added with the first timer of its type: t1/v, v/t2, t1/v/t2.
+    std::vector<std::vector<std::uint32_t>> readers = {};  ///< controllers with this input, per variable of the plant
+    Id<Network::Variable> race = {};                       ///< valid only if two stored actions can race
+    /// Templates of timers (t1/v, v/t2, t1/v/t2). Each is added with the first timer of its type.
     Id<Network::Template> on_delay = {}, off_delay = {}, both_delays = {};
 };
 
-/// Adds the variables of a controller: steps, internals, firing conditions, images, samples, timers, flags.
+/// Adds the variables of a controller: steps, internal variables, firing conditions, images, samples, timers, flags.
 void declare(Composition& composition, const ClosedLoop& loop, ControllerParts& parts);
 
-/// Adds the template and process of its PLC cycle, and the controller; its timers are added later.
+/// Adds the template and the process of its PLC cycle, and the controller. Its timers are added later.
 Id<Network::Controller> add_cycle(Composition& composition, const ControllerParts& parts);
 
 /// Adds the timers of `controller`.
 void add_timers(Composition& composition, const ControllerParts& parts, Id<Network::Controller> controller);
 
-/// Makes every edge of the plant that assigns an input of a controller set the EVOL_PL of this controller.
+/// Extends every edge of the plant that assigns an input of a controller, so that it sets the EVOL_PL of this
+/// controller.
 void add_plant_flags(Composition& composition);
 
 /// Builds the formula Network::settled.

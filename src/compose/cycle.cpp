@@ -59,7 +59,7 @@ public:
         return std::move(automaton_);
     }
 
-    /// Locations and variables of the cycle, without its process and timers.
+    /// Returns the locations and variables of the cycle, without its process and timers.
     Network::Controller controller() const {
         const Equations& equations = *parts_.equations;
         const auto place = [&](Id<Equations::Variable> id) { return parts_.variable[id.index]; };

@@ -17,7 +17,7 @@ std::vector<Id<Equations::Variable>> stored_outputs(const Equations& equations) 
     return found;
 }
 
-/// The inputs and timer outputs that evolve() and write() read; `written`: those that write() reads.
+/// Returns the inputs and timer outputs that evolve() and write() read. `written` marks those that write() reads.
 std::vector<Id<Equations::Variable>> late_inputs(const Equations& equations, std::vector<bool>& written) {
     std::vector<bool> read(equations.variables.size());
     written.assign(equations.variables.size(), false);
@@ -47,7 +47,7 @@ std::vector<Id<Equations::Variable>> late_inputs(const Equations& equations, std
     return found;
 }
 
-/// Adds variables of one controller under its prefix.
+/// Adds the variables of one controller with its prefix.
 class Declarer {
 public:
     Declarer(Composition& composition, ControllerParts& parts) : composition_(composition), parts_(parts) {}
@@ -105,7 +105,7 @@ public:
         }
     }
 
-    /// Requests to the timers; those for initial steps are set at power-on or by start().
+    /// Declares the requests to the timers. Requests for initial steps are set at power-on or by start().
     void pending() {
         for (const Equations::Timer& timer : parts_.equations->timers) {
             const bool active = !parts_.starts && parts_.equations->variables[timer.watched].initial != 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// EVOL_PL: set by every edge of the plant that assigns an input of a controller, and by no other (CEP13 6.2). Processes
-// of one template whose edges set different flags get copies of the template (`sensor_2`); components are unchanged.
+// EVOL_PL is set by exactly those edges of the plant that assign an input of a controller (CEP13 6.2). If edges of
+// processes with the same template set different flags, the processes get copies of the template (`sensor_2`).
+// Components are unchanged.
 #include <algorithm>
 #include <map>
 
@@ -10,12 +11,12 @@ namespace grafverif {
 
 namespace {
 
-/// Per edge, the flags that it sets, numbered by first use. Processes with equal patterns share a template.
+/// The flags that each edge sets, numbered in the order of first use. Processes with equal patterns share a template.
 using FlagPattern = std::vector<std::vector<std::uint32_t>>;
 
 struct Flags {
     FlagPattern pattern = {};
-    std::vector<std::uint32_t> controllers = {};  ///< controller of the flag with this number
+    std::vector<std::uint32_t> controllers = {};  ///< controller of each flag number
 };
 
 Flags flags_of(const Composition& composition, const Network::Process& process, const Network::Template& automaton) {

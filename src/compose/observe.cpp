@@ -30,16 +30,16 @@ public:
                                     network_.exprs.integer(at_location(node)));
     }
 
-    /// A copy of `term` that guards can read.
+    /// Returns a copy of `term` that guards can read.
     Id<Expr> readable(Id<Expr> term) {
-        const Exprs from = network_.exprs;  // a copy, because the table grows
+        const Exprs from = network_.exprs;  // copied, because the table grows
         return translate(from, term, network_.exprs, [&](const Expr& leaf) {
             return leaf.op == Op::At ? at(leaf) : network_.exprs.leaf(leaf.op, static_cast<std::uint32_t>(leaf.value));
         });
     }
 
 private:
-    /// Makes the edges of a template write the variable; all its processes get the same parameter.
+    /// Makes the edges of a template write the variable. All its processes get the same parameter.
     void add_location_variable(Id<Network::Template> id) {
         Network::Template& automaton = network_.templates[id];
         UniqueNames own;
@@ -76,7 +76,7 @@ void show_every_state(Network& network, Id<Expr> look) {
         }
 }
 
-/// The property expressed by the locations of its observer `process`.
+/// Expresses the property in terms of the locations of its observer `process`.
 Property question(Network& network, Property property, Id<Network::Process> process, const ObserverMade& made) {
     const auto somewhere = [&](const std::vector<Id<Network::Location>>& locations) {
         std::vector<Id<Expr>> places;
@@ -108,8 +108,8 @@ Network observed(const Network& network, const std::vector<Id<Property>>& chosen
     for (const Network::Template& automaton : network.templates) names.fresh(automaton.name);
     for (const Network::Process& process : network.processes) names.fresh(process.name);
 
-    // Translate the terms that observers read first, then add the writes of their variables: edges of observers must
-    // not wait for these.
+    // First the terms that observers read are translated, and then the writes of their variables are added: edges of
+    // observers must not wait for these.
     Places places(made, names);
     std::vector<ObserverTerms> terms;
     for (const Id<Property> id : chosen) {

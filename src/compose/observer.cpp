@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Observer automata. Each implements the formula of its pattern in the table of docs/reference/properties.md; a
-// randomized test compares them.
+// randomized test compares the automaton with the formula.
 #include "compose/observer.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ public:
 
     ObserverMade made = {};
 
-    /// Operand of the property.
+    /// Returns an operand of the property.
     Id<Expr> p(std::size_t number = 0) const { return terms_.operands[number]; }
     Id<Expr> no(Id<Expr> term) { return exprs_.negation(term); }
     Id<Expr> both(Id<Expr> left, Id<Expr> right) { return exprs_.conjunction(left, right); }
@@ -43,20 +43,22 @@ public:
         return clock_;
     }
 
-    /// On reading a state with `when` that satisfies no condition of an earlier edge from `from`: goes to `to`.
+    /// Adds an edge to `to` that is taken when a state with `when` is read, unless the state satisfies the condition of
+    /// an earlier edge from `from`.
     void sees(Location from, Id<Expr> when, Location to, bool resets = false) {
         const Id<Expr> rest = rest_[from.index];
         rest_[from.index] = both(rest, no(when));
         look(from, to, both(terms_.judged, both(rest, when)), resets);
     }
-    /// At any time in a state with `when`, if the clock constraint holds: goes to `to`.
+    /// Adds an edge to `to` that can be taken at any time in a state with `when`, if the clock constraint holds.
     void times(Location from, Id<Expr> when, Op relation, Location to) {
         made.automaton.edges.add({.from = from,
                                   .to = to,
                                   .guard = both(terms_.judged, when),
                                   .constraint = {{clock_, relation, exprs_.integer(duration_)}}});
     }
-    /// After the duration, independently of the current state: only states that have been read count.
+    /// Adds an edge to `to` that can be taken after the duration, independently of the current state: only states that
+    /// have been read are relevant.
     void expires(Location from, Location to) {
         made.automaton.edges.add({.from = from,
                                   .to = to,
@@ -64,7 +66,7 @@ public:
                                   .constraint = {{clock_, Op::Greater, exprs_.integer(duration_)}}});
     }
 
-    /// Completes the automaton: in all other cases it reads the state and stays.
+    /// Completes the automaton: in all other cases, it reads the state and stays in its location.
     ObserverMade whole(Location initial) {
         for (const Location at : made.automaton.locations.ids())
             look(at, at, either(no(terms_.judged), rest_[at.index]), false);
@@ -84,15 +86,16 @@ private:
     const ObserverTerms& terms_;
     std::int64_t duration_;
     Id<Network::Clock> clock_ = {};
-    std::vector<Id<Expr>> rest_ = {};  ///< per location: condition under which no edge added so far is taken
+    std::vector<Id<Expr>> rest_ = {};  ///< per location: condition under which no edge that was added so far is taken
 };
 
 // -- durations --------------------------------------------------------------------------------------------------------
 
-/// Common part of scopes. If a scope counts only once it closes, a violation is stored in `spoilt` until then.
+/// Common part of all scopes. In a scope that is relevant only if it closes, a violation is stored in `spoilt` until
+/// then.
 struct Scoped {
-    Location out = {};     ///< outside the scope; for `before`: after it
-    Location failed = {};  ///< target after a violation inside the scope
+    Location out = {};     ///< location outside the scope; for `before`: after the scope
+    Location failed = {};  ///< location reached by a violation inside the scope
     Id<Expr> opens = {}, closes = {};
 };
 
@@ -107,7 +110,7 @@ Scoped scoped(Observer& of, Sentence::Scope scope, std::size_t operands) {
     return made;
 }
 
-/// `p leads to q within d`; AG (p -> AF<=d q).
+/// `p leads to q within d`, that is, AG (p -> AF<=d q).
 ObserverMade within(Observer of, Sentence::Scope scope) {
     const Id<Expr> q = of.p(1), asks = of.both(of.p(0), of.no(q));
     const Location idle = of.location("idle"), due = of.location("due");
@@ -161,7 +164,7 @@ ObserverMade recurs(Observer of, Id<Expr> p, Sentence::Scope scope) {
     return of.whole(scope == Sentence::Scope::Before ? due : in.out);
 }
 
-/// `p holds for d`: when p ends, it has lasted at least d.
+/// `p holds for d`: whenever p becomes false, it has held for at least d.
 ObserverMade holds_for(Observer of) {
     const Location off = of.location("off"), on = of.location("on"), failed = of.failed();
     of.clock();
@@ -182,7 +185,7 @@ ObserverMade holds_at_most(Observer of, Sentence::Scope scope) {
     return of.whole(off);
 }
 
-/// `q at most d since p`: whenever q holds, p holds or did at most d ago.
+/// `q at most d since p`: in each state with q, p holds or held at most d before.
 ObserverMade since(Observer of) {
     const Id<Expr> q = of.p(0), p = of.p(1);
     const Location before = of.location("before"), during = of.location("during"), after = of.location("after"),
@@ -198,8 +201,8 @@ ObserverMade since(Observer of) {
 
 // -- counts -----------------------------------------------------------------------------------------------------------
 
-/// `p at most count times`: counts the states with p whose predecessor is without p or outside the scope. Counting from
-/// the first state that opens the scope gives at least the count from any later one.
+/// `p at most count times`: counts the states with p whose predecessor lacks p or is outside the scope. The count from
+/// the first state that opens the scope is at least the count from any later one.
 ObserverMade occurrences(Observer of, Sentence::Scope scope, std::int64_t count) {
     using enum Sentence::Scope;
     const Id<Expr> p = of.p();
@@ -223,7 +226,8 @@ ObserverMade occurrences(Observer of, Sentence::Scope scope, std::int64_t count)
     return of.whole(scope == Globally || scope == Before ? first : in.out);
 }
 
-// -- scopes: r opens, s closes ------------------------------------------------------------------------------------------
+// -- scopes: r opens a scope, s closes it
+// -------------------------------------------------------------------------------
 
 /// `never p`.
 ObserverMade absence(Observer of, Id<Expr> p, Sentence::Scope scope) {

@@ -13,7 +13,7 @@ namespace {
 using Assignments = std::vector<Network::Assignment>;
 using Variable = Id<Equations::Variable>;
 
-/// A new value of `target` with the terms that it depends on, all over the values before the procedure.
+/// A new value of `target`, with the terms that it requires. All terms are over the values before the procedure.
 struct Update {
     Variable target = {};
     std::vector<Id<Expr>> terms = {};
@@ -48,13 +48,14 @@ private:
     Exprs& exprs() { return network_.exprs; }
     Id<Expr> leaf_of(Id<Network::Variable> variable) { return leaf(network_, variable); }
 
-    /// Storage of the variable in the controller: outputs of stored actions have an image.
+    /// Returns the variable of the controller that stores the value. Outputs with stored actions have an image.
     Id<Network::Variable> storage(Variable variable) const {
         const Id<Network::Variable> image = parts_.image[variable.index];
         return image.valid() ? image : parts_.variable[variable.index];
     }
 
-    /// Translates terms of the equations to the network: inputs directly or as sampled, `olds` with their old value.
+    /// Returns a translator of terms of the equations to the network. Inputs are read directly or as sampled; `olds`
+    /// are read with their old value.
     TermCopier reading(bool sampled, const std::vector<Variable>& olds = {}) {
         std::vector<Id<Expr>> leaves = stored_;
         if (sampled)
@@ -81,7 +82,8 @@ private:
         return list;
     }
 
-    /// Step activities, stored actions, `stable` and timer requests, all computed from the values before the cycle.
+    /// Updates step activities, stored actions, `stable` and timer requests. All are computed from the values before
+    /// the cycle.
     Assignments evolve() {
         TermCopier before = reading(true);
         Assignments list = pending(before);
@@ -112,14 +114,15 @@ private:
         return list;
     }
 
-    /// `value` if `trigger` holds, otherwise the current value of `target`.
+    /// Returns `value` if `trigger` holds, otherwise the current value of `target`.
     Id<Expr> stored(Id<Expr> target, Id<Expr> trigger, Id<Expr> value) {
         if (is_true(exprs(), value)) return exprs().disjunction(target, trigger);
         if (is_false(exprs(), value)) return exprs().conjunction(target, exprs().negation(trigger));
         return exprs().conditional(trigger, value, target);
     }
 
-    /// Updates the observed values after the current procedure, and requests the timers of those that changed.
+    /// Updates the observed levels after the current procedure, and sets the requests to the timers of those that
+    /// changed.
     void watch(bool sampled, Assignments& list) {
         if (equations_.watches.empty()) return;
         TermCopier after = reading(sampled);
@@ -133,7 +136,7 @@ private:
         }
     }
 
-    /// Requests to the timers of steps that change.
+    /// Sets the requests to the timers of steps that change.
     Assignments pending(TermCopier& before) {
         Assignments list;
         if (parts_.pending.empty()) return list;
@@ -157,8 +160,8 @@ private:
         list.push_back({races.front(), exprs().disjunction(races)});
     }
 
-    /// Finds the variables that an update reads after an earlier one has overwritten them, and saves their old values
-    /// first.
+    /// Finds the variables that an update reads after an earlier update has overwritten them, and stores their old
+    /// values first.
     std::vector<Variable> keep_old(const std::vector<Update>& updates, Assignments& list) {
         std::vector<bool> overwritten(equations_.variables.size()), kept(equations_.variables.size());
         std::vector<Variable> olds;
@@ -202,7 +205,7 @@ private:
         return list;
     }
 
-    /// `output := value`; a change sets the flags of the controllers that read the output.
+    /// Assigns `output := value`. If the value changes, the flags of the controllers that read the output are set.
     void put(Id<Network::Variable> output, Id<Expr> value, Assignments& list) {
         const Id<Expr> target = leaf_of(output);
         if (!phased_ && !every_cycle_) value = exprs().conditional(leaf_of(parts_.stable), value, target);
@@ -213,8 +216,8 @@ private:
         list.push_back({target, value});
     }
 
-    /// The first evolution: actions on activation of the initial steps (Stored::first), previous values, observed
-    /// values; timers of the initial steps start.
+    /// The first evolution: actions on activation of the initial steps (Stored::first), previous values and observed
+    /// levels. Timers of the initial steps start.
     Assignments start() {
         Assignments list;
         TermCopier now = reading(false);
@@ -222,7 +225,7 @@ private:
         std::vector<Update> updates;
         for (const Kept& each : kept_)
             if (each.first.valid() && !each.after) updates.push_back({each.variable, {each.first}});
-        std::ranges::stable_partition(updates, [&](const Update& update) {  // previous values for edges first
+        std::ranges::stable_partition(updates, [&](const Update& update) {  // previous values for edges come first
             return equations_.variables[update.target].role == Equations::Role::Previous;
         });
         const std::vector<Variable> olds = keep_old(updates, list);
@@ -233,7 +236,7 @@ private:
             if (equations_.variables[equations_.timers[i].watched].initial != 0)
                 list.push_back({leaf_of(parts_.pending[i]), exprs().constant(true)});
         if (!every_cycle_) return list;
-        for (const Variable input : parts_.sampled)  // write() follows
+        for (const Variable input : parts_.sampled)  // write() follows immediately
             if (parts_.sample_written[input.index])
                 list.push_back({leaf_of(parts_.sample[input.index]), leaf_of(parts_.variable[input.index])});
         return list;
@@ -246,9 +249,9 @@ private:
     bool phased_;
     bool every_cycle_;
     std::vector<Kept> kept_;
-    std::vector<Id<Expr>> stored_;            ///< per variable of the equations: the leaf of its storage
-    std::vector<Id<Network::Variable>> old_;  ///< scratch variable that holds its old value, per variable of the
-                                              ///< equations
+    std::vector<Id<Expr>> stored_;  ///< per variable of the equations: the leaf of the variable that stores it
+    /// Per variable of the equations: the scratch variable with its old value.
+    std::vector<Id<Network::Variable>> old_;
 };
 
 }  // namespace

@@ -10,8 +10,8 @@ namespace grafverif {
 
 struct Procedures {
     std::vector<Network::Assignment> fire = {}, evolve = {}, write = {};
-    std::vector<Network::Assignment> forget = {};  ///< resets of write(), for a cycle that does not write
-    std::vector<Network::Assignment> start = {};   ///< before the first cycle; only if ControllerParts::starts
+    std::vector<Network::Assignment> forget = {};  ///< resets that write() performs, for a cycle without write()
+    std::vector<Network::Assignment> start = {};   ///< executed before the first cycle; only if ControllerParts::starts
 };
 
 /// True if the first evolution has an effect.

@@ -34,13 +34,14 @@ Id<Expr> formula_of(const ClosedLoop& loop, const ClosedLoop::Symbol& symbol, Co
                               const ControllerParts& parts = composition.controllers[of.controller.index];
                               return in_controller(parts, end_of(*parts.equations, of));
                           },
-                          [](const ClosedLoop::ObserverSymbol&) -> Id<Expr> { unreachable(); },  // excluded by
-                                                                                                 // reads_observer
+                          // reads_observer excludes this.
+                          [](const ClosedLoop::ObserverSymbol&) -> Id<Expr> { unreachable(); },
                       },
                       symbol);
 }
 
-/// Adds one formula per urgent edge of a process: the process is in its source location and the guard holds.
+/// Adds one formula per urgent edge of a process, which states that the process is in the source location and the guard
+/// holds.
 void add_enabled(Network& network, Id<Network::Process> id, std::vector<Id<Expr>>& found) {
     const Slots slots(network, id);
     TermCopier terms = slots.terms(network.exprs);

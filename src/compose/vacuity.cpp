@@ -15,10 +15,10 @@ namespace {
 
 using Scope = Sentence::Scope;
 
-/// A condition that must occur in a scope; otherwise the property is vacuous there.
+/// A condition that must occur in a scope. If it does not, the property holds vacuously in that scope.
 struct Premise {
     Id<Expr> term = {};
-    std::string never = {};  ///< text if it does not occur; empty: every state satisfies it
+    std::string never = {};  ///< text if the condition never occurs; empty: every state satisfies the condition
 };
 
 Premise premise_of(Exprs& exprs, const Sentence& sentence, const std::vector<Id<Expr>>& operands) {
@@ -38,10 +38,10 @@ Premise premise_of(Exprs& exprs, const Sentence& sentence, const std::vector<Id<
     unreachable();
 }
 
-/// True if the scope counts only once it closes.
+/// True if the scope is relevant only if it closes.
 bool must_close(Scope scope) { return scope == Scope::Before || scope == Scope::Between; }
 
-/// The terms that open and close the scope, and the conditions for a run to be inside it.
+/// The terms that open and close the scope, and the conditions under which a run is inside it.
 class ScopeTerms {
 public:
     ScopeTerms(Network& network, const Property& property, const ObserverTerms& terms)
@@ -55,9 +55,9 @@ public:
         opens = exprs_.conjunction(terms.operands[count - 2], exprs_.negation(closes));
     }
 
-    Id<Expr> opens = {}, closes = {};  ///< invalid if the scope has none
+    Id<Expr> opens = {}, closes = {};  ///< invalid if the scope does not have the term
 
-    /// The observer reads a state that counts.
+    /// True while the observer reads a state that the property considers and in which `term` holds.
     Id<Expr> looked_at(Id<Expr> term) { return exprs_.conjunction(std::vector{terms_.turn, terms_.judged, term}); }
 
 private:
@@ -66,7 +66,7 @@ private:
     Scope scope_;
 };
 
-constexpr std::int64_t none_yet = 0, met = 1, over = 2;  ///< values of the variable that tracks the scope
+constexpr std::int64_t none_yet = 0, met = 1, over = 2;  ///< values of the variable that follows the scope
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Derivation: shared context of the parts of derive: the chart, the equations so far, the map from chart entities to
-// equations, and the size limits of substitution.
+// Derivation: data shared by the parts of derive. It contains the chart, the equations so far, the map from elements of
+// the chart to the equations, and the size limits of substitution.
 #pragma once
 
 #include <cstdint>
@@ -21,41 +21,41 @@ namespace grafverif {
 
 // Hierarchy of a chart: reduces macro-steps, enclosing steps and forcing orders to plain steps.
 //
-// An expansion belongs to the chart of its macro-step: entering the macro-step enters the entry step, and the exit step
-// replaces it upstream of transitions (IEC 60848). The region of a partial chart consists of its steps and those
-// of its expansions; a region is enclosed or forced as a unit.
+// An expansion belongs to the chart of its macro-step: if the macro-step is activated, its entry step is activated, and
+// the exit step replaces the macro-step upstream of transitions (IEC 60848). The region of a partial chart consists of
+// its steps and those of its expansions; a region is enclosed or forced as a unit.
 //
 // The relation "encloses or forces" between charts is acyclic, which defines an order of the charts.
 
 struct Hierarchy {
-    /// Per step: the step that is activated instead of it, and the step whose activity allows leaving it. Both are the
-    /// step itself, or the entry and exit step of the expansion of a macro-step.
+    /// Per step: the step that is activated in its place, and the step that must be active for its transitions to be
+    /// enabled. Both are the step itself, or the entry and exit step of the expansion of a macro-step.
     std::vector<Id<Chart::Step>> entered = {}, left = {};
     /// Per partial chart: the chart that contains it as a (nested) expansion; otherwise itself.
     std::vector<Id<Chart::PartialChart>> home = {};
-    /// Homes in topological order: after those that enclose or force them.
+    /// Homes in topological order: each follows those that enclose or force it.
     std::vector<Id<Chart::PartialChart>> order = {};
-    std::vector<std::vector<Id<Chart::Step>>> region = {};  ///< per partial chart
+    std::vector<std::vector<Id<Chart::Step>>> region = {};  ///< steps of the region, per partial chart
     std::vector<std::vector<Id<Chart::ForcingOrder>>> orders =
-        {};                                                 ///< per partial chart: the orders that force its region
-    std::vector<std::vector<Id<Chart::Step>>> forced = {};  ///< per order: the steps that it activates, sorted
-    std::vector<bool> initial = {};                         ///< per step: active at power-on
+        {};  ///< per partial chart: the forcing orders that force its region
+    std::vector<std::vector<Id<Chart::Step>>> forced = {};  ///< per forcing order: the steps that it activates, sorted
+    std::vector<bool> initial = {};                         ///< per step: true if it is active at power-on
 };
 
-/// Empty after an error: a cycle, or a chart that one step forces twice.
+/// Computes the hierarchy; empty after an error: a cycle, or a chart that one step forces twice.
 std::optional<Hierarchy> hierarchy(const Chart& chart, Diagnostics& diagnostics);
 
 /// True if the two orders are contradictory.
 bool conflict(const Chart& chart, const Hierarchy& hierarchy, Id<Chart::ForcingOrder> one,
               Id<Chart::ForcingOrder> other);
 
-inline constexpr std::size_t term_size_limit = 1'000'000;    ///< nodes of one equation as a tree
-inline constexpr std::size_t total_size_limit = 10'000'000;  ///< nodes of all terms added by substitution and race
-                                                             ///< conditions
+inline constexpr std::size_t term_size_limit = 1'000'000;  ///< maximum number of nodes of one equation as a tree
+/// Maximum number of nodes of all terms added by substitution and race conditions.
+inline constexpr std::size_t total_size_limit = 10'000'000;
 inline constexpr std::size_t term_depth_limit = 2'000;
-inline constexpr std::size_t stored_value_limit = 1'000;  ///< distinct values stored in one variable
+inline constexpr std::size_t stored_value_limit = 1'000;  ///< maximum number of distinct values stored in one variable
 
-/// Size and depth of terms as trees, because they are printed as trees. Sizes saturate well above every limit.
+/// Size and depth of terms as trees, because they are printed as trees. Sizes saturate far above every limit.
 class Measures {
 public:
     std::uint64_t size(const Exprs& exprs, Id<Expr> term);
@@ -70,9 +70,9 @@ private:
 
 /// Position of a term in a cycle, which determines the meaning of its leaves.
 enum class TermPosition {
-    Before,  ///< in a cycle, over the values before it: conditions, events, values to store
-    After,   ///< at its end, over the values after it: outputs, terms observed by timers
-    First,   ///< in the first evolution, which has no edges: values to store
+    Before,  ///< in a cycle, over the values before it: conditions, events, stored values
+    After,   ///< at the end of a cycle, over the values after it: outputs, terms observed by timers
+    First,   ///< in the first evolution, which has no edges: stored values
 };
 
 struct Derivation {
@@ -80,27 +80,27 @@ struct Derivation {
     Diagnostics& diagnostics;
     Equations equations = {};
     Hierarchy hierarchy = {};
-    UniqueNames names = {};                             ///< names of the variables of the equations and of timers
+    UniqueNames names = {};                             ///< names of timers and of variables of the equations
     std::vector<Id<Equations::Variable>> steps = {};    ///< X_s per step
     std::vector<Id<Equations::Variable>> firings = {};  ///< CF_t per transition
-    std::vector<Id<Expr>> step_leaves = {};             ///< X_s as a term; stored because repeated lookup of leaves
-                                                        ///< dominates the run time
-    std::vector<Id<Expr>> firing_leaves = {};           ///< CF_t as a term
-    std::vector<std::vector<Id<Chart::ContinuousAction>>> continuous = {};  ///< per variable
-    std::vector<std::vector<Id<Chart::StoredAction>>> stored = {};          ///< per variable
-    std::vector<bool> reads_output = {};  ///< per term of the chart: contains a continuous output
+    /// X_s as a term; stored because repeated searches for leaves dominate the run time.
+    std::vector<Id<Expr>> step_leaves = {};
+    std::vector<Id<Expr>> firing_leaves = {};                               ///< CF_t as a term
+    std::vector<std::vector<Id<Chart::ContinuousAction>>> continuous = {};  ///< continuous actions per variable
+    std::vector<std::vector<Id<Chart::StoredAction>>> stored = {};          ///< stored actions per variable
+    std::vector<bool> reads_output = {};  ///< per term of the chart: true if it contains a continuous output
     std::vector<Id<Expr>> values = {};    ///< per variable: equation (13) of a continuous output
-    std::unordered_map<std::uint32_t, Id<Equations::Variable>> previous = {};  ///< P_e per term e of the equations
-    std::unordered_map<std::uint32_t, Id<Equations::Variable>> watched = {};   ///< V_e per term e of the equations
-    /// Timers by observed variable, t1 and t2.
+    std::unordered_map<std::uint32_t, Id<Equations::Variable>> previous = {};  ///< P_e for each term e of the equations
+    std::unordered_map<std::uint32_t, Id<Equations::Variable>> watched = {};   ///< V_e for each term e of the equations
+    /// Timers, identified by observed variable, t1 and t2.
     std::map<std::tuple<Id<Equations::Variable>, std::int64_t, std::int64_t>, Id<Equations::Timer>> timers = {};
     Measures measures = {};
-    std::uint64_t added = 0;        ///< counts towards total_size_limit
-    bool exhausted = false;         ///< the total limit was exceeded and reported
-    std::size_t errors_before = 0;  ///< errors of earlier inputs
+    std::uint64_t added = 0;        ///< number of nodes added so far, at most total_size_limit
+    bool exhausted = false;         ///< true if the total limit was exceeded, which has been reported
+    std::size_t errors_before = 0;  ///< number of errors of earlier inputs
 };
 
-/// True if an error was found in this chart.
+/// True if an error was found in the current chart.
 inline bool failed(const Derivation& derivation) { return derivation.diagnostics.errors() != derivation.errors_before; }
 
 /// True if `variable` is an output without stored actions, which has an equation (13).
@@ -111,44 +111,44 @@ inline bool is_initial(const Derivation& derivation, Id<Chart::Step> step) {
     return derivation.equations.variables[derivation.steps[step.index]].initial != 0;
 }
 
-/// A Variable leaf of the equations.
+/// Returns a Variable leaf of the equations.
 Id<Expr> variable_leaf(Derivation& derivation, Id<Equations::Variable> variable);
 
 /// Returns false if `term` is a conjunction that contains an operand and its negation; otherwise `term`.
 Id<Expr> consistent(Exprs& exprs, Id<Expr> term);
 
 /// Translates the term `root` of the chart to the variables of the equations, with outputs replaced by their equations.
-/// Invalid after an error: the term, called `what` in the message, would be too large.
+/// The result is invalid after an error: the term, called `what` in the message, would be too large.
 Id<Expr> over_equations(Derivation& derivation, Id<Expr> root, TermPosition reading, Span where,
                         const std::string& what);
 
-/// P_e as a term: the value of `term`, over the equations, in the previous cycle.
+/// Returns P_e as a term: the value of `term`, over the equations, in the previous cycle.
 Id<Expr> previous_value(Derivation& derivation, Id<Expr> term, Span where);
 
-/// V_e: the value of `term`, over the equations, after the previous cycle; for a step its activity.
+/// Returns V_e: the value of `term`, over the equations, after the previous cycle; for a step, its activity.
 Id<Equations::Variable> level(Derivation& derivation, Id<Expr> term, Span where);
 
-/// The timer t1/v/t2 for the observed variable `watched`.
+/// Returns the timer t1/v/t2 for the observed variable `watched`.
 Id<Equations::Timer> timer(Derivation& derivation, Id<Equations::Variable> watched, std::int64_t rise_ms,
                            std::int64_t fall_ms, Span where);
 
-/// The output of `timer` as a term.
+/// Returns the output of `timer` as a term.
 Id<Expr> end_leaf(Derivation& derivation, Id<Equations::Timer> timer);
 
-/// Prefix of variable names for a step of a named partial chart G2: `G2_`; otherwise empty.
+/// Returns the prefix of variable names for a step of a named partial chart G2: `G2_`; otherwise an empty string.
 std::string qualifier(const StepName& step);
 
-/// Adds `size` nodes to the total; false if the limit is exceeded (reported once).
+/// Adds `size` nodes to the total. Returns false if the limit is exceeded, which is reported once.
 bool afford(Derivation& derivation, std::uint64_t size);
 
-/// Equations (11) and (12), and the conflicts between forcing orders.
+/// Derives equations (11) and (12), and the conflicts between forcing orders.
 void derive_firings(Derivation& derivation);
 void derive_steps(Derivation& derivation);
 
-/// Equations (13), each output after those it reads.
+/// Derives equations (13), each output after those that it reads.
 void derive_outputs(Derivation& derivation);
 
-/// Next values, race conditions and first values of the variables with stored actions.
+/// Derives next values, race conditions and first values of the variables with stored actions.
 void derive_stored(Derivation& derivation);
 
 }  // namespace grafverif

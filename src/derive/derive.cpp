@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Entry point of derive: variables of the equations, the stability condition, and the sequence of its parts.
+// Entry point of derive: declares the variables of the equations, calls the parts of derive in order, and derives the
+// stability condition.
 #include "derive/derive.hpp"
 
 #include <algorithm>
@@ -16,14 +17,14 @@ namespace grafverif {
 
 namespace {
 
-// Checks edges: reports each edge where the standard forbids one, and each missing edge.
+// Checks edges: reports each edge that the standard forbids, and each missing edge.
 
-/// Per term: true if it contains an edge; true if it is false whenever no edge occurs. One pass, because children
-/// precede parents.
+/// Determines per term if it contains an edge, and if it is false whenever no edge occurs. One pass is sufficient,
+/// because children precede parents.
 struct Edges {
     std::vector<bool> occur = {};
     std::vector<bool> needed = {};
-    std::vector<bool> nested = {};  ///< contains an edge of an edge
+    std::vector<bool> nested = {};  ///< true if the term contains an edge of an edge
 };
 
 bool needs_edge(const Exprs& exprs, Id<Expr> term, const std::vector<bool>& needed) {
@@ -72,14 +73,14 @@ struct Refusal {
                 diagnostics.add(messages::edge_of_edge(action.origin));
     }
 
-    /// An edge would make the action not continuous.
+    /// With an edge, the action would not be continuous.
     void continuous_actions() const {
         for (const Chart::ContinuousAction& action : chart.continuous)
             if (edge.occur[action.condition.index])
                 diagnostics.add(messages::edge_in_assignation(action.origin, chart.variables[action.output].name));
     }
 
-    /// An event is instantaneous, so it requires an edge.
+    /// An event is instantaneous. It therefore requires an edge.
     void events() const {
         for (const Chart::StoredAction& action : chart.stored)
             if (action.on == Chart::StoredOn::Event && !edge.needed[action.event.index])
@@ -87,7 +88,8 @@ struct Refusal {
     }
 };
 
-/// True if an edge occurs in a time condition or in an assignation condition, or an event has none; reports each.
+/// True if a time condition or an assignation condition contains an edge, or an event does not contain one. Each is
+/// reported.
 bool misplaced_edges(const Chart& chart, Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     const Refusal refusal{chart, diagnostics, edges(chart.exprs)};
@@ -144,7 +146,7 @@ void index_actions(Derivation& derivation) {
         const Expr& node = chart.exprs[Id<Expr>{index}];
         bool reads = node.op == Op::Variable &&
                      is_continuous(derivation, Id<Chart::Variable>{static_cast<std::uint32_t>(node.value)});
-        if (node.op == Op::Timed) {  // its observed term precedes it
+        if (node.op == Op::Timed) {  // the observed term of a time condition precedes it
             const Id<Chart::TimeCondition> timed{static_cast<std::uint32_t>(node.value)};
             reads = derivation.reads_output[chart.time_conditions[timed].watched.index];
         }
@@ -154,9 +156,9 @@ void index_actions(Derivation& derivation) {
     }
 }
 
-/// Stability condition: one more cycle with the same inputs would change nothing. Variables are stored on clearing, on
-/// changes of steps, which also require a clearing, and on events, which require an edge. Forced and enclosed charts
-/// follow their forcing order or enclosing step from power-on, and change only with these.
+/// Stability condition: one more cycle with the same inputs would change nothing. Values are stored on clearing, on
+/// changes of steps, which also require a clearing, and on events, which require an edge. From power-on, forced and
+/// enclosed charts follow their forcing order or enclosing step, and change only when these change.
 Id<Expr> stable(Derivation& derivation) {
     const Equations& equations = derivation.equations;
     Exprs& exprs = derivation.equations.exprs;
@@ -168,7 +170,7 @@ Id<Expr> stable(Derivation& derivation) {
     return exprs.negation(exprs.disjunction(changes));
 }
 
-/// Inputs keep their indices, because the variables of the equations begin with those of the chart.
+/// Inputs keep their indices, because the variables of the chart come first in the equations.
 void derive_assumptions(Derivation& derivation) {
     Exprs& exprs = derivation.equations.exprs;
     for (const Chart::Constraint& constraint : derivation.chart.constraints) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// derive: Chart -> Equations, the algebraic model of CEP13 section 5, equations (11) to (13), extended by stored
-// actions and by timers for time conditions.
+// derive: translates a Chart to Equations, the algebraic model of CEP13 section 5, equations (11) to (13), extended by
+// stored actions and by timers for time conditions.
 //
 // Mapping:
 //   variable    -> the variable of the same index, type and initial value: the variables of the chart come first
@@ -9,11 +9,12 @@
 //   time condition 3s/X2 -> the timer T_X2_3s and its output T_X2_3s_Q, one per step and duration
 //   output      -> its equation (13); false if it has no action
 //   variable with stored actions -> its next value, its race condition, its value after the first evolution
-// A name that is already used gets a number: `X_2_2`.
+// If a name is already used, a number is appended: `X_2_2`.
 //
-// A continuous output in a condition is replaced by its equation (13), so no equation depends on the value last
-// written. A cycle of outputs that read each other has no meaning and is rejected (`output-cycle`). Substitution can
-// increase terms exponentially: a term of more than a million nodes is rejected (`too-large`).
+// A continuous output in a condition is replaced by its equation (13), so that no equation depends on the value that
+// was last written. A cycle of outputs that read each other has no meaning and is rejected (`output-cycle`).
+// Substitution can increase the size of terms exponentially. A term of more than a million nodes is rejected
+// (`too-large`).
 #pragma once
 
 #include <optional>
@@ -24,7 +25,7 @@
 
 namespace grafverif {
 
-/// The equations of `chart`; empty after at least one error. Requires verify(chart).empty().
+/// Returns the equations of `chart`; empty after at least one error. Requires verify(chart).empty().
 std::optional<Equations> derive(const Chart& chart, Diagnostics& diagnostics);
 
 }  // namespace grafverif

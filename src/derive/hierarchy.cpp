@@ -35,13 +35,14 @@ public:
 private:
     const Partial& partial(Id<Partial> id) const { return chart_.partial_charts[id]; }
 
-    /// The chart that contains the macro-step or enclosing step of `inner`; invalid if it has no owner.
+    /// Returns the chart that contains the macro-step or enclosing step of `inner`; invalid if it has no owner.
     Id<Partial> outer(Id<Partial> inner) const {
         const Id<Chart::Step> owner = partial(inner).owner;
         return owner.valid() ? chart_.steps[owner].chart : Id<Partial>{};
     }
 
-    /// Each chart has one owner, so a traversal outwards that meets its own path has found a cycle.
+    /// Checks that ownership has no cycle. Each chart has one owner. Therefore a traversal outwards that reaches its
+    /// own path has found a cycle.
     void check_ownership() {
         std::vector<std::uint32_t> trail(chart_.partial_charts.size(), Id<Partial>::none);
         for (const Id<Partial> start : chart_.partial_charts.ids())
@@ -75,7 +76,8 @@ private:
     }
 
     void find_stand_ins() {
-        std::vector<Id<Chart::Step>> entry(chart_.steps.size()), exit(chart_.steps.size());  // of the expansion
+        // Entry and exit step of the expansion.
+        std::vector<Id<Chart::Step>> entry(chart_.steps.size()), exit(chart_.steps.size());
         for (const Id<Chart::Step> id : chart_.steps.ids()) {
             const Chart::Step& step = chart_.steps[id];
             if (partial(step.chart).kind != Chart::PartialKind::Expansion) continue;
@@ -115,7 +117,7 @@ private:
         return inner == region;
     }
 
-    /// Kahn's algorithm; remaining charts are on a cycle or depend on one.
+    /// Sorts the homes by Kahn's algorithm. Charts that remain lie on a cycle or depend on one.
     void sort_homes() {
         std::vector<std::vector<Id<Partial>>> below(chart_.partial_charts.size());
         std::vector<std::size_t> waits(chart_.partial_charts.size());
@@ -141,14 +143,15 @@ private:
         }
     }
 
-    /// Rule 1: the steps declared as initial, except in charts whose enclosing step is inactive; then the orders of
-    /// these steps.
+    /// Determines the initial situation by rule 1. First the steps declared as initial become active, except in charts
+    /// whose enclosing step is inactive. Then the forcing orders of these steps are applied.
     void find_initial() {
         std::vector<bool>& initial = result_.initial;
         initial.resize(chart_.steps.size());
         for (const Id<Chart::Step> step : chart_.steps.ids())
             if (chart_.steps[step].initial) initial[result_.entered[step.index].index] = true;
-        std::vector<std::vector<Id<Chart::ForcingOrder>>> orders(chart_.partial_charts.size());  // per home
+        // Initial steps per home.
+        std::vector<std::vector<Id<Chart::ForcingOrder>>> orders(chart_.partial_charts.size());
         for (const Id<Chart::ForcingOrder> id : chart_.forcing.ids())
             orders[result_.home[chart_.forcing[id].forced.index].index].push_back(id);
         for (const Id<Partial> home : result_.order) {
@@ -177,7 +180,7 @@ private:
         }
     }
 
-    /// Checks the orders of each step, and those of steps that are active together at power-on.
+    /// Checks the forcing orders of each step, and those of steps that are active together at power-on.
     void check_orders() {
         for (const Id<Partial> id : chart_.partial_charts.ids()) {
             const std::vector<Id<Chart::ForcingOrder>>& orders = result_.orders[id.index];
@@ -186,8 +189,8 @@ private:
         }
     }
 
-    /// Checks two orders that concern `forced`; reports a conflict once, for the chart that one of them names and the
-    /// other one contains.
+    /// Checks two forcing orders that concern `forced`. A conflict is reported once, for the chart that one of them
+    /// names and the other contains.
     void check_pair(Id<Partial> forced, Id<Chart::ForcingOrder> one, Id<Chart::ForcingOrder> other) {
         const Chart::ForcingOrder& first = chart_.forcing[one];
         const Chart::ForcingOrder& second = chart_.forcing[other];
@@ -200,15 +203,16 @@ private:
             diagnostics_.add(messages::forced_twice(second.origin, partial(forced).name, first.origin));
             return;
         }
-        const bool own = second.forced == forced;  // true: `second` is the order for the expansion, `first` the one for
-                                                   // the containing chart
+        // true: `second` is the order for the expansion, `first` the order for the chart that contains it.
+        const bool own = second.forced == forced;
         const Chart::ForcingOrder& inner = own ? second : first;
         const Chart::ForcingOrder& whole = own ? first : second;
         diagnostics_.add(
             messages::forced_beside(inner.origin, partial(forced).name, partial(whole.forced).name, whole.origin));
     }
 
-    /// Checks orders of partial charts that evolve in parallel; reported once per pair of partial charts.
+    /// Checks the forcing orders of partial charts that evolve in parallel. Conflicts are reported once per pair of
+    /// partial charts.
     void check_parallel(const Chart::ForcingOrder& first, const Chart::ForcingOrder& second) {
         if (first.forced != second.forced || !in_parallel(first.step, second.step)) return;
         const auto key = std::minmax(chart_.steps[first.step].chart.index, chart_.steps[second.step].chart.index);
@@ -216,8 +220,8 @@ private:
             diagnostics_.add(messages::forced_differently(second.origin, partial(first.forced).name, first.origin));
     }
 
-    /// False if the steps, or steps that contain them, are different steps of one partial chart: these can be
-    /// exclusive.
+    /// False if the steps, or the steps that contain them, are different steps of one partial chart. Such steps may
+    /// never be active together.
     bool in_parallel(Id<Chart::Step> one, Id<Chart::Step> other) const {
         for (Id<Chart::Step> above = one; above.valid(); above = partial(chart_.steps[above].chart).owner)
             for (Id<Chart::Step> beyond = other; beyond.valid(); beyond = partial(chart_.steps[beyond].chart).owner)
@@ -229,7 +233,7 @@ private:
     Diagnostics& diagnostics_;
     Hierarchy result_ = {};
     std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> parallel_ =
-        {};  ///< forced chart and the two charts that force it
+        {};  ///< each element has the forced chart and the two charts that force it
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Equation (13) of CEP13 for every output without stored actions: the disjunction, over its continuous actions, of the
-// conjunctions of step activity and assignation condition. Outputs read in conditions are derived first; a cycle among
-// them is rejected.
+// Derives equation (13) of CEP13 for every output without stored actions: a disjunction over its continuous actions.
+// Each operand is the conjunction of step activity and assignation condition. Outputs that conditions read are derived
+// first; a cycle among them is rejected.
 #include <algorithm>
 #include <array>
 
@@ -12,7 +12,8 @@ namespace grafverif {
 
 namespace {
 
-/// An output being derived, with the outputs that it reads and the positions of the actions that read them.
+/// An output whose equation is being derived, with the outputs that it reads and the positions of the actions that read
+/// them.
 struct Visit {
     struct Read {
         Id<Chart::Variable> output = {};
@@ -44,7 +45,8 @@ Visit visit(const Derivation& derivation, Id<Chart::Variable> output) {
     return result;
 }
 
-/// `3s/X` for a delayed action, `not 3s/X` for a time-limited one; a limit starts at the end of the delay.
+/// Returns `3s/X` for a delayed action, and `not 3s/X` for a time-limited action. A limit starts at the end of the
+/// delay.
 Id<Expr> time_of(Derivation& derivation, const Chart::ContinuousAction& action) {
     Exprs& exprs = derivation.equations.exprs;
     const auto active_for = [&](std::int64_t duration) {
@@ -56,7 +58,7 @@ Id<Expr> time_of(Derivation& derivation, const Chart::ContinuousAction& action) 
     return exprs.conjunction(terms);
 }
 
-/// Equation (13); invalid if a condition is too large.
+/// Returns equation (13); invalid if a condition is too large.
 Id<Expr> output_value(Derivation& derivation, Id<Chart::Variable> output) {
     const Chart::Variable& variable = derivation.chart.variables[output];
     Exprs& exprs = derivation.equations.exprs;
@@ -73,7 +75,7 @@ Id<Expr> output_value(Derivation& derivation, Id<Chart::Variable> output) {
     return exprs.disjunction(terms);
 }
 
-/// Reports the part of `path` from the output that its last element reads.
+/// Reports the part of `path` that starts with the output which its last element reads.
 void report_cycle(Derivation& derivation, const std::vector<Visit>& path, Id<Chart::Variable> closing) {
     if (derivation.diagnostics.full()) return;
     const auto first = std::ranges::find(path, closing, &Visit::output);
@@ -103,8 +105,8 @@ void derive_outputs(Derivation& derivation) {
                 path.push_back(visit(derivation, read));
                 continue;
             }
-            // An output on a cycle, or one that is too large, is replaced by false in its readers; the error has been
-            // reported.
+            // An output on a cycle, or an output that is too large, is replaced by false in its readers. The error has
+            // already been reported.
             const Id<Expr> value = failed(derivation) ? none : output_value(derivation, top.output);
             derivation.values[top.output.index] = value.valid() ? value : none;
             marks[top.output.index] = Mark::Done;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Equations (11) and (12) of CEP13, with the hierarchy resolved. Charts that force or enclose others come first, so
-// that the new activity of a forcing or enclosing step exists as a term before the steps below need it:
+// Equations (11) and (12) of CEP13, with the hierarchy resolved. Charts that force or enclose others are processed
+// first, so that the new activity of a forcing or enclosing step exists as a term before it is needed:
 //
 //   X_s' = X_e' and (raised or ((base or linked) and not cleared))
 //     base      equation (12)
-//     X_e'      the step that encloses the chart of s stays or becomes active
+//     X_e'      the step that encloses the chart of s remains or becomes active
 //     linked    s has an activation link, and the enclosing step becomes active while no order forces the chart
 //     raised    an active order names s; cleared: an active order does not
 //   X_M' = disjunction of X_s', s in the expansion of the macro-step M
@@ -22,7 +22,7 @@ namespace {
 
 using Order = Id<Chart::ForcingOrder>;
 
-/// The conjuncts that enable `transition`, without its condition.
+/// Returns the conjuncts that enable `transition`, without its condition.
 std::vector<Id<Expr>> enabling(Derivation& derivation, const Chart::Transition& transition) {
     const Chart& chart = derivation.chart;
     const Hierarchy& hierarchy = derivation.hierarchy;
@@ -59,7 +59,7 @@ public:
             if (chart_.steps[step].activation_link) linked_[hierarchy_.entered[step.index].index] = true;
         std::vector<Equations::StepActivity>& steps = derivation_.equations.steps;
         steps.resize(chart_.steps.size());
-        std::vector<std::vector<Id<Chart::PartialChart>>> expansions(chart_.partial_charts.size());  // per home
+        std::vector<std::vector<Id<Chart::PartialChart>>> expansions(chart_.partial_charts.size());  // steps per home
         for (const Id<Chart::PartialChart> id : chart_.partial_charts.ids())
             if (hierarchy_.home[id.index] != id) expansions[hierarchy_.home[id.index].index].push_back(id);
         for (const Id<Chart::PartialChart> home : hierarchy_.order) {
@@ -79,8 +79,8 @@ private:
     const Equations::StepActivity& of(Id<Chart::Step> step) const { return derivation_.equations.steps[step.index]; }
     Id<Expr> active(Id<Chart::Step> step) const { return derivation_.step_leaves[step.index]; }
 
-    /// Equation (12). Activation has priority over deactivation (IEC 60848, rule 5): a step that is activated and
-    /// deactivated simultaneously stays active, and is neither `activated` nor `deactivated`.
+    /// Returns equation (12). Activation has priority over deactivation (IEC 60848, rule 5): a step that is activated
+    /// and deactivated simultaneously remains active, and is neither `activated` nor `deactivated`.
     Equations::StepActivity activity(Id<Chart::Step> step, Id<Chart::PartialChart> home) {
         const Id<Chart::PartialChart> chart = chart_.steps[step].chart;
         const Id<Expr> on = exprs_.disjunction(on_[step.index]);
@@ -116,7 +116,7 @@ private:
         return enclosing.valid() ? exprs_.conjunction(of(enclosing).next, forced) : forced;
     }
 
-    /// The activity with the new value `next`, unless it is too large.
+    /// Returns the activity with the new value `next`, unless it is too large.
     Equations::StepActivity changed(Id<Chart::Step> step, Id<Expr> next) {
         const std::string what = "step `" + chart_.steps[step].name + "`";
         if (derivation_.measures.size(exprs_, next) > term_size_limit)
@@ -142,11 +142,12 @@ private:
     const Chart& chart_;
     const Hierarchy& hierarchy_;
     Exprs& exprs_;
-    std::vector<std::vector<Id<Expr>>> on_, off_;  ///< per step: the firing conditions that activate or deactivate it
+    /// Per step: the firing conditions that activate it, and those that deactivate it.
+    std::vector<std::vector<Id<Expr>>> on_, off_;
     std::vector<bool> linked_;
 };
 
-/// Adds a conflict for each pair of contradictory orders.
+/// Adds a conflict for each pair of contradictory forcing orders.
 void derive_conflicts(Derivation& derivation) {
     const Chart& chart = derivation.chart;
     Equations& equations = derivation.equations;

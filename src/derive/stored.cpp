@@ -18,8 +18,8 @@ struct Group {
     std::vector<Id<Expr>> triggers = {};
 };
 
-/// The condition under which `action` is executed: clearing of its transition, a change of its step, or an event while
-/// its step is active. Invalid after an error.
+/// Returns the condition under which `action` is executed: its transition is cleared, its step changes, or an event
+/// occurs while its step is active. Invalid after an error.
 Id<Expr> trigger_of(Derivation& derivation, const Chart::StoredAction& action) {
     const std::string& target = derivation.chart.variables[action.target].name;
     switch (action.on) {
@@ -34,10 +34,10 @@ Id<Expr> trigger_of(Derivation& derivation, const Chart::StoredAction& action) {
     return derivation.equations.exprs.conjunction(derivation.step_leaves[action.step.index], event);
 }
 
-/// The writes of the actions on `variable`, in order; incomplete after an error.
+/// The writes of all actions on `variable`, in order; incomplete after an error.
 struct Writes {
     std::vector<Equations::Write> list = {};
-    std::vector<Id<Expr>> first = {};  ///< values of initial actions in the first evolution
+    std::vector<Id<Expr>> first = {};  ///< values of the initial actions in the first evolution
 };
 
 Writes writes(Derivation& derivation, Id<Chart::Variable> variable) {
@@ -109,8 +109,8 @@ Id<Expr> race(Derivation& derivation, const std::vector<Group>& groups) {
     return exprs.disjunction(terms);
 }
 
-/// The value after the cycle: that of the first triggered group, otherwise the value before. If only true and false are
-/// stored, this is `set or (v and not reset)`.
+/// Returns the value after the cycle: the value of the first triggered group, otherwise the value before the cycle. If
+/// only true and false are stored, this is `set or (v and not reset)`.
 Id<Expr> next(Exprs& exprs, const std::vector<Group>& groups, Id<Expr> before) {
     const auto is_boolean_constant = [&](const Group& group) {
         return is_true(exprs, group.value) || is_false(exprs, group.value);
@@ -145,7 +145,7 @@ Equations::Stored stored_equation(Derivation& derivation, Id<Chart::Variable> va
     result.next = next(exprs, grouped, before);
     result.race = race(derivation, grouped);
     result.first = before;
-    std::vector<Id<Expr>> differing;  // from the first of the initial writes
+    std::vector<Id<Expr>> differing;  // initial writes of values that differ from the first one
     if (!written.first.empty()) result.first = written.first.front();
     for (const Id<Expr> value : written.first)
         if (value != result.first) differing.push_back(exprs.apply(Op::NotEqual, result.first, value));

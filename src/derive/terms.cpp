@@ -14,7 +14,7 @@ constexpr std::uint64_t saturated = std::uint64_t{1} << 40U;
 
 std::uint64_t sum(std::uint64_t left, std::uint64_t right) { return std::min(saturated, left + right); }
 
-/// Size of the term `root` of the chart after its outputs are replaced by their equations.
+/// Returns the size of the term `root` of the chart after its outputs are replaced by their equations.
 std::uint64_t replaced_size(Derivation& derivation, Id<Expr> root,
                             std::unordered_map<std::uint32_t, std::uint64_t>& known) {
     const Chart& chart = derivation.chart;
@@ -36,7 +36,8 @@ std::uint64_t replaced_size(Derivation& derivation, Id<Expr> root,
 
 Id<Expr> copied(Derivation& derivation, Id<Expr> root, TermPosition reading, Span where);
 
-/// `e and not P_e`, `P_e and not e`; a rising edge of a complement is a falling edge.
+/// Returns `e and not P_e` for a rising edge and `P_e and not e` for a falling edge. A rising edge of a complement is a
+/// falling edge.
 Id<Expr> edge(Derivation& derivation, Id<Expr> now, bool rises, TermPosition reading, Span where) {
     Exprs& exprs = derivation.equations.exprs;
     if (exprs[now].op == Op::Not) {
@@ -48,7 +49,7 @@ Id<Expr> edge(Derivation& derivation, Id<Expr> now, bool rises, TermPosition rea
     return rises ? exprs.conjunction(now, exprs.negation(before)) : exprs.conjunction(before, exprs.negation(now));
 }
 
-/// `t1/v/t2`, with its timer.
+/// Returns the term for `t1/v/t2`, with its timer.
 Id<Expr> timed(Derivation& derivation, Id<Chart::TimeCondition> id) {
     Exprs& exprs = derivation.equations.exprs;
     const Chart::TimeCondition& written = derivation.chart.time_conditions[id];

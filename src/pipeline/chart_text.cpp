@@ -16,10 +16,10 @@ namespace {
 
 struct WrittenStep {
     Span where = {};
-    std::uint32_t name = 0;  ///< where its name begins, as Chart::Step::origin does
+    std::uint32_t name = 0;  ///< offset of its name, as in Chart::Step::origin
 };
 
-/// The source text of expressions, by the beginning of their element.
+/// The source text of expressions, indexed by the start of their element.
 struct SourceTexts {
     std::map<std::uint32_t, std::string> conditions = {}, values = {}, events = {};
     std::vector<WrittenStep> steps = {};
@@ -65,7 +65,7 @@ private:
     SourceTexts& written_;
 };
 
-/// The text of `// text`, `/* text */`, `(* text *)`.
+/// Returns the text of `// text`, `/* text */` or `(* text *)`.
 std::string words_of(std::string_view comment) {
     for (const std::string_view begin : {"//", "/*", "(*"})
         if (comment.starts_with(begin)) comment.remove_prefix(2);
@@ -76,7 +76,7 @@ std::string words_of(std::string_view comment) {
     return std::string(comment);
 }
 
-/// The comments at the end of the first or last line of steps, by the beginning of the step's name.
+/// Returns the comments at the end of the first or last line of each step, indexed by the start of the step's name.
 std::map<std::uint32_t, std::string> comments_of(const tree::File& file, std::string_view text,
                                                  std::vector<WrittenStep> steps) {
     const auto begin = [](const WrittenStep& step) { return step.where.begin; };
@@ -111,7 +111,7 @@ std::vector<std::string> texts_of(const Elements& elements, const std::map<std::
 ChartText text_of(const Model& model, Id<Chart> id, const Sources& sources) {
     const Chart& chart = model.charts[id];
     if (!sources.contains(chart.origin.source)) return {};
-    Sources copy;  // reading may rewrite a source
+    Sources copy;  // copied, because reading may change a source
     Diagnostics known;
     const Id<Source> source = copy.add(sources[chart.origin.source]);
     const tree::File file = read_any(source, copy, {true}, known);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Charts for drawing, with the comments of their steps and, in Notation::Text, with conditions as in their file.
+// Charts for drawing, with the comments of their steps. In Notation::Text, conditions are as in the file.
 #pragma once
 
 #include "draw/chart_text.hpp"
@@ -7,7 +7,7 @@
 
 namespace grafverif {
 
-/// Parses the source of the chart again.
+/// Returns the chart text. Parses the source of the chart again.
 ChartText text_of(const Model& model, Id<Chart> chart, const Sources& sources);
 
 Drawing drawing_of(const Model& model, Id<Chart> chart, const DrawOptions& options, const Sources& sources);

@@ -16,7 +16,7 @@ namespace grafverif {
 
 namespace {
 
-/// A third of the remaining time with an upper bound, since other engines follow.
+/// Returns the end of a third of the remaining time, with an upper bound, since other engines follow.
 std::chrono::steady_clock::time_point end_of_cells(std::optional<std::chrono::steady_clock::time_point> deadline) {
     constexpr std::chrono::seconds most(20);
     const auto now = std::chrono::steady_clock::now();

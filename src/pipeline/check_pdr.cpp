@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks by the embedded engines on circuits, and by external programs in their place.
+// Checks with the embedded engines on circuits, and with external programs in their place.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::string words_of(const SymbolicProgress& now) {
 
 namespace {
 
-/// `result` as a report; it is empty if no property was selected.
+/// Converts `result` to a report, which is empty if no property was selected.
 Report reported(PdrResult result, const SystemToCheck& check, SystemReporter::Of of, const std::string& engine,
                 const CheckOptions& options) {
     SystemReporter reporter(check, of, engine, options, result.verdicts);

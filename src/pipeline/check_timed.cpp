@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks by the embedded timed engine.
+// Checks with the embedded timed engine.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ namespace grafverif {
 
 namespace {
 
-/// `1,234,567`
+/// Returns the number with thousands separators: `1,234,567`.
 std::string grouped(std::uint64_t number) {
     std::string text = std::to_string(number);
     for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
@@ -66,12 +66,14 @@ bool is_open(const Verdict& verdict) {
     return verdict.obstacle == UnknownReason::Bound || verdict.obstacle == UnknownReason::Stopped;
 }
 
-/// A search in steps, so that searches under one limit interleave: a bounded search of the complete loop with
-/// localization, rounds of input abstraction, and the search of the complete loop for what remains open.
+/// A search in steps, so that several searches under one limit can alternate. The steps are: a bounded search of the
+/// complete loop with localization, rounds of input abstraction, and the search of the complete loop for the properties
+/// that remain open.
 class StagedSearch {
 public:
-    /// `observe` adds the observer of the only property and makes `network` of the loop; or it changes nothing. An
-    /// observer reads the complete loop, so localization does not apply to it. All references outlive the search.
+    /// `observe` builds `network` from the loop by adding the observer of the only property, or it changes nothing.
+    /// Localization does not apply to an observer, which reads the complete loop. All references must outlive the
+    /// search.
     StagedSearch(const LoopToCheck& loop, const Observe& observe, const Network& network, const CheckOptions& options)
         : is_watched_(&network != &loop.network),
           in_steps_(!options.whole),
@@ -79,10 +81,10 @@ public:
           observe_(observe),
           network_(network),
           options_(timed_options(loop, options)) {
-        if (is_watched_) options_.timelock = false;  // searched in the loop without the observer
+        if (is_watched_) options_.timelock = false;  // decided in the loop without the observer
     }
 
-    /// The first step. `is_large`: the complete loop exceeds the bound of this step.
+    /// Performs the first step. `is_large` is true if the complete loop exceeds the bound of this step.
     void begin(const Deadline& deadline, bool is_large) {
         LocalizationLimits limits;
         if (options_.max_states <= limits.whole || loop_.disabled_corrections) in_steps_ = in_steps_ && !is_watched_;
@@ -100,7 +102,7 @@ public:
         inputs_.emplace(expanded_, observe_, abstract_, complete_->found());
     }
 
-    /// One round of input abstraction. False if no further round is possible.
+    /// Performs one round of input abstraction. Returns false if no further round is possible.
     bool refine(std::uint64_t states, const Deadline& deadline) { return inputs_ && inputs_->run(states, deadline); }
 
     /// True if requested verdicts are open that the last step may decide.
@@ -111,7 +113,7 @@ public:
                });
     }
 
-    /// The search of the complete loop.
+    /// Searches the complete loop.
     void search_complete(const Deadline& deadline) {
         options_.deadline = deadline;
         complete_->search_complete();
@@ -134,8 +136,8 @@ private:
     TimedResult result_ = {};
 };
 
-/// Runs all steps of several searches; returns per search the number of states that the others explored before its last
-/// step. The first search is that of the loop without observers.
+/// Performs all steps of several searches. Returns, per search, the number of states that the others explored before
+/// its last step. The first search is that of the loop without observers.
 std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Limits& limits) {
     const Deadline& deadline = limits.deadline;
     std::vector<std::uint64_t> earlier(searches.size(), 0);
@@ -160,7 +162,7 @@ std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Limits&
             return !again;
         });
     };
-    // A search may take what the others leave of the time, so the one of most properties is the last.
+    // A search may use the time that other searches leave. Therefore the search with most properties is the last one.
     std::ranges::reverse(open);
     for (const std::uint64_t states : input_rounds) refine(states);
     while (!open.empty() && !is_over(abstract, limits.stop)) refine(std::ranges::max(input_rounds));
@@ -179,7 +181,7 @@ TimedResult search(const LoopToCheck& loop, const CheckOptions& options) {
     return search.result();
 }
 
-/// Converts the results of the engine to a report; runs that do not replay are failures and are not reported.
+/// Converts the results of the engine to a report. If a run does not replay, it is a failure and is not reported.
 class Reporter {
 public:
     Reporter(const LoopToCheck& loop, const CheckOptions& options)
@@ -219,7 +221,7 @@ public:
     }
 
 private:
-    /// Decides properties of a similar network; empty if that may take long.
+    /// Returns a function that decides properties of a similar network; empty if that may take long.
     PropertyChecker again(const TimedResult& result, const Limits& limits) const {
         if (result.states >= many_states) return {};
         return [this, limits](const Network& network, std::vector<std::string> names) {
@@ -231,7 +233,7 @@ private:
         };
     }
 
-    /// True if the network contains an observer; its property is not one of the loop.
+    /// True if the network contains an observer, whose property is not a property of the loop.
     bool is_watched() const {
         return std::ranges::find(network_.processes, Network::ProcessKind::Observer, &Network::Process::kind) !=
                network_.processes.end();
@@ -270,7 +272,7 @@ LoopToCheck loop_to_check(const Model& model, Id<ClosedLoop> loop, const Network
 
 namespace {
 
-/// The check of a property with an observer, in the loop with only this observer added.
+/// The check of a property with an observer, in the loop with only that observer.
 class WatchedCheck {
 public:
     WatchedCheck(const LoopToCheck& loop, Id<Property> id, const CheckOptions& options)
@@ -317,7 +319,7 @@ private:
     StagedSearch search_;
 };
 
-/// Adds the results of another search; `earlier`: number of states explored by the searches before.
+/// Adds the results of another search. `earlier` is the number of states that previous searches explored.
 void take(Report&& found, std::uint64_t earlier, Report& report) {
     for (PropertyResult& answer : found.answers)
         report_earlier(answer.verdict, "searches for other properties", earlier);
@@ -329,11 +331,11 @@ void take(Report&& found, std::uint64_t earlier, Report& report) {
             report.error_traces.push_back(std::move(breakdown));
 }
 
-/// Sorts by the properties of the loop, followed by the others.
+/// Sorts the results in the order of the loop's properties; all other results follow.
 void put_in_order(const Network& network, std::vector<PropertyResult>& answers) {
     for (PropertyResult& answer : answers) {
         if (!answer.verdict.declared || !answer.verdict.about.valid()) continue;
-        const std::string& name = answer.verdict.property;  // `S.X7` of a property `S`
+        const std::string& name = answer.verdict.property;  // the name may be `S.X7` for a property `S`
         for (const Id<Property> id : network.properties.ids())
             if (const std::string& of = network.properties[id].name; name == of || name.starts_with(of + '.'))
                 answer.verdict.about = id;
@@ -358,7 +360,7 @@ Report check(const LoopToCheck& loop, const CheckOptions& options) {
                                    [&](Id<Property> id) { return loop.network.properties[id].name == name; });
     });
     const bool only_watched = rest.properties.empty() && !options.properties.empty();
-    if (only_watched) {  // here the timelock is only a note and does not justify a search of the complete loop
+    if (only_watched) {  // the timelock is only a note in this case and does not justify a search of the complete loop
         rest.properties = {"no_timelock"};
         rest.limits.states =
             std::min(rest.limits.states.value_or(LocalizationLimits{}.whole), LocalizationLimits{}.whole);

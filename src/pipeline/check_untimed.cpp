@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks by the embedded symbolic engine, and reports on untimed models.
+// Checks with the embedded symbolic engine, and reports on untimed models.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ std::string replay_failure(std::string_view what, const Disagreement& disagreeme
 
 namespace {
 
-/// True if the property `property` is selected; `S` also selects `S.X7`.
+/// True if the property is selected; `S` also selects `S.X7`.
 bool is_requested(std::string_view property, const std::vector<std::string>& requested) {
     return std::ranges::any_of(requested, [&](const std::string& name) {
         return property == name || (property.starts_with(name) && property.substr(name.size()).starts_with('.'));
@@ -55,7 +55,7 @@ std::vector<std::string> property_names(const Network& network) {
     std::vector<std::string> names;
     for (const Property& property : network.properties) names.push_back(property.name);
     if (std::ranges::find(network.properties, Pattern::NoTimelock, &Property::pattern) == network.properties.end())
-        names.emplace_back("no_timelock");  // always decided
+        names.emplace_back("no_timelock");  // this property is always decided
     return names;
 }
 
@@ -171,8 +171,8 @@ void query_steps(TransitionSystem& system) {
 
 namespace {
 
-/// Name of the implicit property of a chart under stability search, which `analyse` decides: its situation becomes
-/// stable for all inputs (code `total-instability`).
+/// Name of an implicit property of a chart under stability search, which `analyse` decides: for all inputs, the
+/// situation becomes stable (code `total-instability`).
 constexpr const char* stabilises = "stabilises";
 
 void add_stabilises(const Chart& chart, const Equations& equations, const Limits& limits, Report& report) {

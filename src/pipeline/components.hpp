@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The component library, embedded from templates/ at build time.
+// The component library, which is embedded from templates/ at build time.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace grafverif {
 
-/// Every component of the library, in alphabetical order of file names.
+/// Returns all components of the library, in alphabetical order of file names.
 std::span<const LibraryEntry> library();
 
 }  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Equations -> Analysis; Equations -> LocationAutomaton -> MealyMachine -> TestSequence.
+// Translates Equations to an Analysis, and Equations to a LocationAutomaton, a MealyMachine and a TestSequence.
 #include <fmt/format.h>
 
 #include "analyse/analyse.hpp"
@@ -53,7 +53,7 @@ std::optional<LocationAutomaton> automaton_of(const Model& model, Id<Chart> char
 
 namespace {
 
-/// Minimized if `how` requests it.
+/// Returns the machine, minimized if `how` requests it.
 std::optional<MealyMachine> mealy_of(const LocationAutomaton& automaton, Span chart, const ConformOptions& how,
                                      Diagnostics& diagnostics) {
     MealyOptions options;

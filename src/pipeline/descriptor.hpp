@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// File descriptors with ownership, and pipes: shared by one-shot runs (process.hpp) and dialogues (dialogue.hpp) with
+// File descriptors with ownership, and pipes, for single runs (process.hpp) of and dialogues (dialogue.hpp) with
 // external programs. The program itself is a Child (child.hpp).
 #pragma once
 
@@ -33,13 +33,13 @@ struct Pipe {
     Descriptor read = Descriptor(), write = Descriptor();
 };
 
-/// A pipe that child processes do not inherit. Throws std::system_error.
+/// Creates a pipe that child processes do not inherit. Throws std::system_error.
 Pipe make_pipe();
 
 /// Makes reads and writes of `number` non-blocking.
 void set_nonblocking(const Descriptor& descriptor);
 
-/// Throws std::system_error.
+/// Throws std::system_error with this code and text.
 [[noreturn]] void fail(int code, const std::string& what);
 
 }  // namespace grafverif

@@ -26,7 +26,7 @@ namespace grafverif {
 
 namespace {
 
-/// Searches once more for properties violated at power-on: whether they hold `at stable`.
+/// Performs another search for properties that are violated at power-on, to determine if they hold `at stable`.
 void explain_power_on(const Network& network, const std::vector<Violation>& violations, const PropertyChecker& search,
                       Report& report) {
     Network settled = network;
@@ -53,7 +53,7 @@ std::string gave_up(std::size_t count, std::string_view what, std::size_t tried)
                        tried);
 }
 
-/// Returns true if a search is to stop; `limits` must outlive it.
+/// Returns a function that returns true if a search must stop. `limits` must outlive it.
 StopRequested stopped_by(const Limits& limits) {
     return [&limits] {
         if (limits.stop != nullptr && limits.stop->load(std::memory_order_relaxed)) return true;
@@ -64,7 +64,7 @@ StopRequested stopped_by(const Limits& limits) {
 /// The default effort of a search.
 constexpr std::size_t most_moves = 5000, most_steps = 20'000;
 
-/// Marks the values that cause the failure, and finds moves without which the property holds.
+/// Marks the values that cause the failure, and searches for moves without which the property holds.
 void explain_run(const Network& network, const Run& run, const Limits& limits, PropertyResult& answer) {
     if (!answer.verdict.about.valid() || !answer.trace) return;
     const Property& property = network.properties[answer.verdict.about];
@@ -78,7 +78,7 @@ void explain_run(const Network& network, const Run& run, const Limits& limits, P
     if (change.exhausted) answer.verdict.notes.push_back(gave_up(change.free_moves, "free moves", change.tried));
 }
 
-/// For a violated `no timelock`: why time cannot pass at the end of `run`.
+/// Explains a violated `no timelock`: the reason why time cannot pass at the end of `run`.
 void explain_standstill(const Network& network, const Run& run, PropertyResult& answer) {
     const Standstill found = standstill(network, run);
     const std::string unsettled = unstable_text(*answer.trace);
@@ -88,7 +88,7 @@ void explain_standstill(const Network& network, const Run& run, PropertyResult& 
         answer.verdict.notes.push_back(std::move(words));
 }
 
-/// For a run without a plant, whose inputs are free.
+/// Explains a run without a plant, whose inputs are free.
 void explain_inputs(const TransitionSystem& system, const Property& property, const SystemRun& run,
                     const Limits& limits, PropertyResult& answer) {
     const InputChange change = fewest_input_changes(system, property, run, most_steps, stopped_by(limits));
@@ -97,7 +97,7 @@ void explain_inputs(const TransitionSystem& system, const Property& property, co
         answer.verdict.notes.push_back(gave_up(change.events.size(), "input changes and timer expiries", change.tried));
 }
 
-/// For a run with interleaved plant automata.
+/// Explains a run with interleaved plant automata.
 void explain_moves(const Network& timed, const TransitionSystem& system, const Property& property, const SystemRun& run,
                    const Limits& limits, PropertyResult& answer) {
     const Network played = system.ticks.valid() ? timed : without_clocks(timed);
@@ -111,7 +111,7 @@ void explain_moves(const Network& timed, const TransitionSystem& system, const P
     if (change.exhausted) answer.verdict.notes.push_back(gave_up(change.free_moves, "free moves", change.tried));
 }
 
-/// In discrete time, `no timelock` is `always possible` a tick.
+/// Explains a violated `no timelock` in discrete time, which is `always possible` a tick.
 void explain_time(const SystemToCheck& check, const Property& property, const SystemRun& run, PropertyResult& answer) {
     const std::optional<Network>* const network = check.network ? &check.network() : nullptr;
     if (network == nullptr || !*network) return;
@@ -164,7 +164,7 @@ bool is_reachable(const Exprs& exprs, const Property& property, std::uint32_t va
     return term.op == Op::Variable && term.value == variable;
 }
 
-/// True if `answer` finds that the step with this variable is unreachable.
+/// True if `answer` states that the step with this variable is unreachable.
 bool is_about(const Network& network, const PropertyResult& answer, Id<Network::Variable> step) {
     const Property& property = network.properties[answer.verdict.about];
     if (property.pattern == Pattern::ReachableAllSteps)
@@ -176,9 +176,9 @@ bool is_about(const TransitionSystem& system, const PropertyResult& answer, Id<T
     return is_reachable(system.exprs, system.properties[answer.verdict.about], step.index);
 }
 
-/// A term that is true while a transition is cleared; the constant false if states do not show it.
+/// Returns a term that is true while a transition is cleared; the constant false if states do not show this.
 Id<Expr> clearing(Network& network, Id<Network::Variable> firing) {
-    // The condition is computed from the state before its edge, so that this state shows its parts.
+    // The condition is computed from the state before its edge. Therefore that state shows its parts.
     return network.variables[firing].scratch ? network.exprs.constant(false)
                                              : network.exprs.leaf(Op::Variable, firing.index);
 }
@@ -187,13 +187,13 @@ Id<Expr> clearing(TransitionSystem& system, Id<TransitionSystem::Symbol> firing)
     return system.exprs.leaf(Op::Variable, firing.index);
 }
 
-/// `decide` returns the verdicts on the properties of these names of the model.
+/// `decide` returns the verdicts on the properties of the model with the given names.
 template <class Model, class Decide>
 void name_dead_transitions(Model model, const std::vector<const Chart*>& charts, const Decide& decide, Report& report) {
     struct Requested {
         PropertyResult* answer = nullptr;
         std::string words = {};
-        std::pair<std::size_t, std::uint32_t> transition = {};  // controller, transition
+        std::pair<std::size_t, std::uint32_t> transition = {};  // index of the controller and of the transition
     };
     std::vector<Requested> requested;
     std::vector<std::string> names;

@@ -16,34 +16,35 @@
 
 namespace grafverif {
 
-/// A violated property, and the run that shows it, which replays.
+/// A violated property and the run that shows this. The run replays.
 struct Violation {
-    std::size_t answer = 0;  ///< in Report::answers
+    std::size_t answer = 0;  ///< index in Report::answers
     Run run = {};
 };
 
-/// Decides the properties of these names of a network; the result may contain verdicts on others.
+/// Decides the properties of a network with the given names. The result may also contain verdicts on other properties.
 using PropertyChecker = std::function<std::vector<Verdict>(const Network& network, std::vector<std::string> names)>;
 
-/// Adds explanations to `report`, which is about `network`. `search`: empty if another search would take long. Of
-/// `limits` only the deadline and the stop flag apply, also below.
+/// Adds explanations to `report`, which concerns `network`. `search` is empty if another search would take long. In
+/// this function and the following ones, only the deadline and the stop flag of `limits` apply.
 void explain(const Network& network, const std::vector<Violation>& violations, const PropertyChecker& search,
              const Limits& limits, Report& report);
 
-/// Adds explanations to a result on an untimed model that `run` violates.
+/// Adds explanations to the result for a property of an untimed model that `run` violates.
 void explain(const SystemToCheck& check, const SystemRun& run, const Limits& limits, PropertyResult& answer);
 
-/// End of a search that only explains, after one of `seconds`: after two seconds more than that, or at `deadline`.
+/// Returns the deadline of a search that only explains, after a search that took `seconds`: that time plus two seconds,
+/// but at most `deadline`.
 Deadline explanation_deadline(const Deadline& deadline, double seconds);
 
-/// Explains each unreachable step of `report`: the transitions to it that are never cleared, with the part of their
-/// conditions that is never true. `search` proves each statement, or it is omitted.
+/// Explains each unreachable step of `report`: lists the transitions to it that are never cleared, with a conjunct of
+/// their conditions that is never true. A statement is included only if `search` proves it.
 void explain_dead_steps(const Network& network, const std::vector<const Chart*>& charts, const PropertyChecker& search,
                         Report& report);
-/// The same for an untimed model, until `explanation_deadline`.
+/// Does the same for an untimed model, until `explanation_deadline`.
 void explain_dead_steps(const SystemToCheck& check, const Limits& limits, Report& report);
 
-/// Adds explanations to the result that `chart` does not become stable, if it has a trace.
+/// If the result that `chart` does not become stable has a trace, adds explanations to it.
 void explain(const Chart& chart, ExecutionMode mode, const Limits& limits, PropertyResult& answer);
 
 }  // namespace grafverif

@@ -30,8 +30,8 @@ FileWatcher::FileStamp FileWatcher::stamp(const std::string& path) {
 
 void FileWatcher::note(const std::string& path) { note(std::vector{path}); }
 
-/// A second write directly after the first may not change the time stamp. So a file is first allowed to age briefly,
-/// once for all paths.
+/// Records the files. If a file is written again immediately after a write, its time stamp may not change. Therefore
+/// the function first waits briefly, once for all paths.
 void FileWatcher::note(const std::vector<std::string>& paths) {
     constexpr std::int64_t tick = 20'000'000;
     std::vector<FileStamp> seen(paths.size());
@@ -49,7 +49,8 @@ void FileWatcher::note(const std::vector<std::string>& paths) {
     }
     for (std::size_t k = 0; k < paths.size(); ++k) {
         const auto [place, is_new] = seen_.try_emplace(paths[k], seen[k]);
-        if (!is_new && place->second != seen[k]) place->second.times = {-1, -1};  // changed since it was noted
+        // The file has changed since it was recorded.
+        if (!is_new && place->second != seen[k]) place->second.times = {-1, -1};
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// File watcher: detects changes of files after they were read. It compares size, times and identity, so it detects that
-// a file is written in place, replaced by another one of its name, deleted, or restored. The modification time can be
-// set back; the time of the last status change cannot.
+// File watcher: detects changes of files after they were read. It compares size, times and identity. Therefore it
+// detects that a file is written in place, replaced by another file with the same name, deleted, or restored. The
+// modification time can be set back; the time of the last status change cannot.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ public:
     bool changed() const;
     /// True if a recorded file has been deleted.
     bool missing() const;
-    /// The files that have changed.
+    /// Returns the files that have changed.
     std::vector<std::string> changes() const;
     std::size_t size() const { return seen_.size(); }
 

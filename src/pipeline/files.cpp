@@ -29,7 +29,7 @@ std::string reason(int error) {
     return std::generic_category().message(error);
 }
 
-/// Description of a file that is not regular.
+/// Returns a description of a file that is not regular.
 std::string_view kind_of(mode_t mode) {
     if (S_ISDIR(mode)) return "it is a directory";
     if (S_ISFIFO(mode)) return "it is a pipe, not a file";
@@ -130,7 +130,7 @@ std::string identity_of_existing(const std::string& path) {
 
 namespace {
 
-/// True for a virtual folder of the kernel, such as those of processes: its content changes and may be unbounded.
+/// True for a virtual folder of the kernel, such as the folder of processes. Its content changes and may be unbounded.
 bool is_made_up(const fs::path& folder) {
     constexpr std::array made_up = {PROC_SUPER_MAGIC, SYSFS_MAGIC,        DEBUGFS_MAGIC,
                                     TRACEFS_MAGIC,    CGROUP_SUPER_MAGIC, CGROUP2_SUPER_MAGIC};
@@ -171,7 +171,7 @@ Reach::Reach(const fs::path& main, const std::vector<std::string>& folders) {
         std::error_code failure;
         const fs::path full = fs::absolute(folder.empty() ? "." : folder, failure);
         fs::path resolved = failure ? fs::path() : fs::weakly_canonical(full, failure);
-        if (!failure) roots_.push_back(std::move(resolved));  // a folder that cannot be resolved permits nothing
+        if (!failure) roots_.push_back(std::move(resolved));  // a folder that cannot be resolved permits no files
         return !failure;
     };
     if (add(main.parent_path()))

@@ -14,48 +14,53 @@
 
 namespace grafverif {
 
-inline constexpr std::uintmax_t largest_input = std::uintmax_t{256} << 20U;  ///< bytes
+inline constexpr std::uintmax_t largest_input = std::uintmax_t{256} << 20U;  ///< maximum size of an input file in bytes
 
-/// The content of the regular file at `path`, or nothing with the reason in `why`: missing, a folder, a pipe, a device,
-/// unreadable, above `largest_input`. Never waits.
+/// Returns the content of the regular file at `path`. The result is empty if the file is missing, unreadable, larger
+/// than `largest_input`, or not a regular file (folder, pipe, device); `why` then has the reason. Never blocks.
 std::optional<std::string> content_of_file(const std::filesystem::path& path, std::string& why);
 
-/// The number of the descriptor that `path` names as one of this process: `/dev/stdin`, `/dev/fd/3`, `/proc/self/fd/3`.
+/// Returns the number of a descriptor of this process if `path` is a name for one: `/dev/stdin`, `/dev/fd/3`,
+/// `/proc/self/fd/3`.
 std::optional<int> own_descriptor(const std::filesystem::path& path);
 
-/// Reads `descriptor` or `in` to its end, with the same limit; may block.
+/// Reads `descriptor` or `in` to the end, with the same size limit. May block.
 std::optional<std::string> read_descriptor(int descriptor, std::string& why);
 std::optional<std::string> read_stream(std::istream& in, std::string& why);
 
-/// Equal for all paths to one file, including hard and symbolic links; for a missing file, for all paths to one name in
-/// one folder. Empty for files without identity: pipes, devices, inaccessible files.
+/// Returns an identity that is equal for all paths to one file, including hard and symbolic links. For a missing file,
+/// it is equal for all paths to one name in one folder. It is empty for files without identity: pipes, devices,
+/// inaccessible files.
 std::string file_identity(const std::filesystem::path& path);
-/// The identity of an existing file of any type; empty if there is none.
+/// Returns the identity of an existing file of any type; empty if there is none.
 std::string identity_of_existing(const std::string& path);
 
-/// The files below `folder` whose names end in `ending`, in order. Hidden folders and file systems of the kernel, such
-/// as /proc, are skipped; links to folders are not followed. Visits at most `most` files and folders, in all calls that
-/// share it; 0 remains if that was not enough, or if `stop` became true.
+/// Finds the files below `folder` whose names end in `ending`, in order. Hidden folders and file systems of the kernel,
+/// such as /proc, are skipped; links to folders are not followed. All calls that share `most` together visit at most
+/// that number of files and folders. If the number is not sufficient, or if `stop` becomes true, `most` is 0
+/// afterwards.
 struct FilesBelow {
-    std::vector<std::string> files = {}, folders = {};  ///< all folders visited
+    std::vector<std::string> files = {}, folders = {};  ///< the files found, and all visited folders
 };
 FilesBelow files_below(const std::string& folder, std::string_view ending, std::size_t& most,
                        const std::atomic<bool>* stop = nullptr);
 
 /// The files that a file may include: those below the folder of the main file, below the folder of its project, and
-/// below folders that the user names. So a chart cannot cause arbitrary files to be read; the current folder is
+/// below folders given by the user. Therefore a chart cannot cause arbitrary files to be read; the current folder is
 /// irrelevant. The folder of the project is the nearest ancestor folder of the main file that contains `.git` or
-/// `grafverif.project`. A folder that cannot be resolved, as for a main file that is not on disk, permits nothing.
+/// `grafverif.project`. A folder that cannot be resolved, for example because the main file is not on disk, permits no
+/// files.
 class Reach {
 public:
-    /// `main`: the main file. `folders`: those that the user names.
+    /// `main` is the main file; `folders` are given by the user.
     Reach(const std::filesystem::path& main, const std::vector<std::string>& folders);
 
-    /// The content of the regular file at `path`, if it may be included; otherwise nothing, and the reason in `why`.
+    /// Returns the content of the regular file at `path` if it may be included. Otherwise the result is empty, and
+    /// `why` has the reason.
     std::optional<std::string> read(const std::string& path, std::string& why) const;
 
 private:
-    std::vector<std::filesystem::path> roots_ = {};  ///< with links resolved
+    std::vector<std::filesystem::path> roots_ = {};  ///< permitted folders, with resolved links
 };
 
 }  // namespace grafverif

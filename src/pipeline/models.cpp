@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Model -> Equations, Network, TransitionSystem: the only place that combines the passes which derive models, in order.
+// Derives models: Model to Equations, Network and TransitionSystem. This is the only place that combines the passes
+// which derive models.
 #include "pipeline/models.hpp"
 
 #include "check/vacuity.hpp"
@@ -16,7 +17,7 @@ namespace grafverif {
 
 namespace {
 
-/// The equations of every controller of the loop, in order.
+/// Returns the equations of every controller of the loop, in order.
 std::optional<std::vector<Equations>> equations_of_controllers(const Model& model, const ClosedLoop& loop,
                                                                Diagnostics& diagnostics) {
     std::vector<Equations> all;
@@ -31,14 +32,14 @@ bool interleave(const ClosedLoop& loop, const ModelOptions& how) {
            how.untimed.schedule.value_or(loop.schedule.value_or(Schedule::Interleaved)) == Schedule::Interleaved;
 }
 
-/// The network of the interleaved processes.
+/// Returns the network of the interleaved processes.
 std::optional<Network> with_observers(const Network& plant_network, const ClosedLoop& loop,
                                       std::span<const Equations> equations, const ModelOptions& how, Vacuity vacuity,
                                       Diagnostics& diagnostics) {
     const auto network = compose(plant_network, loop, equations, {how.grain, how.mode, {}}, diagnostics);
     if (!network) return {};
     std::vector<Id<Property>> requested = watched(*network);
-    if (how.untimed.time == TimeModel::Abstract)  // no clock advances
+    if (how.untimed.time == TimeModel::Abstract)  // clocks do not advance
         std::erase_if(requested, [&](Id<Property> id) { return network->properties[id].watch.duration_ms > 0; });
     return observed(*network, requested, vacuity);
 }
@@ -146,7 +147,7 @@ SystemToCheck system_to_check(const TransitionSystem& system, const Model& model
         check.network = [&model, &loop, how, requested = false,
                          made = std::optional<Network>{}]() mutable -> const std::optional<Network>& {
             if (std::exchange(requested, true)) return made;
-            Diagnostics known;  // the system exists, so there can be no errors
+            Diagnostics known;  // the system exists, so errors are impossible
             const auto equations = equations_of_controllers(model, loop, known);
             const auto plant_network = plant(model, loop, known);
             if (!equations || !plant_network) return made;

@@ -16,52 +16,54 @@
 
 namespace grafverif {
 
-/// How files permitted by `reach` are read. `reach` and `folders` must outlive the context. Components are of the
-/// library.
+/// Returns the context for reading files that `reach` permits. Components are those of the library. `reach` and
+/// `folders` must outlive the context.
 ReadContext context_of(const Reach& reach, const std::vector<std::string>& folders, bool lossy);
 
-/// The public network_of, without the corrections of the method that `options` disable.
+/// Same as the public network_of, without the corrections of the method that `options` disable.
 std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, const ComposeOptions& options,
                                   Diagnostics& diagnostics);
 
-/// Equations -> TransitionSystem of a lone chart.
+/// Translates Equations to the TransitionSystem of a chart without a loop.
 TransitionSystem transition_system_of(const Model& model, Id<Chart> chart, const Equations& equations,
                                       std::optional<ExecutionMode> mode);
 
-/// transition_system_of with the probes that detect vacuous properties: a system to check, not to write.
+/// Same as transition_system_of, with the probes that detect vacuous properties. The system is only for checking, not
+/// for output.
 std::optional<TransitionSystem> system_with_probes(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
                                                    Diagnostics& diagnostics);
-/// `network` with the observers of all its properties and with all probes, for external programs.
+/// Returns `network` with the observers of all its properties and with all probes, for external programs.
 Network network_with_probes(const Network& network);
 
-/// The charts of the loop's controllers, in order.
+/// Returns the charts of the loop's controllers, in order.
 std::vector<const Chart*> charts_of(const Model& model, const ClosedLoop& loop);
 
-/// `system` is the result of transition_system_of for the loop. All arguments must outlive the result.
+/// Returns the system to check. `system` is the result of transition_system_of for the loop. All arguments must outlive
+/// the result.
 SystemToCheck system_to_check(const TransitionSystem& system, const Model& model, Id<ClosedLoop> loop,
                               const ModelOptions& how);
 
-/// Network -> UPPAAL project and its queries, one formula per verdict.
+/// UPPAAL project of a Network, and its queries: one formula per verdict.
 struct UppaalQueries {
     std::string project = {};
     std::vector<ExternalQuery> questions = {};
 };
 UppaalQueries uppaal_queries(const Network& network, Diagnostics& diagnostics);
 
-/// The network as a C file for LTSmin.
+/// Returns the network as a C file for LTSmin.
 std::string pins_model(const Network& network);
 
-/// TransitionSystem -> AIGER, and a map of its names to the charts, as JSON. Warns of properties that it cannot
-/// express.
+/// AIGER file of a TransitionSystem, and a JSON map from its names to the charts. Warns about properties that AIGER
+/// cannot express.
 struct AigerModel {
     std::string text = {}, map = {};
 };
 AigerModel aiger_model(const TransitionSystem& system, aiger::Form form, Diagnostics& diagnostics);
 
-/// TransitionSystem -> BTOR2, with the same warnings.
+/// Returns a TransitionSystem as BTOR2, with the same warnings.
 std::string btor2_model(const TransitionSystem& system, Diagnostics& diagnostics);
 
-/// TestSequence -> Structured Text.
+/// Returns a TestSequence as Structured Text.
 std::string structured_text_test(const TestSequence& test, structured_text::Form form);
 
 /// Sets the limits common to all engines.

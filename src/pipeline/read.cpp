@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// text -> Model, with included files and components of the library.
+// Reads a text to a Model, with included files and components of the library.
 #include <sstream>
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Simulator: a Simulation with the model that it owns.
+// Simulator: a simulation together with the model that it owns.
 #include <utility>
 
 #include "pipeline/check.hpp"
@@ -10,7 +10,7 @@
 namespace grafverif {
 
 struct Simulator::Inside {
-    Network network = {};  ///< of a loop
+    Network network = {};  ///< network of a loop
     std::vector<Chart> kept = {};
     std::vector<const Chart*> charts = {};
     std::optional<Simulation> moved = {};
@@ -58,7 +58,7 @@ std::optional<Simulator> simulator_of(const Model& model, Id<ClosedLoop> loop, c
 
 std::optional<Simulator> simulator_of(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> mode,
                                       Diagnostics& diagnostics) {
-    if (!equations_of(model, chart, diagnostics)) return {};  // without equations there is no interpreter
+    if (!equations_of(model, chart, diagnostics)) return {};  // the interpreter requires equations
     auto inside = std::make_unique<Simulator::Inside>();
     keep(*inside, {&model.charts[chart]});
     inside->problem = inside->moved.emplace(inside->kept[0], execution_mode(model, chart, mode), Detail::Chart).begin();

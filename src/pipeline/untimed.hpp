@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Abstraction of an untimed model, and what its verdicts imply for the timed loop (design: "targets").
+// Abstraction of an untimed model, and the consequences of its verdicts for the timed loop (design: "targets").
 #pragma once
 
 #include <functional>
@@ -13,35 +13,37 @@ namespace grafverif {
 
 struct Abstraction {
     enum class Preservation {
-        ToEveryPlant,        ///< no plant: a property of all runs also holds with every plant, in grain atomic
-        ToTimedLoop,         ///< plant automata that move at any time in any order: also for the timed loop
-        ExactInIntegerTime,  ///< the states of the timed engine
-        Nowhere,             ///< a restricted order of events
+        ToEveryPlant,  ///< no plant: a property that holds for all runs also holds with every plant, in grain atomic
+        ToTimedLoop,   ///< plant automata that move at any time in any order: verdicts also apply to the timed loop
+        ExactInIntegerTime,  ///< same states as in the timed engine
+        Nowhere,             ///< restricted order of events: verdicts apply only to the model
     };
-    std::string words = {};  ///< `no plant`, `plant automata, interleaved`
-    std::string grain = {};  ///< empty: no separate one
+    std::string words = {};  ///< description such as `no plant` or `plant automata, interleaved`
+    std::string grain = {};  ///< granularity; empty if the model does not distinguish it
     Preservation preservation = Preservation::Nowhere;
-    bool constrained = false;  ///< the constraints on the inputs are assumed
-    bool fair = false;         ///< runs are fair: a property of runs, other than of states, holds for this model only
+    bool constrained = false;  ///< true if the constraints on the inputs are assumed
+    /// True if runs are fair: a property of runs, unlike a property of states, holds only for this model.
+    bool fair = false;
 };
-/// The abstraction in the result of transition_system_of for `loop`, or for a lone chart.
+/// Returns the abstraction in the result of transition_system_of for `loop`, or for a chart without a loop.
 Abstraction abstraction_of(const ModelOptions& options, const ClosedLoop* loop);
 
-/// A transition system to be checked, with the charts of its controllers, in order.
+/// A transition system to check, with the charts of its controllers, in order.
 struct SystemToCheck {
     const TransitionSystem& system;
     std::vector<const Chart*> charts = {};
     Abstraction abstraction = {};
-    /// For interleaved plant automata, the network that the system was derived from, expanded; otherwise empty. Called
-    /// if a run is explained, and computed once.
+    /// For interleaved plant automata: the expanded network from which the system was derived; otherwise empty. It is
+    /// called if a run is explained, and computed once.
     std::function<const std::optional<Network>&()> network = {};
 };
 
-/// The properties among `no_race` and `no_out_of_range` that `verdicts` do not prove. If one of them fails, the
-/// continuation is undefined and may differ in another model.
+/// Returns those of the properties `no_race` and `no_out_of_range` that `verdicts` do not prove. If one of them fails,
+/// the behaviour after the failure is undefined and may differ in another model.
 std::vector<std::string> unproven_faults(const TransitionSystem& system, const std::vector<Verdict>& verdicts);
 
-/// The implications of a verdict beyond its model, provided that the `unproven` hold; empty if it is unknown.
+/// Returns the consequences of a verdict beyond its model, provided that the `unproven` properties hold; empty if the
+/// verdict is unknown.
 std::string preservation_text(const SystemToCheck& check, const Property& property, const Verdict& verdict,
                               const std::vector<std::string>& unproven);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The operands of a property as conditions write them.
+// The operands of a property, in the notation of conditions.
 #pragma once
 
 #include <string>

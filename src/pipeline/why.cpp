@@ -32,12 +32,13 @@ using ProofCore = ProofExplanation::ProofCore;
 using ModelElement = ProofExplanation::ModelElement;
 using Names = std::vector<std::string>;
 
-/// True if `verdict` is on the property called `name`, or on a step of it.
+/// True if `verdict` concerns the property called `name` or a step of it.
 bool is_of(const Verdict& verdict, const std::string& name) {
     return verdict.property == name || verdict.property.starts_with(name + '.');
 }
 
-/// Violated if one of its verdicts is, or if a model error occurs before it is decided; holds if all do.
+/// Returns the outcome of a property: violated if one of its verdicts is, or if a model error occurs before it is
+/// decided; holds if all verdicts hold.
 Outcome outcome_of(const std::vector<Verdict>& verdicts, const std::string& name) {
     bool any = false, all = true;
     for (const Verdict& verdict : verdicts) {
@@ -49,7 +50,7 @@ Outcome outcome_of(const std::vector<Verdict>& verdicts, const std::string& name
     return any && all ? Outcome::Holds : Outcome::Unknown;
 }
 
-/// The premise p of `always !p or q`; not valid for any other property.
+/// Returns the premise p of `always !p or q`; invalid for any other property.
 Id<Expr> left_side(const Property& property, Exprs& exprs) {
     if (property.pattern != Pattern::Always || exprs[property.operands[0]].op != Op::Or) return {};
     std::vector<Id<Expr>> requested;
@@ -62,7 +63,7 @@ Id<Expr> left_side(const Property& property, Exprs& exprs) {
     return requested.empty() || !answered ? Id<Expr>{} : exprs.conjunction(requested);
 }
 
-/// The element that the term is a condition of: `t3`, `OUT in step 5`.
+/// Returns the element that has the term in its condition: `t3`, `OUT in step 5`.
 std::string owner_of(const Chart& chart, const TermPlace& place) {
     const auto action = [&](const auto& of, Id<Chart::Variable> variable) {
         return chart.variables[variable].name + " in step " + name_of(chart, of.step).text();
@@ -81,7 +82,7 @@ std::string owner_of(const Chart& chart, const TermPlace& place) {
     unreachable();
 }
 
-/// `shut -> opening`, with its guard if there are several edges between these locations.
+/// Returns `shut -> opening`, with its guard if there are several edges between these locations.
 std::string edge_name(const Component& component, Id<Component::Edge> id) {
     const Component::Edge& edge = component.edges[id];
     const std::string ways = component.locations[edge.from].name + " -> " + component.locations[edge.to].name;
@@ -91,7 +92,7 @@ std::string edge_name(const Component& component, Id<Component::Edge> id) {
     return ways + (guard.empty() ? "" : " when " + guard);
 }
 
-/// `network` with the observer of `property`, which is then its only property.
+/// Returns `network` with the observer of `property`, which is then its only property.
 Network with_observer(const Network& network, Id<Property> property) {
     Network made = observed(network, {property});
     const Property decided = element_of(made.properties, network.properties[property].name, &Property::name);
@@ -108,8 +109,8 @@ public:
         std::uint64_t states = 0;
         for (const PropertyResult& answer : report.answers) {
             states = std::max<std::uint64_t>(states, std::stoull("0" + answer.verdict.states));
-            // Localization most often decides these properties again, so the complete network is searched only briefly
-            // before.
+            // In most cases localization decides these properties again. Therefore the complete network is searched
+            // only briefly before.
             if (answer.verdict.scope.cells) cells_.whole = std::uint64_t{1} << 12U;
         }
         most_states_ = std::max<std::uint64_t>(8 * states, 100'000);
@@ -189,7 +190,7 @@ private:
             ground.vacuous = outcome_of(found, ground.property + " premise") == Outcome::Violated;
     }
 
-    // -- one element alone -------------------------------------------------------------------------------------------
+    // -- removal of single elements ----------------------------------------------------------------------------------
 
     Names names_of(const std::function<bool(const ProofCore&)>& requested) const {
         Names names;
@@ -201,13 +202,13 @@ private:
         return names_of([](const ProofCore&) { return true; });
     }
 
-    /// Checks the properties called `names` of the model with the change in it. `original`: for a change to the plant,
-    /// the network of the unchanged model.
+    /// Checks the properties called `names` of the model after `change`. For a change to the plant, `original` is the
+    /// network of the unchanged model.
     void leave_out(ModelElement thing, const Names& names, const std::function<void(Model&)>& change,
                    const Network* original = nullptr) {
         std::optional<Network> network;
         std::vector<Verdict> found;
-        Names timeless;  // they read a timer that is removed too
+        Names timeless;  // properties that read a timer that is also removed
         if (!names.empty() && !stopped()) {
             Model without = model_;
             change(without);
@@ -223,8 +224,8 @@ private:
             if (network) found = search(*network, names);
         }
         for (const std::string& name : names) {
-            // The change may remove an implicit property of the model: that no stored actions race, if no two can any
-            // more.
+            // The change may remove an implicit property of the model: if stored actions can no longer race, there is
+            // no property that they do not.
             const auto asks = [&](const Property& property) { return property.name == name; };
             const bool gone = network && std::ranges::none_of(network->properties, asks) &&
                               std::ranges::find(timeless, name) == timeless.end();
@@ -235,7 +236,7 @@ private:
         why_.things.push_back(std::move(thing));
     }
 
-    /// Visits each chart once, with the prefix of names in it.
+    /// Visits each chart once, with the prefix of its names.
     void for_each_chart(const std::function<void(Id<Chart>, const std::string&)>& visit) const {
         std::set<std::uint32_t> seen;
         const ClosedLoop& loop = model_.loops[loop_];
@@ -288,8 +289,8 @@ private:
         }
     }
 
-    /// A property that holds for any behaviour of an instance also holds for any value of its guards, without a search.
-    /// But if the edge has assignments, a model error may be possible without the guard.
+    /// A property that holds for any behaviour of an instance also holds for any value of its guards, so that no search
+    /// is necessary. However, if the edge has assignments, a model error may be possible without the guard.
     void leave_out_guards(const Network& original) {
         for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement thing) {
             const Component& component = model_.components[model_.loops[loop_].instances[id].component];
@@ -306,7 +307,8 @@ private:
         });
     }
 
-    /// If an edge is not forced, the loop without it has no new behaviour, so a property of all states still holds.
+    /// If an edge is not urgent and no invariant forces it, the loop without it has no new behaviour. Therefore a
+    /// property of all states still holds.
     void leave_out_edges(const Network& original) {
         for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement thing) {
             const bool forced = is_forced(model_.components[model_.loops[loop_].instances[id].component], edge);
@@ -340,8 +342,8 @@ private:
                 why_.unneeded_parts.push_back(told_[id.index]);
     }
 
-    /// Processes that write inputs of controllers come first: after they are removed, others may have no further
-    /// effect.
+    /// Returns the processes in the order of removal. Processes that write inputs of controllers come first: after they
+    /// are removed, others may have no further effect.
     static std::vector<Id<Network::Process>> in_order(const Network& network) {
         std::vector<Id<Network::Process>> order, behind;
         for (const Id<Network::Process> id : network.processes.ids()) {
@@ -361,7 +363,8 @@ private:
         return order;
     }
 
-    /// Elements that could not be decided are tried again with the others removed, all together and one by one.
+    /// Removes parts. Parts for which no result was found are tried again with the others removed, first all together
+    /// and then one by one.
     void leave_out_parts(const Network& network, std::vector<Id<Network::Process>> order, ProofCore& ground) {
         Network open = network;
         for (const bool again : {false, true}) {
@@ -389,7 +392,8 @@ private:
         return true;
     }
 
-    /// Removes as much as possible of a process from `open`. Holds: everything; Unknown: no result.
+    /// Removes as much as possible of a process from `open`. Returns Holds if everything was removed, and Unknown if
+    /// there was no result.
     Outcome leave_out(Id<Network::Process> id, Network& open, ProofCore& ground) {
         const std::string& name = told_[id.index];
         const Property& property = element_of(open.properties, ground.property, &Property::name);
@@ -428,7 +432,7 @@ private:
     const CheckOptions& options_;
     std::uint64_t most_states_ = 0;
     LocalizationLimits cells_ = {};
-    std::vector<std::string> told_ = {};  // per process of the network
+    std::vector<std::string> told_ = {};  // displayed name of each process
     ProofExplanation why_ = {};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Proof cores: the elements on which properties that hold depend. The loop is checked again without each element.
+// Proof cores: the elements on which properties that hold depend. The loop is checked again with each element removed.
 #pragma once
 
 #include "grafverif/grafverif.hpp"
@@ -7,9 +7,9 @@
 
 namespace grafverif {
 
-/// Analyses the properties in `report` that hold in all states and are declared; see ProofExplanation. Each search
-/// explores at most eight times the states of the first one, but at least 100 000, or the number that `options` allow.
-/// Elements that are undecided at the deadline or when it is stopped stay open.
+/// Analyses the declared properties in `report` that hold in all states; see ProofExplanation. Each search explores at
+/// most eight times the states of the first one, but at least 100 000, or the number that `options` allow. Elements
+/// that are undecided at the deadline or after cancellation remain open.
 ProofExplanation why_it_holds(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
                               const CheckOptions& options, const Report& report);
 

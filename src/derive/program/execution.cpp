@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Statements. `returned_` and `exited_` are cells like others, so that branches merge them: after a statement that may
-// have set one, the rest of the block is a branch.
+// Executes statements. `returned_` and `exited_` are cells like all others, so that branches merge them. After a
+// statement that may have set one of them, the rest of the block is executed as a branch.
 #include "derive/program/execution.hpp"
 
 #include <algorithm>
@@ -14,9 +14,9 @@ namespace {
 
 using Kind = Program::Statement::Kind;
 
-constexpr std::uint64_t most_statements = 2'000'000;  ///< executed in one scan
-constexpr std::size_t most_branches = 1000;           ///< nested; each is a recursion
-constexpr std::uint64_t most_iterations = 100'000;    ///< of a loop with constant bounds
+constexpr std::uint64_t most_statements = 2'000'000;  ///< maximum number of statements executed in one scan
+constexpr std::size_t most_branches = 1000;           ///< maximum number of nested branches; each is a recursion
+constexpr std::uint64_t most_iterations = 100'000;    ///< maximum number of iterations of a loop with constant bounds
 constexpr std::size_t most_terms = 20'000'000;
 
 }  // namespace
@@ -38,7 +38,7 @@ void SymbolicExecution::fail(const Diagnostic& diagnostic) {
     failed_ = true;
 }
 
-/// Counts an executed statement; false if the execution has to end.
+/// Counts an executed statement. Returns false if the execution must end.
 bool SymbolicExecution::counts(const Program::Statement& statement) {
     if (failed_) return false;
     if (++executed_ > most_statements)
@@ -59,7 +59,8 @@ void SymbolicExecution::write(std::uint32_t cell, Id<Expr> value) {
     memory_[cell] = value;
 }
 
-/// Restores the cells written since `mark`. Their values until then, by cell. Frames of functions have ended.
+/// Restores the cells written since `mark`, and returns the values that they had before this. Frames of functions have
+/// already ended.
 std::vector<SymbolicExecution::Changed> SymbolicExecution::undo(std::size_t mark) {
     std::vector<Changed> changed;
     for (std::size_t i = mark; i < journal_.size(); ++i)
@@ -96,7 +97,7 @@ void SymbolicExecution::branch(Id<Expr> condition, const Step& then, const Step&
     }
 }
 
-/// Execution reaches the next statement.
+/// Returns the condition under which execution reaches the next statement.
 Id<Expr> SymbolicExecution::alive() {
     return exprs_.negation(exprs_.disjunction(memory_[returned_], memory_[exited_]));
 }
@@ -185,11 +186,12 @@ void SymbolicExecution::loop(const Program::Statement& statement, Id<Expr> last,
     write(exited_, exprs_.constant(false));
 }
 
-/// The remaining iterations. Those whose condition is constant are executed in this call, others in a branch.
+/// Executes the remaining iterations. While their condition is constant, they are executed in this call, otherwise in a
+/// branch.
 void SymbolicExecution::iterate(const Program::Statement& statement, Id<Expr> last, std::uint32_t frame) {
     const Program::Body& body = statement.arms.front().body;
     const std::uint32_t variable = statement.kind == Kind::For ? address(statement.place, frame) : 0;
-    const auto rest = [&] {  // after the body, if neither EXIT nor RETURN was executed
+    const auto rest = [&] {  // rest of the loop, executed if the body executes neither EXIT nor RETURN
         write(exited_, exprs_.constant(false));
         write(returned_, exprs_.constant(false));
         if (statement.kind == Kind::For)
@@ -208,7 +210,7 @@ void SymbolicExecution::iterate(const Program::Statement& statement, Id<Expr> la
             condition = exprs_.apply(statement.step > 0 ? Op::LessEqual : Op::GreaterEqual, memory_[variable], last);
         if (is_false(exprs_, condition)) return;
         bool ends = false;
-        const auto once = [&] {  // true if the next iteration follows without a condition
+        const auto once = [&] {  // true if the next iteration follows unconditionally
             execute(body, 0, frame);
             if (failed_) return false;
             Id<Expr> goes_on = alive();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Symbolic execution of statements on memory cells that hold terms. Writes are recorded in a journal: after one branch,
-// its writes are undone, the other branch is executed, and each cell written by one of them gets a conditional term.
+// Symbolic execution of statements on memory cells that contain terms. Writes are recorded in a journal. After one
+// branch is executed, its writes are undone, and the other branch is executed. Each cell that one of them has written
+// gets a conditional term.
 #pragma once
 
 #include <functional>
@@ -14,7 +15,7 @@ class SymbolicExecution {
 public:
     SymbolicExecution(const Program& program, const ProgramLayout& layout, Exprs& exprs, Diagnostics& diagnostics);
 
-    /// The terms of the cells; further cells are internal.
+    /// Returns the terms of the cells; the cells at the end are internal.
     std::vector<Id<Expr>>& memory() { return memory_; }
     void run_main();
     Id<Expr> value(Id<Program::Node> node, std::uint32_t frame);
@@ -63,10 +64,10 @@ private:
     Diagnostics& diagnostics_;
     std::vector<Id<Expr>> memory_ = {};
     std::vector<Write> journal_ = {};
-    std::vector<Id<Expr>> path_ = {};  ///< conditions of the open branches
+    std::vector<Id<Expr>> path_ = {};  ///< conditions of the branches that are being executed
     std::uint32_t main_ = 0, returned_ = 0, exited_ = 0;
     std::uint64_t executed_ = 0;
-    const Program::Statement* loop_ = nullptr;  ///< the outermost open loop
+    const Program::Statement* loop_ = nullptr;  ///< the outermost loop that is being executed
     bool failed_ = false;
 };
 

@@ -14,7 +14,7 @@ namespace grafverif {
 
 namespace {
 
-/// Terms are traversed recursively by some engines.
+/// Limited because some engines traverse terms recursively.
 constexpr std::uint32_t deepest_term = 5000;
 
 Type type_of(const Program::Type& type) {
@@ -59,7 +59,8 @@ private:
         using Role = Equations::Role;
         const std::vector<ProgramCell>& cells = scan_.layout.cells;
         scan_.variables.resize(cells.size());
-        for (std::size_t i = cells.size(); i-- > 0;) {  // the variables of the program keep their names
+        // Backwards, so that the variables of the program keep their names.
+        for (std::size_t i = cells.size(); i-- > 0;) {
             const ProgramCell& cell = cells[i];
             Type type = type_of(program_.types[cell.type]);
             memory[i] = literal(exprs(), type, cell.initial);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Expressions. A result outside the range of its type is wrapped around by terms; the ranges of the operands decide if
-// one addition or subtraction suffices.
+// Evaluates expressions. Terms wrap a result around if it is outside of the range of its type. The ranges of the
+// operands determine if one addition or subtraction is sufficient.
 #include <algorithm>
 
 #include "derive/program/execution.hpp"
@@ -90,7 +90,7 @@ Id<Expr> SymbolicExecution::calculated(const Program::Node& node, const std::vec
     return values[0];
 }
 
-/// With a divisor of zero: a fault, and any value.
+/// Returns the quotient or remainder. If the divisor is zero, a fault is recorded and the value is arbitrary.
 Id<Expr> SymbolicExecution::quotient(const Program::Node& node, Id<Expr> left, Id<Expr> right) {
     const Id<Expr> zero = exprs_.apply(Op::Equal, right, exprs_.integer(0));
     event(faults, zero, node.origin);
@@ -107,14 +107,14 @@ Id<Expr> SymbolicExecution::in_range(const Program::Node& node, Id<Expr> value) 
     const Id<Expr> below = only_up ? exprs_.constant(false) : exprs_.apply(Op::Less, value, low);
     if ((only_up && type.low == 0) || (is_false(exprs_, above) && is_false(exprs_, below))) return value;
     event(overflows, exprs_.disjunction(above, below), node.origin);
-    if (only_up) {  // the least number, negated
+    if (only_up) {  // the operation negated the least number
         const std::int64_t count = type.high - type.low + 1;
         return exprs_.conditional(above, exprs_.apply(Op::Minus, value, exprs_.integer(count)), value);
     }
     return wrapped_term(type, value, node.op != Operation::Times);
 }
 
-/// `once`: the value differs from the range by less than the number of its values.
+/// Wraps a value around. If `once` is true, its distance from the range is less than the number of values of the range.
 Id<Expr> SymbolicExecution::wrapped_term(const Program::Type& type, Id<Expr> value, bool once) {
     const Id<Expr> count = exprs_.integer(type.high - type.low + 1);
     if (once) {

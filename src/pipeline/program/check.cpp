@@ -99,7 +99,7 @@ private:
             }
             return two;
         }
-        if (property.kind == Kind::Termination) return exprs.constant(true);  // all loops were unrolled
+        if (property.kind == Kind::Termination) return exprs.constant(true);  // true because all loops were unrolled
         if (property.kind != Kind::Absence) return terms.front();
         const bool overflow = property.error == ProgramProperty::Error::Overflow;
         std::vector<Id<Expr>> events;
@@ -108,7 +108,7 @@ private:
         return exprs.disjunction(events);  // divisions by zero: see `fault`
     }
 
-    /// The verdict on divisions by zero, which is a model error if no property is about it.
+    /// Returns the verdict on divisions by zero. A division by zero is a model error if no property concerns it.
     Outcome fault(const Verdict& verdict, const std::optional<SystemRun>& run) {
         if (verdict.outcome != Outcome::Violated || !run) return verdict.outcome;
         ProgramReplay replay = replay_program(program_, scan_, system_, *run, nullptr);
@@ -157,7 +157,7 @@ private:
     Scan scan_;
     const std::vector<ProgramProperty>& properties_;
     std::vector<ScanProperty> goals_ = {};
-    std::vector<const ProgramProperty*> about_ = {};  ///< per goal
+    std::vector<const ProgramProperty*> about_ = {};  ///< property of each goal
     ProgramSystem system_ = {};
     Report report_ = {};
     std::optional<ChartRun> fault_trace_ = {};

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = ProgramProperty::Kind;
 
-/// True if the values after the last scan are those that the run has to show.
+/// True if the values after the last scan are those that the run must show.
 bool shows(const ProgramProperty& property, ProgramRun& run) {
     const auto holds = [&](Id<Program::Node> node) { return run.value(node) != 0; };
     switch (property.kind) {
@@ -80,7 +80,7 @@ private:
         return id.valid() ? system_.symbols[id.index] : Id<TransitionSystem::Symbol>{};
     }
 
-    /// The cells before scan `k` are those of the state.
+    /// Compares the cells before scan `k` with those of the state.
     std::string compare(std::size_t k) {
         for (std::size_t i = 0; i < scan_.layout.cells.size(); ++i) {
             if (scan_.layout.cells[i].input || !symbol(i).valid()) continue;
@@ -123,8 +123,8 @@ private:
         trace_.moments.push_back(std::move(moment));
     }
 
-    /// One row for each scan that changes a Boolean variable, and for the last one: a run may have thousands of scans
-    /// that only count.
+    /// Adds one row for each scan that changes a Boolean variable, and one for the last scan. A run may have thousands
+    /// of scans that only increment counters.
     void add_rows() {
         for (std::size_t i = 0; i < trace_.moments.size(); ++i) {
             const bool visible = std::ranges::any_of(trace_.moments[i].changed, [&](Id<ChartRun::Signal> id) {
@@ -144,7 +144,7 @@ private:
     const ProgramSystem& system_;
     const SystemRun& run_;
     ProgramRun interpreter_;
-    std::vector<std::size_t> shown_ = {};  ///< per signal: its cell
+    std::vector<std::size_t> shown_ = {};  ///< cell of each signal
     ChartRun trace_ = {};
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Replays a run of the system of a program on the interpreter, which confirms it and gives the values of all variables.
+// Replays a run of the system of a program on the interpreter. The replay confirms the run and determines the values of
+// all variables.
 #pragma once
 
 #include <string>
@@ -12,11 +13,12 @@
 namespace grafverif {
 
 struct ProgramReplay {
-    std::string disagreement = {};  ///< with the run of the system; empty: it is confirmed
+    std::string disagreement = {};  ///< difference from the run of the system; empty if the run is confirmed
     ChartRun trace = {};
 };
 
-/// `property`: the last scan has to violate it, or for `reachable` to reach it; nullptr: it has to divide by zero.
+/// Replays the run. The last scan must violate `property`, or reach it in case of `reachable`. If `property` is null,
+/// the last scan must divide by zero.
 ProgramReplay replay_program(const Program& program, const Scan& scan, const ProgramSystem& system,
                              const SystemRun& run, const ProgramProperty* property);
 

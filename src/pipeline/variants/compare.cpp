@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Chart, Chart -> Equations of both -> TransitionSystem of their product -> Comparison.
+// Compares two charts: translates both to Equations, builds the TransitionSystem of their product, and returns a
+// Comparison.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +33,7 @@ std::string range_text(Type type) {
     return type.boolean ? "a Boolean" : fmt::format("an integer from {} to {}", type.low, type.high);
 }
 
-/// False after an error that names each input or output that is not in both.
+/// Returns false after reporting, as an error, each input or output that only one chart has.
 bool same_plugs(const Chart& a, const Chart& b, Diagnostics& diagnostics) {
     using Kind = Chart::VariableKind;
     const std::size_t before = diagnostics.errors();
@@ -54,7 +55,8 @@ bool same_plugs(const Chart& a, const Chart& b, Diagnostics& diagnostics) {
     return diagnostics.errors() == before;
 }
 
-/// `chart` with `steps` as its initial steps; nothing after an error. Orders to {INIT} would change their meaning.
+/// Returns `chart` with `steps` as its initial steps; empty after an error. Forcing orders to {INIT} would have another
+/// meaning.
 std::optional<Chart> beginning_with(Chart chart, const std::vector<Id<Chart::Step>>& steps, Diagnostics& diagnostics) {
     for (const Chart::ForcingOrder& order : chart.forcing)
         if (order.to == Chart::ForcedTo::Initial) {
@@ -82,7 +84,7 @@ std::optional<Chart> beginning_with(Chart chart, const std::vector<Id<Chart::Ste
 
 // -- time -------------------------------------------------------------------------------------------------------------
 
-/// All durations of both, increasing.
+/// Returns all durations of both charts, increasing.
 std::vector<std::int64_t> durations(const Equations& a, const Equations& b) {
     std::vector<std::int64_t> found;
     for (const Equations* chart : {&a, &b})
@@ -99,8 +101,9 @@ std::int64_t common_divisor(const std::vector<std::int64_t>& times) {
                            [](std::int64_t one, std::int64_t other) { return std::gcd(one, other); });
 }
 
-/// The time unit, 0 if nothing is timed: a divisor of all durations. If possible in whole milliseconds, it is so fine
-/// that scans fit between the starts of all timers; no timer counts beyond 30000.
+/// Returns the time unit, which divides all durations; 0 if no condition depends on time. If this is possible with
+/// whole milliseconds, the number of scans is sufficient to separate the starts of all timers. No timer counts beyond
+/// 30000.
 std::int64_t unit_of(const Equations& a, const Equations& b) {
     const std::vector<std::int64_t> times = durations(a, b);
     if (times.empty()) return 0;
@@ -112,7 +115,7 @@ std::int64_t unit_of(const Equations& a, const Equations& b) {
     return whole / best;
 }
 
-/// True if both charts become stable for all inputs: the comparison need not check it then.
+/// True if both charts become stable for all inputs, so that the comparison need not check this.
 bool surely_stable(const Chart& chart, const Equations& equations, const Limits& limits) {
     AnalyseOptions options;
     options.instability_only = true;
@@ -130,7 +133,8 @@ public:
                     const CompareOptions& options, Comparison& result)
         : charts_{&a, &b}, equations_{&of_a, &of_b}, options_(options), result_(result) {}
 
-    /// For two charts with the same equations: equal, provided that the constraints permit any inputs.
+    /// Returns the result for two charts with the same equations: equal, provided that the constraints permit some
+    /// inputs.
     void answer_identical() {
         const ProductMachine both = schedule_both(*equations_[0], *equations_[1], {result_.mode, unit(), {}});
         PdrOptions engine;
@@ -164,7 +168,7 @@ private:
 
     std::int64_t unit() const { return std::max<std::int64_t>(result_.resolution_ms, 1); }
 
-    /// For stability search; computed once.
+    /// True if both charts become stable, for stability search; computed once.
     bool both_stable() {
         if (!stable_)
             stable_ = surely_stable(*charts_[0], *equations_[0], options_.limits) &&
@@ -194,7 +198,7 @@ private:
         return {Comparison::Outcome::Unknown, "no inputs satisfy the constraints of both charts", {}};
     }
 
-    /// `possible` stands for the constraints: if they permit no inputs, the result would be vacuous.
+    /// `possible` represents the constraints. If they permit no inputs, the result would be vacuous.
     Answered answered(const ProductMachine& both, const PdrResult& found) const {
         if (found.fault && found.fault->kind == SystemFault::Kind::NoInitialState) return contradiction();
         if (found.fault)
@@ -215,7 +219,7 @@ private:
         return answer;
     }
 
-    /// A scan begins at power-on and whenever both have waited.
+    /// Returns the scans. A scan begins at power-on, and whenever both charts have waited.
     std::vector<Comparison::Scan> scans_of(const ProductMachine& both, const SystemRun& run) const {
         std::vector<Comparison::Scan> scans;
         for (std::size_t k = 0; k < run.states.size(); ++k) {
@@ -228,7 +232,7 @@ private:
         return scans;
     }
 
-    /// The results of the interpreter for these scans, up to the first difference.
+    /// Stores the results of the interpreter for these scans, up to the first difference.
     void take(std::vector<Comparison::Scan> scans) {
         const Lockstep rules(*charts_[0], *charts_[1], result_.mode);
         const std::optional<std::size_t> last = rules.difference(scans);
@@ -245,7 +249,7 @@ private:
         result_.answers = rules.answers(result_.scans);
     }
 
-    /// Finds an earlier difference in stability, if a chart may not become stable.
+    /// If a chart may not become stable, searches for an earlier difference in stability.
     void shorten() {
         if (result_.mode == ExecutionMode::StabilitySearch && !both_stable()) return;
         while (result_.scans.size() > 1) {

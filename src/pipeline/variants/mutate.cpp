@@ -16,14 +16,14 @@ CheckOptions quiet_check(const std::vector<std::string>& properties, const Limit
     return {.properties = properties, .witnesses = false, .limits = limits, .jobs = 1};
 }
 
-/// The code of the first error.
+/// Returns the code of the first error.
 std::string first_code(const Diagnostics& diagnostics) {
     for (const Diagnostic& each : diagnostics.all())
         if (each.severity == Severity::Error) return each.code;
     return "error";
 }
 
-/// True if `text` is equal to the canonical form of its parse.
+/// True if `text` equals the canonical form of the model that is read from it.
 bool reads_back(const std::string& text) {
     Sources sources;
     Diagnostics diagnostics;

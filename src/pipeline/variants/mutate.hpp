@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mutation testing of a chart: which mutants are equivalent, violate a property, or fail its test sequence.
+// Mutation testing of a chart: determines which mutants are equivalent, violate a property, or fail its test sequence.
 #pragma once
 
 #include <optional>
@@ -11,20 +11,22 @@
 
 namespace grafverif {
 
-/// A chart, its properties, and its mutants; thread-safe.
+/// Checks mutants of a chart against its properties and its test sequence. Thread-safe.
 class MutantChecker {
 public:
-    /// `path`: of the file; its includes are resolved as those of the original. All arguments must outlive the bench.
+    /// `path` is the path of the file; includes of a mutant are resolved like those of the original. All arguments must
+    /// outlive the object.
     MutantChecker(const Model& model, Id<Chart> chart, std::string path, const ReadOptions& read,
                   std::optional<ExecutionMode> mode);
 
-    /// Decides the properties of the original, and generates its test sequence. False: stopped at a limit.
+    /// Decides the properties of the original, and generates its test sequence. Returns false if a limit was reached.
     bool prepare(const Limits& limits);
-    /// The properties of the original with expected verdicts, with their loops: `loop.P1`, or `P1` for a single loop.
+    /// Returns the properties of the original with expected verdicts, qualified by their loops: `loop.P1`, or `P1` if
+    /// there is a single loop.
     const std::vector<std::string>& properties() const { return properties_; }
-    /// Those of them that hold vacuously.
+    /// Returns those of them that hold vacuously.
     const std::vector<std::string>& vacuous() const { return vacuous_; }
-    /// Steps of the test sequence; empty if there is none, for the reason in no_test().
+    /// Returns the number of steps of the test sequence; empty if there is none, for the reason in no_test().
     std::optional<std::size_t> test_steps() const;
     const std::string& no_test() const { return no_test_; }
 
@@ -33,9 +35,9 @@ public:
 private:
     struct OriginalVerdicts {
         Id<ClosedLoop> loop = {};
-        std::vector<std::string> properties = {};  ///< with expected verdicts for the original
+        std::vector<std::string> properties = {};  ///< properties with expected verdicts for the original
         std::vector<std::string> vacuous = {};     ///< those of them that hold vacuously
-        bool whole = true;                         ///< the original has no model error
+        bool whole = true;                         ///< true if the original has no model error
     };
     std::string shown(const OriginalVerdicts& requested, const std::string& property) const;
     void ask(const Model& mutated, const OriginalVerdicts& requested, const Limits& limits, MutantFate& fate) const;

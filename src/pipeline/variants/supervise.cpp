@@ -23,7 +23,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// Limit of the second proof by the timed engine; above it, another engine is used.
+/// Limit of states in the second proof by the timed engine. Above it, another engine is used.
 constexpr std::uint64_t most_timed_states = 2'000'000;
 
 /// The game on one loop, and its result.
@@ -84,7 +84,7 @@ private:
         return held_[which.controller][which.permission].subject;
     }
 
-    /// The model with the marked situation as a property, if one was given.
+    /// Returns the model with the marked situation as a property, if a marked situation was given.
     std::optional<Model> with_marked_situation() {
         if (ask_.marked.empty()) return model_;
         const Id<Source> file = model_.loops[loop_].origin.source;
@@ -94,7 +94,7 @@ private:
                           diagnostics_);
     }
 
-    /// False if the charts cannot be restricted.
+    /// Adds permissions to the charts. Returns false if the charts cannot be restricted.
     bool held_back(Model& model) {
         ClosedLoop& loop = model.loops[loop_];
         UniqueNames names;
@@ -158,7 +158,7 @@ private:
         return requested;
     }
 
-    /// Reports a run that violates without forbidden moves, so that it is a run of the original loop.
+    /// Reports a run that violates a property without refused permissions, so that it is a run of the original loop.
     void report_run(const Model& plain, const Supervisor& found) {
         const auto system = transition_system_of(plain, loop_, untimed(ask_), diagnostics_);
         if (!system) return;
@@ -211,7 +211,7 @@ private:
         prove(std::move(texts));
     }
 
-    /// Adds the marked situation to the loop in `texts`, if one was given.
+    /// If a marked situation was given, adds it to the loop in `texts`.
     void add_marked(std::map<std::string, std::string>& texts, Diagnostics& diagnostics) const {
         if (ask_.marked.empty()) return;
         const std::string& file = sources_[model_.loops[loop_].origin.source].name;
@@ -223,7 +223,7 @@ private:
             texts[file] = std::move(*text);
     }
 
-    /// Parses the texts and proves the properties by two engines.
+    /// Parses the texts and proves the properties with two engines.
     void prove(std::map<std::string, std::string> texts) {
         Sources sources;
         Diagnostics diagnostics;
@@ -255,7 +255,8 @@ private:
         return made;
     }
 
-    /// Proves by the timed engine, which uses another kind of model; by PDR for models it does not support or finish.
+    /// Proves the properties with the timed engine, which uses another type of model. If this engine does not support
+    /// the model or does not finish, PDR is used.
     void prove_again(const Model& model, Id<ClosedLoop> loop, const SystemToCheck& check) {
         Diagnostics diagnostics;
         std::vector<std::string> names = made_.kept;
@@ -286,8 +287,8 @@ private:
         return names;
     }
 
-    /// Those of `names` that the report does not prove, so that the outcome is unknown; a violated one is an internal
-    /// failure.
+    /// Returns those of `names` that the report does not prove, in which case the outcome is unknown. A violated
+    /// property is an internal failure.
     std::vector<std::string> left_unproved(const Report& report, const std::vector<std::string>& names) {
         made_.failures.insert(made_.failures.end(), report.failures.begin(), report.failures.end());
         for (const ModelErrorTrace& breakdown : report.error_traces) made_.failures.push_back(breakdown.message);
@@ -316,9 +317,9 @@ private:
     Sources& sources_;
     const SuperviseRequest& ask_;
     Diagnostics& diagnostics_;
-    std::string marked_ = {};                               ///< name of the property about marked situations
-    std::vector<std::vector<PermittedElement>> held_ = {};  ///< per controller
-    std::vector<ObservableVariables> sights_ = {};          ///< per controller
+    std::string marked_ = {};  ///< name of the property that states that marked situations remain reachable
+    std::vector<std::vector<PermittedElement>> held_ = {};  ///< permissions per controller
+    std::vector<ObservableVariables> sights_ = {};          ///< observable variables per controller
     Supervised made_ = {};
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Supervisory control: conditions on the charts of a closed loop that enforce its properties. They are found by a game
-// on the untimed model in grain atomic and written into the text of the charts. They are then parsed from there and
-// proved again by two engines before they are reported.
+// on the untimed model in grain atomic and written into the text of the charts. Before they are reported, the modified
+// text is parsed, and two engines prove the properties again.
 #pragma once
 
 #include <optional>
@@ -14,22 +14,24 @@
 namespace grafverif {
 
 struct SuperviseRequest {
-    std::vector<std::string> properties = {};  ///< names; empty: all about states alone that are not expected violated
-    std::string marked = {};                   ///< a term of the loop; empty: the initial situation
-    bool transitions = true, outputs = true;   ///< which elements may get conditions
+    /// Names of the properties to enforce; empty: all properties of single states, except those expected to be
+    /// violated.
+    std::vector<std::string> properties = {};
+    std::string marked = {};  ///< term of the loop that marked states satisfy; empty: the initial situation
+    bool transitions = true, outputs = true;  ///< elements to which conditions may be added
     std::optional<ExecutionMode> mode = {};
-    ReadOptions read = {};  ///< how the model was parsed
+    ReadOptions read = {};  ///< options with which the model was read
     Limits limits = {};
 };
 
-/// A condition, and the element that it restricts.
+/// A condition and the element that it restricts.
 struct ChartCondition {
     std::string chart = {};
-    std::string subject = {};  ///< `t3`, `CLOSE`
-    std::string step = {};     ///< of an output: the step variable of the action, `X10`; otherwise empty
-    std::string term = {};     ///< as in the text, added to the existing condition
-    bool sum = false;          ///< requires parentheses after `&&`
-    Span origin = {};          ///< of the transition or action
+    std::string subject = {};  ///< name of the element: `t3`, `CLOSE`
+    std::string step = {};     ///< for an output: the step variable of the action, `X10`; otherwise empty
+    std::string term = {};     ///< term that is added to the existing condition, as in the text
+    bool sum = false;          ///< true if the term needs parentheses after `&&`
+    Span origin = {};          ///< position of the transition or action
 };
 
 struct Supervised {
@@ -38,24 +40,25 @@ struct Supervised {
     struct Ignored {
         std::string property = {}, reason = {};
     };
-    std::vector<std::string> kept = {};  ///< names of properties
+    std::vector<std::string> kept = {};  ///< names of the enforced properties
     std::vector<Ignored> ignored = {};
-    std::string marked = {};  ///< as given; empty: the initial situation
+    std::string marked = {};  ///< term as given; empty: the initial situation
     Supervisor::Outcome outcome = Supervisor::Outcome::Unknown;
-    std::string reason = {};  ///< of an unknown outcome
+    std::string reason = {};  ///< reason for an unknown outcome
     Supervisor::Permissiveness claim = Supervisor::Permissiveness::Least;
-    std::vector<std::string> hidden = {}, traded = {};  ///< subjects; see Supervisor
+    std::vector<std::string> hidden = {}, traded = {};  ///< names of elements; see Supervisor
     std::vector<ChartCondition> conditions = {};
-    Outcome timelock = Outcome::Unknown;     ///< result of `no timelock` with the conditions
-    std::optional<Id<Source>> file = {};     ///< the file that gets the conditions; invalid if several or none get any
-    std::string text = {};                   ///< of that file with the conditions
-    std::optional<ChartRun> run = {};        ///< if there are no conditions: a run that cannot be prevented
-    bool blocked = false;                    ///< its end is not bad yet, but leads to no marked state
-    std::vector<std::string> failures = {};  ///< internal failures; all other results are invalid then
+    Outcome timelock = Outcome::Unknown;  ///< result of `no timelock` with the conditions
+    /// The file to which the conditions are added; invalid if there are several such files or none.
+    std::optional<Id<Source>> file = {};
+    std::string text = {};             ///< text of that file with the conditions
+    std::optional<ChartRun> run = {};  ///< if no conditions are sufficient: a run that cannot be prevented
+    bool blocked = false;  ///< true if the last state of the run is not bad, but no marked state is reachable from it
+    std::vector<std::string> failures = {};  ///< internal failures; if there is one, all other results are invalid
 };
 
-/// `main`: the source that `model` was parsed from, with its includes in `sources`. Nothing after an error: unknown
-/// properties, or properties that are not about states alone; an invalid term.
+/// `main` is the source from which `model` was read; `sources` also contains its includes. The result is empty after an
+/// error: unknown properties, properties that concern more than single states, or an invalid term.
 std::optional<Supervised> supervised(const Model& model, Id<ClosedLoop> loop, Id<Source> main, Sources& sources,
                                      const SuperviseRequest& ask, Diagnostics& diagnostics);
 

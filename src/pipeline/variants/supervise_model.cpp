@@ -28,7 +28,7 @@ ModelOptions untimed(const SuperviseRequest& ask) {
 
 namespace {
 
-/// The outputs that the chart reads itself: their current values were set by its previous conditions.
+/// Marks the outputs that the chart itself reads. Their current values depend on its previous conditions.
 std::vector<bool> read_outputs(const Chart& chart) {
     std::vector<bool> read(chart.variables.size());
     for (std::uint32_t index = 0; index < chart.exprs.size(); ++index) {
@@ -60,7 +60,8 @@ std::vector<PermittedElement> add_permissions(Model& model, ClosedLoop& loop, Id
         held.back().places = {written.transitions[id].origin};
     }
     std::map<std::uint32_t, Id<Expr>> of_output;
-    std::vector<std::tuple<Chart::ContinuousAction, std::size_t, std::size_t>> unrestricted;  // last: index in `held`
+    // Last component: index in `held`.
+    std::vector<std::tuple<Chart::ContinuousAction, std::size_t, std::size_t>> unrestricted;
     for (const Chart::ContinuousAction& action : chart.continuous)
         if (ask.outputs && !read[action.output.index]) of_output.try_emplace(action.output.index);
     for (auto& [output, may] : of_output) {
@@ -78,7 +79,7 @@ std::vector<PermittedElement> add_permissions(Model& model, ClosedLoop& loop, Id
             held.back().places.push_back(written.continuous[id].origin);
             held.back().steps.push_back(action.step);
         }
-        if (held.back().steps.size() == 1 && conditional > 0) unrestricted.pop_back();  // the output shows it itself
+        if (held.back().steps.size() == 1 && conditional > 0) unrestricted.pop_back();  // the output itself shows this
     }
     for (auto& [action, subject, site] : unrestricted) {
         const std::string name = held[subject].sets[site] = names.fresh("set_" + held[subject].subject);
@@ -110,7 +111,7 @@ ObservableVariables sight_of(System& system, const System::Controller& controlle
 Id<Expr> initial_situation(TransitionSystem& system, const Model& model, const ClosedLoop& loop) {
     std::vector<Id<Expr>> terms;
     for (std::size_t index = 0; index < system.controllers.size(); ++index) {
-        Diagnostics none;  // the system was derived from these equations
+        Diagnostics none;  // errors are impossible, because the system was derived from these equations
         const auto equations =
             equations_of(model, loop.controllers[{static_cast<std::uint32_t>(index)}].chart, none).value();
         for (std::size_t step = 0; step < equations.steps.size(); ++step) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The closed loop with restrictable charts from which `supervised` builds the game.
+// The closed loop with charts that can be restricted, from which `supervised` builds the game.
 #pragma once
 
 #include <optional>
@@ -11,23 +11,23 @@
 
 namespace grafverif {
 
-/// The model of the game and of its proof: untimed, plant automata interleaved, grain atomic.
+/// Returns the options of the model of the game and its proof: untimed, plant automata interleaved, grain atomic.
 ModelOptions untimed(const SuperviseRequest& ask);
 
-/// A transition or output of a chart with a permission.
+/// A transition or output of a chart, with its permission.
 struct PermittedElement {
-    std::string permission = {};  ///< an input of the chart
-    std::string subject = {};     ///< the name of the transition or output
+    std::string permission = {};  ///< input of the chart that permits the clearing or setting
+    std::string subject = {};     ///< name of the transition or output
     bool output = false;
-    std::vector<Span> places = {};            ///< of the transition, or of its actions
-    std::vector<Id<Chart::Step>> steps = {};  ///< of an output: those of its actions
+    std::vector<Span> places = {};            ///< positions of the transition, or of the actions of the output
+    std::vector<Id<Chart::Step>> steps = {};  ///< for an output: the steps of its actions
     std::vector<std::string> sets =
-        {};  ///< per action: an output of the chart that it alone sets, unrestricted; or empty
+        {};  ///< per action: an output that only this action sets, without restriction; may be empty
 };
 
-/// Gives the chart of a controller an input for each of its transitions and continuous outputs, which permits the
-/// clearing or setting. Also gives it an output for each action that sets its output only sometimes while its step is
-/// active, if the output has several actions. `written`: the chart as in the files.
+/// Adds to the chart of a controller an input for each of its transitions and continuous outputs, which permits the
+/// clearing or setting. If an output has several actions, an output is also added for each action that sets it only
+/// during part of the activity of its step. `written` is the chart as in the files.
 std::vector<PermittedElement> add_permissions(Model& model, ClosedLoop& loop, Id<ClosedLoop::Controller> controller,
                                               const Chart& written, const SuperviseRequest& ask, UniqueNames& names);
 
@@ -40,14 +40,14 @@ struct ObservableVariables {
 ObservableVariables sight_of(TransitionSystem& system, const TransitionSystem::Controller& controller,
                              const ClosedLoop& loop, Id<ClosedLoop::Controller> id);
 
-/// True if exactly the initial steps of every chart are active.
+/// Returns a term that is true if exactly the initial steps of every chart are active.
 Id<Expr> initial_situation(TransitionSystem& system, const Model& model, const ClosedLoop& loop);
 
-/// The properties of the system to be enforced; nothing after an error.
+/// Returns the properties of the system to enforce; empty after an error.
 std::optional<std::vector<Id<Property>>> kept(const TransitionSystem& system, const SuperviseRequest& ask,
                                               const std::string& marked, Diagnostics& diagnostics);
 
-/// The states that violate the property, which is about states.
+/// Returns the states that violate the property, which must be a property of single states.
 Id<Expr> violation(TransitionSystem& system, const Property& property);
 
 }  // namespace grafverif

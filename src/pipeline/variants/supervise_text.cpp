@@ -17,7 +17,7 @@ namespace grafverif {
 
 namespace {
 
-/// Builds terms in the tables of a file.
+/// Builds terms in the tables of a parsed file.
 class TreeTerms {
 public:
     TreeTerms(tree::File& file, Span where) : file_(file), where_(where) {}
@@ -32,7 +32,7 @@ public:
         return joined(term.all ? tree::Op::And : tree::Op::Or, groups);
     }
 
-    /// The conjunction of `old`, which may be missing, and `added`.
+    /// Returns the conjunction of `old`, which may be missing, and `added`.
     Id<tree::Expr> both(Id<tree::Expr> old, Id<tree::Expr> added) {
         if (!old.valid() || file_.exprs[old].op == tree::Op::True) return added;
         std::vector<Id<tree::Expr>> operands = operands_of(old);
@@ -59,7 +59,7 @@ private:
         append(file_.exprs, made, operand);
         return made;
     }
-    /// Operands are referenced, not copied.
+    /// Connects the operands, which are referenced and not copied.
     Id<tree::Expr> joined(tree::Op op, const std::vector<Id<tree::Expr>>& operands) {
         if (operands.empty()) return add(op == tree::Op::And ? tree::Op::True : tree::Op::False);
         if (operands.size() == 1) return operands.front();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inserts conditions into the text of charts, and parses modified texts as if they were in the files.
+// Inserts conditions into the text of charts, and parses modified texts as if they were the content of the files.
 #pragma once
 
 #include <map>
@@ -12,26 +12,26 @@
 
 namespace grafverif {
 
-/// A term over names. `all`: a conjunction of disjunctions; otherwise a disjunction of conjunctions. Each name has a
-/// sign.
+/// A term over names, which may be negated. If `all` is true, it is a conjunction of disjunctions; otherwise a
+/// disjunction of conjunctions.
 struct NamedTerm {
     std::vector<std::vector<std::pair<std::string, bool>>> terms = {};
     bool all = false;
 };
 
-/// In the syntax of the language.
+/// Returns the term in the syntax of the language.
 std::string text_of(const NamedTerm& term);
 
-/// The file in canonical form, with each term added to the condition of the transition or continuous action that begins
-/// at its offset. Requires a source without errors.
+/// Returns the file in canonical form. Each term is added to the condition of the transition or continuous action that
+/// begins at its offset. Requires a source without errors.
 std::string with_conditions(Id<Source> file, const Sources& sources, const std::map<std::uint32_t, NamedTerm>& terms);
 
-/// The file with a property `NAME: always possible TERM` added to the closed loop `loop`. Empty after an error: the
-/// term is invalid.
+/// Returns the file with a property `NAME: always possible TERM` added to the closed loop `loop`. The result is empty
+/// after an error: the term is invalid.
 std::optional<std::string> with_marked(Id<Source> file, Sources& sources, const std::string& loop,
                                        const std::string& name, const std::string& term, Diagnostics& diagnostics);
 
-/// Parses `main` with its includes, with other texts in place of some files. Adds the sources to `to`.
+/// Parses `main` with its includes, with other texts in place of some files. The sources are added to `to`.
 std::optional<Model> read_again(Id<Source> main, const std::map<std::string, std::string>& texts, const Sources& from,
                                 Sources& to, const ReadOptions& read, Diagnostics& diagnostics);
 
