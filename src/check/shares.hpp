@@ -38,7 +38,7 @@ inline Deadline most_of(const Deadline& deadline) {
 }
 
 /// Adds the number of states that `searches` explored to the reason of a verdict that a time or memory limit left
-/// unknown. Does nothing if the searches did not begin.
+/// unknown. Has no effect if the searches did not begin.
 inline void report_earlier(Verdict& verdict, std::string_view searches, std::uint64_t states) {
     const bool limited = verdict.obstacle == UnknownReason::Stopped || verdict.obstacle == UnknownReason::Memory;
     if (verdict.outcome != Outcome::Unknown || !limited || states < 2) return;

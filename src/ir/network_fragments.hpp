@@ -32,7 +32,7 @@ struct NetworkFragments {
     std::vector<std::uint32_t> of_process = {};   ///< fragment per process; none for a PLC
     std::vector<std::uint32_t> of_variable = {};  ///< fragment per variable; none if it does not belong to a fragment
     std::vector<std::string> names = {};  ///< name per fragment: its partial chart, controller or first instance
-    std::vector<Resting> resting = {};    ///< per variable; `process` is none if the value is not fixed
+    std::vector<Resting> resting = {};    ///< per variable; the value is not fixed if `process` equals none
 };
 
 /// Computes the fragments of `network`. Requires that it is expanded.

@@ -52,8 +52,8 @@ bool may_delay(const Network& network, const NetworkState& state);
 std::optional<std::int64_t> value(const Network& network, const NetworkState& state, Id<Expr> expr);
 
 /// Returns the states of `run`, beginning with the initial state: one state more than moves. The result is empty if a
-/// move is blocked, or if the state at the end of the lasso differs from the first state of its loop in locations or
-/// variables.
+/// move is blocked. It is also empty if the state at the end of a lasso differs from the first state of its loop in
+/// locations or variables.
 std::optional<std::vector<NetworkState>> replay(const Network& network, const Run& run);
 
 }  // namespace grafverif

@@ -2,12 +2,13 @@
 // schedule_controllers: Equations -> TransitionSystem of the controllers alone, according to DESDES06 section 6.1:
 // inputs and timer outputs are free variables of `main`, and each controller is an instance of a separate module.
 //
-// One step of the system is one PLC cycle. In every state
-//   the inputs      are those that the next cycle will read; they are free
-//   firing conditions, `stable` and `settled` are definitions over the current activities and the current inputs
-//   the activities, internals and outputs are those after the cycle that led here.
+// One step of the system is one PLC cycle. In every state:
+//   - the inputs are those that the next cycle will read; they are free;
+//   - firing conditions, `stable` and `settled` are definitions over the current activities and inputs;
+//   - activities, internal variables and outputs are those after the previous cycle.
 // State 0 is the state after the first evolution. The first evolution and the first cycle read different inputs: if a
-// stored action or an output of the first evolution reads an input, a variable `START_first` holds it, free in state 0.
+// stored action or an output of the first evolution reads an input, a variable `START_first`
+// stores it, which is free in state 0.
 //
 // Mapping:
 //   step             X_2, init and next by equation (12)

@@ -2,11 +2,12 @@
 // Finding: a potential defect of a chart, with a run as evidence. Analysis: all findings about one chart, with their
 // assumptions.
 //
-// A finding states that an event is possible, with a shortest run to it as evidence, or that an event is impossible,
-// optionally with a run that comes as close as possible. Length is measured in input changes first, then in evolutions.
-// Possible events are found with timer outputs that respect only their order. The run is then given concrete times, and
-// Timing states if this succeeded. Impossible events are impossible for all times. This also applies to elements that
-// are never used again; the evidence is a shortest run to the situation after which they are not used.
+// A finding states that an event is possible, with a shortest run to it as evidence. Or it states that an event is
+// impossible, optionally with a run that comes as close as possible. Length is measured in input changes first, then in
+// evolutions. Possible events are found with timer outputs that respect only their order. The run is then given
+// concrete times, and Timing states if this succeeded. Impossible events are impossible for all times. This also
+// applies to elements that are never used again; the evidence is a shortest run to the situation after which they are
+// not used.
 //
 // Invariants (see verify): every code is one of finding_codes(); an accepted finding has a reason.
 #pragma once

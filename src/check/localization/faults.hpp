@@ -13,8 +13,8 @@ namespace grafverif {
 /// exceed 64 bits.
 bool terms_have_values(const Network& network);
 
-/// Returns a set of fragments. For each model error of the network (a value that leaves its range, or a true `race`),
-/// the set contains a fragment such that every abstraction with this fragment shows the error. Requires
+/// Returns a set of fragments that covers all model errors of the network: a value that leaves its range, or a true
+/// `race`. For each error, the set contains a fragment such that every abstraction with it shows the error. Requires
 /// terms_have_values(network).
 std::set<std::uint32_t> cells_that_may_err(const Network& network, const NetworkFragments& cells);
 

@@ -2,10 +2,10 @@
 // Graph: the states that a search has found and the transitions between them.
 //
 // The kind of a state is stored in one word together with a target. It states if time passes in the state, and the
-// target is a successor. The targets of edges are in `links`: each is encoded as the difference of its number from the
-// previous one (for the first, from the state itself), in as few groups of seven bits as possible, since most
-// differences are small. If links use too many bytes per state, they are dropped and computed again on demand, which
-// saves memory but costs time. Parents determine a shortest run to each state.
+// target is a successor. The targets of edges are in `links`. Each is encoded as the difference of its number from the
+// previous one; the first, as the difference from the state itself. A difference uses as few groups of seven bits as
+// possible, since most are small. If links use too many bytes per state, they are dropped and computed again on demand,
+// which saves memory but costs time. Parents determine a shortest run to each state.
 #pragma once
 
 #include <atomic>

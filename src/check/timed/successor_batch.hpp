@@ -44,7 +44,7 @@ struct alignas(own_lines) SuccessorBatch {
     std::vector<std::uint32_t> targets =
         {};  ///< number of a state or of a new state, with flags; the flag `urgent` marks the target of an urgent edge
     std::vector<NewState> new_states = {};
-    std::vector<std::uint32_t> kept = {};  ///< entries that are not folded or that are wanted
+    std::vector<std::uint32_t> kept = {};  ///< entries that are not folded or that a property monitor needs
     std::vector<Word> words = {};          ///< states of these entries, at intervals of Layout::words
     Links::Chunk links = {};               ///< valid after all targets have their numbers
     std::optional<UncoveredAt> stuck_bound = {}, locked_bound = {};  ///< the first uncovered bound of each type

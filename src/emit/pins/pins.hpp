@@ -10,7 +10,7 @@
 //                               assignments
 //   a unit of time              the last group; enabled if every invariant holds and no urgent edge is enabled
 //   state property              a label, true in the states that violate it (`reachable`: that satisfy it)
-//   operands of the others      labels `NAME_p`, `NAME_q`
+//   operands of other properties   labels `NAME_p`, `NAME_q`
 //   model error                 the label `breaks_off`: some move takes a value out of its range, or divides by zero;
 //                               such a move has no successor, and no move leaves a state in which stored actions have
 //                               raced
