@@ -41,14 +41,14 @@ public:
     tree::Transition transition(tree::Transition links, Id<tree::Expr> condition,
                                 std::vector<tree::Assignment> assignments, Span where) const;
     tree::Property pattern(Pattern pattern, std::vector<Id<tree::Expr>> operands) const;
-    /// Pattern `plain` if there is no scope.
+    /// Returns a property with the pattern `plain` if there is no scope, otherwise a sentence.
     tree::Property scoped(Pattern plain, Sentence::Kind kind, std::vector<Id<tree::Expr>> operands,
                           tree::Property scope) const;
     tree::Property scope(Sentence::Scope scope, std::vector<Id<tree::Expr>> operands) const;
-    /// A sentence with a duration or a count.
+    /// Returns a sentence with a duration or a count.
     tree::Property bounded(Sentence::Kind kind, std::vector<Id<tree::Expr>> operands, Id<tree::Expr> bound,
                            tree::Property scope) const;
-    /// Reports that `times` is not preceded by a number.
+    /// Reports that no number precedes `times`.
     tree::Property uncounted(std::vector<Id<tree::Expr>> operands, tree::Name times, tree::Property scope);
     tree::Property formula(Pattern pattern, std::string raw, Span where) const;
     tree::Property named(tree::Name name, std::string text, bool expected_violated, tree::Property pattern,
@@ -62,8 +62,8 @@ public:
     Id<tree::Expr> member(Id<tree::Expr> owner, tree::Name name, Span where);
     Id<tree::Expr> place(Id<tree::Expr> owner, tree::Name name, Span where);
     Id<tree::Expr> unary(tree::Op op, Id<tree::Expr> operand, Span where);
-    /// `&&` and `||` are flattened: a left operand with the same operator and without brackets is merged, so a
-    /// conjunction is one node.
+    /// Adds a binary operator. `&&` and `||` are flattened: a left operand with the same operator and without brackets
+    /// is merged, so that a conjunction is one node.
     Id<tree::Expr> binary(tree::Op op, Id<tree::Expr> left, Id<tree::Expr> right, Span where);
     Id<tree::Expr> bracketed(Id<tree::Expr> expression, Span where);
 
@@ -74,7 +74,9 @@ private:
     tree::File* file_;
     Diagnostics* diagnostics_;
     bool broken_ = false;
-    Span too_deep_ = {};  ///< the last expression reported as too deep; its outer levels are not reported again
+    /// Position of the last expression that was reported as too deep; the expressions that enclose it are not reported
+    /// again.
+    Span too_deep_ = {};
 };
 
 }  // namespace grafverif::tree

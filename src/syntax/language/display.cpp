@@ -22,7 +22,7 @@ namespace grafverif {
 
 namespace {
 
-/// Characters that control editors and terminals: first position and number of occurrences.
+/// Characters that control editors and terminals, with their first position and number of occurrences.
 class Controls {
 public:
     explicit Controls(Span part) : part_(part) {}
@@ -54,20 +54,20 @@ private:
     std::map<std::uint32_t, Occurrence> seen_ = {};
 };
 
-/// ASCII white space; a carriage return only before a line feed.
+/// True for ASCII white space; a carriage return is allowed only before a line feed.
 bool is_blank(std::string_view text) {
     if (text.front() == '\r') return text.size() > 1 && text[1] == '\n';
     return std::string_view(" \t\n\f\v").find(text.front()) != std::string_view::npos;
 }
 
-/// A text with which a name can be confused.
+/// A declared text with which a name can be confused.
 struct Lookalike {
     std::string text = {};
     std::string_view what = {};
     Span where = {};
 };
 
-/// `name` with fullwidth letters, digits and `_` replaced by ASCII.
+/// Returns `name` with fullwidth letters, digits and `_` replaced by ASCII characters.
 std::string narrow(std::string_view name) {
     std::string text;
     for (std::size_t at = 0; at < name.size();) {
@@ -104,13 +104,13 @@ public:
             add(file.words[word].text, "name", word.index < first_places.size() ? first_places[word.index] : Span{});
     }
 
-    /// The first declared text that differs from `name` but looks the same.
+    /// Returns the first declared text that differs from `name` but looks the same.
     const Lookalike* like(std::string_view name) const {
         const auto found = by_skeleton_.find(skeleton(name));
         if (found == by_skeleton_.end()) return nullptr;
         const Lookalike* best = nullptr;
         for (const Lookalike& each : found->second) {
-            if (each.text == name) break;  // the later name is reported instead
+            if (each.text == name) break;  // the later of two names is reported
             if (best == nullptr) best = &each;
         }
         for (const Lookalike& each : found->second)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Warnings about text that editors and terminals display differently from its meaning: control characters, and names
-// that look the same (equal skeletons of UTS 39 within one file).
+// Warnings about text that editors and terminals display differently from its meaning. These are control characters,
+// and names that look the same (equal skeletons of UTS 39 within one file).
 #pragma once
 
 #include <span>
@@ -15,7 +15,8 @@ namespace grafverif {
 void check_controls(Span part, const Sources& sources, Diagnostics& diagnostics);
 
 /// Warns about each name with non-ASCII characters that looks like a keyword, a step variable or another name of
-/// `file`, or has fullwidth letters or digits. `first_places`: first occurrence of each word of `file.words`.
+/// `file`, or has fullwidth letters or digits. `first_places` contains the first occurrence of each word of
+/// `file.words`.
 void check_confusables(const tree::File& file, std::span<const Span> first_places, Diagnostics& diagnostics);
 
 }  // namespace grafverif

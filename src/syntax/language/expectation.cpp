@@ -13,7 +13,7 @@ namespace {
 
 using Symbols = Parser::symbol_kind;
 
-/// Contextual keywords: they are allowed as names.
+/// True for contextual keywords, which are also allowed as names.
 bool is_word(Symbol symbol) {
     return (symbol >= Symbols::S_CONSTRAINT && symbol <= Symbols::S_FALL) || symbol == Symbols::S_IDENTIFIER;
 }
@@ -53,11 +53,11 @@ std::string shown(Symbol symbol) {
 
 struct Group {
     std::string name = {};
-    Symbol marks = Symbols::S_YYEMPTY;  ///< the group is expected if this token is
+    Symbol marks = Symbols::S_YYEMPTY;  ///< the group is expected if this token is expected
     Symbol marks_too = Symbols::S_YYEMPTY;
 };
 
-/// The declarations of each type of block, identified by two tokens that only it allows.
+/// The declarations of each type of block. Two tokens that are allowed only there identify the block.
 const std::array<Group, 4> declarations = {{
     {"a declaration of the chart", Symbols::S_STEP, Symbols::S_TRANSITION},
     {"a declaration of the component", Symbols::S_LOCATION, Symbols::S_URGENT},
@@ -121,7 +121,7 @@ std::string keyword_of(std::string_view word, std::span<const Symbol> expected) 
         nearest.offer(keyword);
     }
     const std::string& best = nearest.best();
-    constexpr std::size_t shortest = 4;  // shorter words are similar to too many others
+    constexpr std::size_t shortest = 4;  // minimum length of a word; shorter words are similar to too many others
     const auto same = [](char a, char b) {
         return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
     };

@@ -14,13 +14,14 @@ namespace grafverif::tree {
 
 using Symbol = Parser::symbol_kind_type;
 
-/// Describes the tokens that are allowed here, grouped by type: "`;` or an operator".
+/// Describes the tokens that are allowed at a position, grouped by type: "`;` or an operator".
 std::string expectation(std::span<const Symbol> expected);
 
-/// The property pattern to which `word` corresponds in CTL, LTL or UPPAAL, or as a misspelling: `always` for `AG`; or
-/// empty.
+/// Returns the property pattern to which `word` corresponds in CTL, LTL or UPPAAL, or as a misspelling: `always` for
+/// `AG`. The result is empty if there is none.
 std::string pattern_of(std::string_view word);
-/// The expected keyword to which `word` corresponds: `when` for `if`, `grafcet` for `graphcet`; or empty.
+/// Returns the expected keyword to which `word` corresponds: `when` for `if`, `grafcet` for `graphcet`. The result is
+/// empty if there is none.
 std::string keyword_of(std::string_view word, std::span<const Symbol> expected);
 
 bool contains(std::span<const Symbol> symbols, Symbol symbol);

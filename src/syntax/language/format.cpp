@@ -19,20 +19,21 @@ namespace grafverif {
 
 namespace {
 
-// Page: the output lines with the comments and blank lines between them. Placement is by source position: comments are
-// written before the first element that follows them.
+// Page: the output lines with the comments and blank lines between them. The source position determines the place of a
+// comment: it is written before the first element that follows it.
 
 class Page {
 public:
     explicit Page(const tree::File& file) : file_(&file) {}
 
-    /// Starts the element that begins at `begin` in the source: writes the comments before it, and a blank line if the
-    /// source has one or if the flag is set.
+    /// Starts the element that begins at `begin` in the source. Writes the comments before it, and a blank line if the
+    /// source has one or if `apart` is true.
     void before(std::uint32_t begin, bool apart = false);
     /// Writes comments inside an element that is written in one piece.
     void within(std::uint32_t end);
     void line(std::string text);
-    /// Writes the comments at the end of the current line that precede `limit`; later ones belong to the next element.
+    /// Writes the comments at the end of the current line that precede `limit`. Later comments belong to the next
+    /// element.
     void behind(std::uint32_t limit);
     /// Writes the comments up to the end of a block or of the file.
     void remaining(std::uint32_t end);
@@ -61,9 +62,9 @@ private:
 
     const tree::File* file_;
     std::vector<Line> lines_ = {};
-    std::size_t next_ = 0;  ///< next comment to be placed
+    std::size_t next_ = 0;  ///< index of the next comment
     std::size_t depth_ = 0;
-    bool fresh_ = true;  ///< at the start of a block or of the file: no blank line
+    bool fresh_ = true;  ///< true at the start of a block or of the file, with no blank line before it
 };
 
 bool Page::gap_at(std::uint32_t position) const { return std::ranges::binary_search(file_->gaps, position); }
@@ -117,7 +118,7 @@ void Page::own_line(const tree::Comment& comment) {
     fresh_ = false;
 }
 
-/// Aligns the end-of-line comments of adjacent lines.
+/// Writes the lines, and aligns the end-of-line comments of adjacent lines.
 void Page::write(std::ostream& out) const {
     for (std::size_t from = 0; from < lines_.size();) {
         std::size_t to = from, width = 0;

@@ -2,10 +2,10 @@
 // format: prints a tree in the canonical layout, as `fmt` does.
 //
 // Layout: one declaration per line, blocks indented by four spaces, one spelling of each operator. Brackets appear only
-// where precedence requires them, or where `&&` and `||` are mixed. Comments are kept: those on separate lines before
-// the following element, end-of-line comments on their line, comments inside a declaration before it. Single blank
-// lines are kept; top-level declarations are separated by blank lines. Idempotent: format(parse(format(t))) ==
-// format(t).
+// where precedence requires them, or where `&&` and `||` are mixed. Comments are kept. A comment on a separate line
+// stays before the following element, and an end-of-line comment stays on its line. A comment inside a declaration is
+// moved before it. Single blank lines are kept; top-level declarations are separated by blank lines. The function is
+// idempotent: format(parse(format(t))) == format(t).
 #pragma once
 
 #include <iosfwd>
@@ -15,10 +15,10 @@
 
 namespace grafverif {
 
-/// Requires a file that is not `broken`.
+/// Prints the file, which must not be `broken`.
 void format(const tree::File& file, std::ostream& out);
 std::string formatted(const tree::File& file);
-/// An expression in the notation of `format`.
+/// Returns an expression in the notation of `format`.
 std::string formatted(const tree::File& file, Id<tree::Expr> expression);
 
 }  // namespace grafverif

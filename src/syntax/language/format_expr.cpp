@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Expressions in canonical notation.
+// Prints expressions in canonical notation.
 #include <string>
 
 #include "support/overloaded.hpp"
@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// Binding strength of an operator, as in the grammar.
+/// Returns the precedence of an operator, as in the grammar.
 int precedence(tree::Op op) {
     switch (op) {
     case tree::Op::Implies: return 0;
@@ -91,7 +91,7 @@ private:
     void operand(const tree::Expr& parent, Id<tree::Expr> id, int least) {
         const tree::Expr& child = file_->exprs[id];
         const bool mixed = child.bracketed && parent.op == tree::Op::Or && child.op == tree::Op::And;
-        const bool apart = child.bracketed && is_time(child) && is_time(parent);  // (3s/X2)/2s is not 3s/X2/2s
+        const bool apart = child.bracketed && is_time(child) && is_time(parent);  // (3s/X2)/2s differs from 3s/X2/2s
         const bool brackets = precedence(child.op) < least || mixed || apart;
         if (brackets) text += '(';
         print(id);
@@ -101,8 +101,8 @@ private:
     void infix(const tree::Expr& node) {
         const int own = precedence(node.op);
         const bool junction = node.op == tree::Op::And || node.op == tree::Op::Or;
-        const bool comparison = own == 3 || own == 0;  // an implication as an operand of another one is bracketed on
-                                                       // either side
+        // An implication that is an operand of another one has brackets on either side.
+        const bool comparison = own == 3 || own == 0;
         const std::string sign(spelling(node.op));
         bool first = true;
         for (Id<tree::Expr> id = node.first; id.valid(); id = file_->exprs[id].next) {

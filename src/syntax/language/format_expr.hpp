@@ -8,7 +8,7 @@
 
 namespace grafverif {
 
-/// Brackets are printed if the source has them or the grammar requires them.
+/// Returns the text of an expression. Brackets are printed if the source has them or the grammar requires them.
 std::string format_expr(const tree::File& file, Id<tree::Expr> expr);
 
 }  // namespace grafverif

@@ -14,7 +14,7 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t widest = 120;       ///< longer lines are broken if possible
-constexpr std::size_t comfortable = 100;  ///< limit for elements that can also be written in several lines
+constexpr std::size_t comfortable = 100;  ///< maximum length of an element that can also be written in several lines
 
 std::string text(const tree::File& file, tree::Name name) { return std::string(file.text(name)); }
 
@@ -30,8 +30,8 @@ std::string names(const tree::File& file, const std::vector<tree::Name>& written
     return joined(parts);
 }
 
-/// `head`, the comma-separated parts and `tail`, in as many lines as necessary; continuation lines are aligned with the
-/// first part.
+/// Returns `head`, the comma-separated parts and `tail` in as many lines as necessary. Continuation lines are aligned
+/// with the first part.
 Lines filled(const std::string& head, const std::vector<std::string>& parts, const std::string& tail,
              std::size_t column) {
     Lines lines = {head};
@@ -76,7 +76,7 @@ std::string assignments(const tree::File& file, const std::vector<tree::Assignme
     return joined(parts);
 }
 
-/// `HEAD when CONDITION do ASSIGNMENTS;`. A long line is broken before `when` and, if necessary, before `do`.
+/// Returns `HEAD when CONDITION do ASSIGNMENTS;`. A long line is broken before `when` and, if necessary, before `do`.
 Lines guarded(const tree::File& file, const std::string& head, Id<tree::Expr> condition,
               const std::vector<tree::Assignment>& actions, std::size_t column) {
     std::vector<std::string> clauses;
@@ -103,7 +103,8 @@ Lines item_lines(const tree::File& file, const tree::Variables& written, std::si
     case tree::VariableKind::Output: word = "output "; break;
     case tree::VariableKind::Internal: word = "internal "; break;
     case tree::VariableKind::Own: word = "variable "; break;
-    case tree::VariableKind::Constant: word = "constant "; break;  // in a loop; component heads have no keyword for it
+    // Only in a loop; component heads have no keyword for a constant.
+    case tree::VariableKind::Constant: word = "constant "; break;
     }
     return filled(word, variables(file, written), ";", column);
 }
@@ -218,7 +219,7 @@ std::string component_head(const tree::File& file, const tree::Component& compon
     std::string lines = head;
     std::size_t width = head.size();
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const std::size_t end = i + 1 < parts.size() ? 0 : 3;  // `) {`
+        const std::size_t end = i + 1 < parts.size() ? 0 : 3;  // for `) {`
         if (i > 0 && width + 1 + parts[i].size() + end > widest) {
             lines += '\n' + std::string(head.size(), ' ');
             width = head.size();

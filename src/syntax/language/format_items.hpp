@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prints each type of declaration as lines, without comments; `column` is the indentation.
+// Prints each type of declaration as lines, without comments. `column` is the indentation.
 #pragma once
 
 #include <cstddef>
@@ -31,11 +31,12 @@ Lines item_lines(const tree::File& file, const tree::Instance& written, std::siz
 Lines item_lines(const tree::File& file, const tree::Property& written, std::size_t column);
 Lines item_lines(const tree::File& file, const tree::Accept& written, std::size_t column);
 
-/// `initial step 0`, without actions.
+/// Returns `initial step 0`, without actions.
 std::string step_head(const tree::File& file, const tree::Step& step);
-/// `step 1 { A; B; }` if it is short and has only plain actions or at most two; otherwise empty.
+/// Returns `step 1 { A; B; }` if the line is short and there are at most two actions or only plain ones; otherwise
+/// empty.
 std::optional<std::string> step_in_one_line(const tree::File& file, const tree::Step& step, std::size_t column);
-/// `component NAME(...)`; several lines if one would be too long.
+/// Returns `component NAME(...)`, in several lines if one line would be too long.
 std::string component_head(const tree::File& file, const tree::Component& component);
 
 }  // namespace grafverif

@@ -23,7 +23,7 @@ using Symbols = Parser::symbol_kind;
 
 constexpr std::size_t longest_name = 1000;
 
-/// A duration in parts, converted to milliseconds; empty if the unit is unknown.
+/// The number and unit of a duration; empty if the unit is unknown.
 struct Measure {
     std::string_view digits = {}, decimals = {}, unit = {};
 };
@@ -61,7 +61,7 @@ bool begins_block(Parser::symbol_kind_type kind) {
     }
 }
 
-/// `digits`.`decimals` times `factor`; empty if the result is not an integer or exceeds the range of durations.
+/// Returns `digits`.`decimals` times `factor`; empty if the result is not an integer or exceeds the range of durations.
 std::optional<std::int64_t> scaled(std::string_view digits, std::string_view decimals, std::int64_t factor) {
     constexpr std::int64_t bound = std::int64_t{1} << 40U;
     std::int64_t whole = 0;
@@ -201,8 +201,8 @@ Token Lexer::decimal_without_unit() {
     return broken(messages::decimal_number(here_, match_));
 }
 
-/// Span of a path operator of CTL or UPPAAL with brackets (`A[]`, `<>`) that begins a pattern: its letter, if any, and
-/// the brackets. Invalid otherwise.
+/// Returns the span of a path operator of CTL or UPPAAL with brackets (`A[]`, `<>`) that begins a pattern: its letter,
+/// if any, and the brackets. Invalid if there is none.
 Span Lexer::operator_of_ctl() const {
     const std::string_view brackets = std::string_view(source_->text).substr(here_.begin, 2);
     if (brackets != "[]" && brackets != "<>") return {};
@@ -248,7 +248,7 @@ Token Lexer::broken(Diagnostic diagnostic) {
     return Parser::make_YYerror(where);
 }
 
-/// Nothing is reported while tokens are skipped, so that each fault causes one error.
+/// Reports an error, except while tokens are skipped, so that each fault causes one error.
 void Lexer::report(Diagnostic diagnostic) {
     if (!recovering_) diagnostics_->add(std::move(diagnostic));
 }
@@ -267,7 +267,7 @@ bool Lexer::nests_too_deep(Kind next) const {
     }
 }
 
-/// The parser has accepted the last token.
+/// Records that the parser has accepted the last token.
 void Lexer::consumed() {
     switch (last_) {
     case Symbols::S_NOT:

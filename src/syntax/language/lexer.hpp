@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Lexer: tokens of a text with their positions for the parser, and error recovery.
+// Lexer: returns the tokens of a text with their positions to the parser, and performs error recovery.
 //
-// Comments and blank lines are stored in the file, outside the tree. After an error the lexer skips to the next
-// declaration and returns the token RESUME there. It resumes after a `;`, before the `}` that ends the current block,
-// or at a keyword that begins a declaration and a line.
-// A top-level declaration (`grafcet`, ...) at the start of a line ends every open block. A declaration of a chart ends
-// the actions of a step. A missing `}` therefore causes only one error. A text that ends inside a block first returns
-// CUT_OFF, because a Bison parser aborts if it cannot discard the offending token.
+// Comments and blank lines are stored in the file, outside the tree. After an error, the lexer skips to the next
+// declaration, where it returns the token RESUME. It resumes after a `;`, before the `}` that ends the current block,
+// or at a keyword that begins both a declaration and a line. A top-level declaration (`grafcet`, ...) at the start of a
+// line ends every open block. A declaration of a chart ends the actions of a step. A missing `}` therefore causes only
+// one error. If the text ends inside a block, the lexer first returns CUT_OFF, because a Bison parser aborts if it
+// cannot discard the offending token.
 #pragma once
 
 #include <atomic>
@@ -24,7 +24,7 @@
 
 namespace grafverif::tree {
 
-/// From the beginning of `first` to the end of `last`.
+/// Returns the span from the beginning of `first` to the end of `last`.
 inline Span spanning(Span first, Span last) { return {first.source, first.begin, last.end}; }
 
 /// State of the generated scanner.
@@ -46,18 +46,18 @@ public:
     using Token = Parser::symbol_type;
     using Kind = Parser::symbol_kind_type;
 
-    /// Reads `part` of `source`.
+    /// Creates a lexer that reads `part` of `source`.
     Lexer(const Source& source, Span part, tree::File& file, Diagnostics& diagnostics,
           const std::atomic<bool>* stop = nullptr);
 
-    /// First occurrence of each word of the file.
+    /// Returns the first occurrence of each word of the file.
     std::span<const Span> first_places() const { return first_places_; }
-    /// The next token for the parser.
+    /// Returns the next token.
     Token next();
     /// Reports the last token as unexpected and resumes at the next declaration.
     void report_unexpected(Kind seen, Span where, std::span<const Kind> expected);
 
-    // Called by the rules of the scanner.
+    // The rules of the scanner call the following functions.
     void advance(std::string_view match);
     void lines();
     void comment();
@@ -76,7 +76,7 @@ private:
     enum class BlockKind { Body, Actions, Set };
     struct Block {
         BlockKind kind = BlockKind::Body;
-        Span heading = {};  ///< `grafcet press`: keyword and name of the block
+        Span heading = {};  ///< keyword and name of the block: `grafcet press`
     };
 
     Token broken(Diagnostic diagnostic);
@@ -103,23 +103,22 @@ private:
 
     std::string_view match_ = {};  ///< current match of the scanner
     Span here_ = {};               ///< its position
-    std::uint32_t line_ends_ = 0;  ///< line ends since the last token or comment
-    bool anything_ = false;        ///< a token or comment has been seen
+    std::uint32_t line_ends_ = 0;  ///< number of line ends since the last token or comment
+    bool anything_ = false;        ///< true if a token or comment has been read
 
-    std::deque<Token> pending_ = {};  ///< tokens to be returned before scanning continues
+    std::deque<Token> pending_ = {};  ///< tokens to return before scanning continues
     bool recovering_ = false;
-    bool cut_off_ = false;                        ///< the text ended within a block, and CUT_OFF was returned
-    Span reported_ = {};                          ///< the last reported token; not reported twice
-    std::uint32_t handed_back_ = 0;               ///< end of the last token that was returned twice; it is not returned
-                                                  ///< again
+    bool cut_off_ = false;           ///< true if the text ended within a block, and CUT_OFF was returned
+    Span reported_ = {};             ///< the last reported token, which is not reported twice
+    std::uint32_t handed_back_ = 0;  ///< end of the last token that was returned twice, which is not returned again
     Kind last_ = Parser::symbol_kind::S_YYEMPTY;  ///< the last returned token
     Span last_where_ = {};
     tree::Name last_name_ = {};
-    Kind before_ = Parser::symbol_kind::S_YYEMPTY;  ///< the previous token, accepted
+    Kind before_ = Parser::symbol_kind::S_YYEMPTY;  ///< the previous accepted token
     Span before_where_ = {};
-    Kind earlier_ = Parser::symbol_kind::S_YYEMPTY;    ///< the token before that one
+    Kind earlier_ = Parser::symbol_kind::S_YYEMPTY;    ///< the accepted token before that one
     Kind declaring_ = Parser::symbol_kind::S_YYEMPTY;  ///< the last keyword that begins a block
-    Span heading_ = {};                                ///< that keyword and the following name
+    Span heading_ = {};                                ///< that keyword and the name that follows it
     std::vector<Block> blocks_ = {};                   ///< open blocks
     Span less_indented_ = {};  ///< heading of the first block whose `}` is indented less than its heading
     std::size_t brackets_ = 0, prefixes_ = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Error recovery of the lexer: reports a token that the parser cannot accept and finds the position to resume; see
-// lexer.hpp.
+// Error recovery of the lexer: reports a token that the parser cannot accept and determines the position at which to
+// resume (see lexer.hpp).
 #include <algorithm>
 #include <ranges>
 #include <string>
@@ -28,7 +28,7 @@ bool declares_in_file(Symbol kind) {
     }
 }
 
-/// True for reserved words that begin a declaration of a chart; they cannot be an action of a step.
+/// True for reserved words that begin a declaration of a chart. They cannot be an action of a step.
 bool declares_in_chart(Symbol kind) {
     switch (kind) {
     case Symbols::S_INPUT:
@@ -86,15 +86,15 @@ bool Lexer::begins_line(Span where) const {
     return true;
 }
 
-/// Width of the white space at the beginning of the line of `place`.
+/// Returns the width of the white space at the beginning of the line that contains `place`.
 std::size_t Lexer::indentation(std::uint32_t place) const {
     const std::string_view before = std::string_view(source_->text).substr(0, place);
     const std::string_view line = before.substr(before.rfind('\n') + 1);
     return std::min(line.find_first_not_of(" \t"), line.size());
 }
 
-/// Reports a missing `}` if a declaration is not allowed in the current block, or at the end of the text, and `}` is
-/// expected.
+/// Reports a missing `}` if it is expected, and a declaration is not allowed in the current block or the text has
+/// ended.
 bool Lexer::report_missing_brace(Kind seen, Span where, std::span<const Kind> expected) {
     if (blocks_.empty() || !contains(expected, Symbols::S_CLOSE)) return false;
     const bool at_end = seen == Symbols::S_YYEOF, in_file = declares_in_file(seen);
@@ -107,7 +107,7 @@ bool Lexer::report_missing_brace(Kind seen, Span where, std::span<const Kind> ex
     return true;
 }
 
-/// Reports keywords of other languages, and keywords of this one in the wrong place.
+/// Reports keywords of other languages, and keywords of this language in the wrong place.
 bool Lexer::report_other_notation(Kind seen, Span where, std::span<const Kind> expected) {
     const std::string_view text = seen_text(where), before = seen_text(before_where_);
     const bool in_pattern = contains(expected, Symbols::S_PRECEDES);
@@ -153,12 +153,12 @@ void Lexer::report_unexpected(Kind seen, Span where, std::span<const Kind> expec
     diagnostics_->add(messages::unexpected(where, text, words));
 }
 
-/// Returns the `}` that `count` open blocks lack.
+/// Returns the missing `}` of `count` open blocks.
 void Lexer::close_blocks(std::size_t count) {
     for (; count > 0; --count) pending_.emplace_back(Parser::token::CLOSE, here_);
 }
 
-/// Skips tokens, from the last returned one on, up to one at which the parser can resume.
+/// Skips tokens, starting with the last returned one, until the parser can resume.
 void Lexer::resynchronise() {
     if (diagnostics_->full()) {
         pending_.clear();
@@ -184,8 +184,8 @@ void Lexer::resynchronise() {
         kind = token.kind();
         first = false;
     };
-    const bool stuck = last_where_.end == handed_back_ && kind != Symbols::S_YYEOF;  // the parser could not resume at
-                                                                                     // it
+    // True if the parser could not resume at this token.
+    const bool stuck = last_where_.end == handed_back_ && kind != Symbols::S_YYEOF;
     const auto hand_back = [&] {
         handed_back_ = first ? last_where_.end : token.location.end;
         if (!first) pending_.push_back(token);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Source positions and nesting limits, shared by both grammars.
+// Source positions and nesting limits, which both grammars use.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +8,13 @@
 
 namespace grafverif {
 
-/// Maximal nesting of brackets and operators in one expression.
+/// Maximum nesting of brackets and operators in one expression.
 inline constexpr std::size_t deepest_expression = 1000;
 
-/// The empty span right after `span`.
+/// Returns the empty span immediately after `span`.
 inline Span after(Span span) { return {span.source, span.end, span.end}; }
 
-/// Span from the first to the last of `count` places; empty places are ignored.
+/// Returns the span from the first to the last of `count` places; empty places are ignored.
 template <class Place>
 Span across(std::size_t count, const Place& place) {
     Span first = place(1);

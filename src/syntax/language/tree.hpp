@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// tree: abstract syntax of a file before name resolution. It is passed from the parser to name resolution, and is the
-// input of `fmt`; later stages do not use it.
+// tree: abstract syntax of a file before name resolution. The parser passes it to name resolution, and `fmt` prints it;
+// later stages do not use it.
 //
-// Names are interned: two names of one file are equal iff their words are. Expressions are stored in one flat table
-// with operands linked as siblings, so a term of any width needs no separate allocation. Every node and declaration has
-// a span. Comments and blank lines are stored outside the tree, ordered by position.
+// Names are interned: two names of one file are equal exactly if their words are. Expressions are stored in one flat
+// table with operands linked as siblings, so that a term of any width needs no separate allocation. Every node and
+// declaration has a span. Comments and blank lines are stored outside the tree, ordered by position.
 #pragma once
 
 #include <cstddef>
@@ -45,7 +45,7 @@ enum class Op : std::uint8_t {
     Fall,
     Negate,
     And,
-    Or,  // two or more operands
+    Or,  // operators with two or more operands
     Implies,
     Equal,
     NotEqual,
@@ -62,19 +62,19 @@ enum class Op : std::uint8_t {
 
 struct Expr {
     Op op = Op::False;
-    bool bracketed = false;  ///< written in brackets in the source
+    bool bracketed = false;  ///< true if the source has brackets around it
     std::uint16_t depth = 1;
-    Id<Word> word = {};                         ///< for Name, Member, In
-    std::int64_t value = 0;                     ///< for Number; for Duration in milliseconds
+    Id<Word> word = {};                         ///< word of Name, Member, In
+    std::int64_t value = 0;                     ///< value of Number; of Duration in milliseconds
     Id<Expr> first = {}, last = {}, next = {};  ///< first and last operand, next sibling
     Span where = {};
 };
 
-/// `// ...` or `/* ... */` including the delimiters, without the line end.
+/// A comment `// ...` or `/* ... */`, including the delimiters but without the line end.
 struct Comment {
     std::string text = {};
     Span where = {};
-    bool own_line = false;  ///< only white space precedes it on its line
+    bool own_line = false;  ///< true if only white space precedes it on its line
 };
 
 struct Range {
@@ -92,7 +92,7 @@ struct Variable {
     Span where = {};
 };
 
-enum class VariableKind { Input, Output, Internal, Own, Constant };  ///< Own: `variable` of a component
+enum class VariableKind { Input, Output, Internal, Own, Constant };  ///< Own is a `variable` of a component
 struct Variables {
     VariableKind kind = VariableKind::Input;
     std::vector<Variable> variables = {};
@@ -104,7 +104,7 @@ struct Constraint {
     Span where = {};
 };
 
-/// `target := value`.
+/// An assignment `target := value`.
 struct Assignment {
     Name target = {};
     Id<Expr> value = {};
@@ -115,9 +115,9 @@ struct Assignment {
 
 struct ContinuousAction {
     Name output = {};
-    Id<Expr> condition = {};  ///< `if`
-    Id<Expr> delay = {};      ///< `after`
-    Id<Expr> limit = {};      ///< `for`
+    Id<Expr> condition = {};  ///< term after `if`
+    Id<Expr> delay = {};      ///< duration after `after`
+    Id<Expr> limit = {};      ///< duration after `for`
     Span where = {};
 };
 enum class StoredWhen { Missing, Activation, Deactivation, Event };
@@ -141,7 +141,8 @@ struct Step {
     bool initial = false, linked = false, entry = false, exit = false;
     StepKind kind = StepKind::Ordinary;
     Name name = {};
-    std::vector<Name> contents = {};  ///< the expansion of a macro-step, or the charts enclosed by an enclosing step
+    /// Name of the expansion of a macro-step, or of the charts enclosed by an enclosing step.
+    std::vector<Name> contents = {};
     std::vector<Action> actions = {};
     Span where = {};
 };
@@ -154,7 +155,7 @@ struct Transition {
     Span where = {};
 };
 
-/// `accept CODE SUBJECT "reason";`
+/// The declaration `accept CODE SUBJECT "reason";`.
 struct Accept {
     std::string code = {};
     std::string subject = {};  ///< empty if omitted
@@ -177,7 +178,7 @@ struct Chart {
     Name name = {};
     std::vector<ChartItem> items = {};
     Span where = {};
-    bool broken = false;  ///< contains a syntax error
+    bool broken = false;  ///< true if it contains a syntax error
 };
 
 // -- components -------------------------------------------------------------------------------------------------------
@@ -225,7 +226,7 @@ struct TimeUnit {
     Id<Expr> duration = {};
     Span where = {};
 };
-/// `NAME = VALUE` in an instance.
+/// An argument `NAME = VALUE` of an instance.
 struct Argument {
     Name parameter = {};
     Id<Expr> value = {};
@@ -245,10 +246,10 @@ struct Property {
     bool expected_violated = false;
     Pattern pattern = Pattern::Always;
     std::vector<Id<Expr>> operands = {};
-    Sentence watch = {};  ///< for Pattern::Watched; its duration or count is `bound`
+    Sentence watch = {};  ///< only for Pattern::Watched; `bound` is its duration or count
     Id<Expr> bound = {};  ///< invalid if there is none
     std::string raw = {};
-    Span raw_where = {};  ///< with the quotes
+    Span raw_where = {};  ///< position including the quotes
     bool at_stable = false;
     Span where = {};
 };
@@ -259,7 +260,7 @@ struct Schedule {
 struct ObserverEdge {
     Name from = {}, to = {};
     Id<Expr> condition = {};
-    std::vector<Assignment> assignments = {};  ///< rejected by name resolution
+    std::vector<Assignment> assignments = {};  ///< assignments, which name resolution rejects
     Span where = {};
 };
 using ObserverItem = std::variant<Location, ObserverEdge>;
@@ -292,10 +293,10 @@ struct File {
     Table<Word> words = {};
     Table<Expr> exprs = {};
     std::vector<Declaration> declarations = {};
-    std::vector<Comment> comments = {};    ///< in order of position
-    std::vector<std::uint32_t> gaps = {};  ///< begin of the first element after a blank line, increasing
-    bool broken = false;                   ///< a syntax error is in a declaration or between declarations
-    bool lost = false;                     ///< a declaration is missing because of an error in its head
+    std::vector<Comment> comments = {};    ///< comments in order of position
+    std::vector<std::uint32_t> gaps = {};  ///< start of the first element after each blank line, increasing
+    bool broken = false;                   ///< true if a syntax error is in a declaration or between declarations
+    bool lost = false;                     ///< true if a declaration is missing because of an error in its head
 
     std::string_view text(Name name) const { return words[name.word].text; }
     std::string_view text(Id<Word> word) const { return words[word].text; }
@@ -303,8 +304,7 @@ struct File {
 
 Span where(const Declaration& declaration);
 
-/// Interns words into the table of a file; the table must be empty. Used by the parser, and by printers that build
-/// trees.
+/// Interns words into the table of a file, which must be empty. Used by the parser, and by printers that build trees.
 class Words {
 public:
     explicit Words(Table<Word>& words) : words_(&words) {}

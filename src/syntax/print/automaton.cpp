@@ -75,7 +75,7 @@ Json instability_json(const Automaton& automaton, const Automaton::Instability& 
             {"cycle", cycle}};
 }
 
-/// Writes a JSON table with one entry per line, without storing it.
+/// Writes a JSON table with one entry per line. The table is not stored in memory.
 template <class Entries, class Write>
 void print_table(std::ostream& out, const char* name, const Entries& entries, Write write) {
     out << ",\n  \"" << name << "\": [";
@@ -87,7 +87,7 @@ void print_table(std::ostream& out, const char* name, const Entries& entries, Wr
     out << "\n  ]";
 }
 
-/// The members of `object` without the outer brackets.
+/// Prints the members of `object` without the outer brackets.
 void print_members(std::ostream& out, const Json& object) {
     bool first = true;
     for (const auto& [name, value] : object.items()) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Prints location automata, Mealy machines and test sequences as plain text and JSON; for sequences as CSV see
-// test_csv.hpp.
+// Prints location automata, Mealy machines and test sequences as plain text and JSON. test_csv.hpp prints sequences as
+// CSV.
 //
-// Counts include INIT and its outgoing evolutions. `unstable` counts the pairs of a location and an input combination
-// from which no stable situation is reached; those of INIT are counted separately.
+// Numbers of elements, including INIT and its outgoing evolutions. `unstable` is the number of pairs of a location and
+// an input combination from which no stable situation is reached. Pairs with INIT are counted separately.
 #pragma once
 
 #include <iosfwd>
@@ -19,23 +19,24 @@ namespace grafverif {
 
 struct AutomatonCounts {
     std::size_t locations = 0, evolutions = 0, evolutions_from_init = 0;
-    std::optional<std::uint64_t> unstable = 0, unstable_from_init = 0;  ///< empty if too large to count
+    std::optional<std::uint64_t> unstable = 0, unstable_from_init = 0;  ///< empty if too large to represent
 };
 AutomatonCounts counts(const LocationAutomaton& automaton);
 
-/// States times input combinations; empty if too large to count.
+/// Returns the number of states times the number of input combinations; empty if too large to represent.
 std::optional<std::uint64_t> transition_count(const MealyMachine& machine);
 
-/// A condition of the automaton or machine: `s and not h1`.
+/// Returns a condition of the automaton or machine: `s and not h1`.
 std::string condition_text(const LocationAutomaton& automaton, Id<Expr> condition);
 std::string condition_text(const MealyMachine& machine, Id<Expr> condition);
 
-/// `V1 if s and not h1`, `SPEED = 2`.
+/// Returns `V1 if s and not h1` or `SPEED = 2`.
 std::string emission_text(const LocationAutomaton& automaton, const LocationAutomaton::Emission& emission);
-/// `V1, SPEED = 2`: the nonzero outputs; `none` if all are zero.
+/// Returns the nonzero outputs, such as `V1, SPEED = 2`; `none` if all are zero.
 std::string result_text(const MealyMachine& machine, Id<MealyMachine::OutputWord> answer, std::string_view none);
 
-/// `details`: also each location and evolution, or each state and transition.
+/// Prints the automaton or machine. If `details` is true, each location and evolution, or each state and transition, is
+/// also printed.
 void print_automaton(std::ostream& out, const LocationAutomaton& automaton, bool details);
 void print_mealy(std::ostream& out, const MealyMachine& machine, bool details);
 
@@ -55,7 +56,8 @@ void print_mealy_json(std::ostream& out, const MealyMachine& machine, bool detai
 /// activation.
 void print_test_json(std::ostream& out, const TestSequence& test);
 
-/// One sentence: length of the test, its coverage, and if its length is proved to be minimal.
+/// Returns one sentence with the length of the test and its coverage, which also states if the length is proved to be
+/// minimal.
 std::string summary(const TestSequence& test);
 
 }  // namespace grafverif

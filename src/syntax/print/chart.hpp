@@ -13,25 +13,25 @@
 
 namespace grafverif {
 
-/// Prints the leaves of the chart's terms; `chart` must outlive the result.
+/// Returns a printer for the leaves of the chart's terms. `chart` must outlive the result.
 LeafPrinter leaf_printer(const Chart& chart);
 
 std::string term_text(const Chart& chart, Id<Expr> term);
 
-/// `3s/X2`, `2s/(a && b)/1s`: a time condition (IEC 60848); `text` prints the observed term.
+/// Returns a time condition (IEC 60848) such as `3s/X2` or `2s/(a && b)/1s`. `text` prints the observed term.
 std::string time_text(const Chart& chart, const Chart::TimeCondition& time,
                       const std::function<std::string(Id<Expr>)>& text);
-/// The same for a timer; `watched`: the observed term in the notation of conditions.
+/// Returns the time condition of a timer. `watched` is the observed term in the notation of conditions.
 std::string time_text(std::int64_t rise_ms, const std::string& watched, std::int64_t fall_ms);
-/// Qualifier of the names of a controller, `press.`; empty if there is only one controller.
+/// Returns the qualifier of the names of a controller, such as `press.`; empty if there is only one controller.
 std::string prefix_of(const Network& network, const Network::Controller& controller);
-/// The timer with index `timer` in `controller.timers` in the notation of conditions; empty if it observes a term
-/// without a name.
+/// Returns the condition of the timer with index `timer` in `controller.timers`; empty if it observes a term without a
+/// name.
 std::string time_text(const Network& network, const Network::Controller& controller, std::size_t timer);
-/// Displayed name of each process of the network: for a timer its condition, if the observed term has a name; otherwise
-/// the name of the process.
+/// Returns the displayed name of each process of the network. It is the condition of a timer if the observed term has a
+/// name, otherwise the name of the process.
 std::vector<std::string> display_names(const Network& network);
-/// The same for a time condition that a property reads.
+/// Returns a time condition that a property reads.
 std::string time_text(const Chart& chart, const ClosedLoop::TimeSymbol& symbol);
 
 }  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Constants of a closed loop as text: `N = 4 (set), T = 3s`.
+// Constants of a closed loop as text, such as `N = 4 (set), T = 3s`.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace grafverif {
 
-/// `4`, `true`, `3s`.
+/// Returns text such as `4`, `true`, `3s`.
 std::string value_text(const NamedConstant& constant);
-/// Lists all constants and marks those that are set by the user; empty if there are none.
+/// Lists all constants and marks those that the user has set; empty if there are none.
 std::string constants_text(const std::vector<NamedConstant>& constants);
 
 }  // namespace grafverif

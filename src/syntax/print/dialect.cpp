@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Dialects and the expression printer (see the header). Precedence levels, loosest first: conditional, or, and,
-// comparison, sum, product, prefix, atom. Each dialect assigns the levels of its language.
+// Dialects and the expression printer (see the header). The precedence levels, from lowest to highest, are:
+// conditional, or, and, comparison, sum, product, prefix, atom. Each dialect assigns operators to levels according to
+// its language.
 #include "syntax/print/dialect.hpp"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ constexpr int sum_level = 5;
 constexpr int product_level = 6;
 constexpr int prefix_level = 7;
 
-/// Common part of the languages with C operators: the chart language and UPPAAL.
+/// Returns the spelling that is common to the languages with C operators: the chart language and UPPAAL.
 Spelling c_spelling(Op op) {
     switch (op) {
     case Op::False: return {"false", atom_precedence};
@@ -129,7 +130,7 @@ struct Printer {
     Dialect dialect;
     const LeafPrinter& leaf;
 
-    /// A negative number has the precedence of a prefix operator.
+    /// Returns the precedence of a term. A negative number has the precedence of a prefix operator.
     int precedence(Id<Expr> id) const {
         const Expr& node = exprs[id];
         if (node.op == Op::Integer && node.value < 0) return prefix_level;
@@ -137,7 +138,7 @@ struct Printer {
         return spelling.open.empty() ? spelling.precedence : atom_precedence;
     }
 
-    /// Prints `id`, in brackets if it binds looser than `least`.
+    /// Prints `id`, in brackets if its precedence is lower than `least`.
     void operand(Id<Expr> id, int least) const {
         if (precedence(id) >= least) {
             term(id);
@@ -148,7 +149,8 @@ struct Printer {
         out << ')';
     }
 
-    /// All operators with two or more operands are left-associative, if they associate at all.
+    /// Prints an infix operator. All operators with two or more operands are left-associative, if they are associative
+    /// at all.
     void infix(Id<Expr> id, Spelling spelling) const {
         const Op op = exprs[id].op;
         const std::span<const Id<Expr>> operands = exprs.operands(id);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Expression printer for all dialects. A dialect is a function from operators to spellings: token and binding strength.
-// A new operator causes a compile error in each dialect until it is added there.
+// Expression printer for all dialects. A dialect is a function that maps operators to spellings: token and precedence.
+// A new operator causes a compile error in each dialect to which it is not added.
 //
 // Brackets are printed where precedence requires them, and around an `and` below an `or`, for readability. The grouping
-// of arithmetic is kept: `a - (b - c)` and `a + (b + c)` keep their brackets, `(a - b) - c` loses them. Comparisons do
-// not associate, so a comparison of comparisons is always bracketed.
+// of arithmetic is kept: `a - (b - c)` and `a + (b + c)` keep their brackets, but `(a - b) - c` does not. Comparisons
+// are not associative, so that a comparison of comparisons always has brackets.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@
 namespace grafverif {
 
 /// Spelling of an operator in a dialect. Leaves and numbers have no token; their precedence determines if they need
-/// brackets below an operator (`3s/X2` does). A Conditional of precedence `atom_precedence` is always bracketed. An
-/// operand enclosed by `open` and `close` needs no outer brackets; `precedence` is then that of the inside.
+/// brackets below an operator (`3s/X2` does). A Conditional with the precedence `atom_precedence` always has brackets.
+/// An operand enclosed by `open` and `close` needs no outer brackets; in this case `precedence` applies to the inside.
 struct Spelling {
     std::string_view token = {};
     int precedence = 0;
@@ -44,10 +44,10 @@ using LeafPrinter = std::function<void(std::ostream&, const Expr&)>;
 /// Prints the term `root` in `dialect`. Recursive; the reader limits the depth of terms.
 void print_expr(std::ostream& out, const Exprs& exprs, Id<Expr> root, Dialect dialect, const LeafPrinter& leaf);
 
-/// Returns the same as a string.
+/// Returns the text that print_expr prints.
 std::string expr_text(const Exprs& exprs, Id<Expr> root, Dialect dialect, const LeafPrinter& leaf);
 
-/// A duration in the uniform notation: `3s` for whole seconds, otherwise `250ms`.
+/// Returns a duration in a uniform notation: `3s` for whole seconds, otherwise `250ms`.
 std::string duration_text(std::int64_t milliseconds);
 /// Converts `3s`, `250 ms` or `2min` to milliseconds; empty if `text` is not a positive duration or exceeds the limit.
 std::optional<std::int64_t> duration_ms(std::string_view text);

@@ -31,8 +31,8 @@ bool starts_with_actions(const Equations& equations, const Equations::Stored& st
     return first.op != Op::Variable || first.value != static_cast<std::int64_t>(stored.variable.index);
 }
 
-/// Writes the sections of the plain and LaTeX text: `title(text)` opens a section, `line(name, term)` writes one
-/// equation, `timer(timer)` the equation that starts a timer, `close()` ends the section.
+/// Writes the sections of the plain and LaTeX text. `title(text)` opens a section, and `close()` ends it. `line(name,
+/// term)` writes one equation, and `timer(timer)` writes the equation that starts a timer.
 template <class Writer>
 void write_sections(const Equations& equations, Writer& writer) {
     if (!equations.firings.empty()) {
@@ -106,10 +106,10 @@ std::string escaped(std::string_view text) {
     return result;
 }
 
-/// In italics, with the letter spacing of a word.
+/// Returns the text in italics, with the letter spacing of a word.
 std::string italic(std::string_view text) { return "\\mathit{" + escaped(text) + "}"; }
 
-/// `X_{10}`, `\mathit{CF}_{\mathit{T0}}` as in Fig. 19; other names unchanged.
+/// Returns `X_{10}` or `\mathit{CF}_{\mathit{T0}}` as in Fig. 19; other names are unchanged.
 std::string latex_name(const Equations::Variable& variable) {
     using Role = Equations::Role;
     const std::string_view text = variable.name;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Prints equations: plain text, in the order and sections of CEP13 Fig. 19; LaTeX (`align*` of amsmath); JSON.
+// Prints equations as plain text, in the order and sections of CEP13 Fig. 19, as LaTeX (`align*` of amsmath), and as
+// JSON.
 //
-// Sections: (a) firing conditions, (b) step activities, (s) stored actions, if any, with their value after the first
-// evolution and their race conditions, (c) outputs, timers first.
+// The sections are: (a) firing conditions; (b) step activities; (s) stored actions, if there are any, with their values
+// after the first evolution and their race conditions; (c) outputs, preceded by timers.
 #pragma once
 
 #include <iosfwd>
@@ -12,7 +13,7 @@
 
 namespace grafverif {
 
-/// One equation as plain text: `X_2 = ...`.
+/// Returns one equation as plain text: `X_2 = ...`.
 std::string equation_text(const Equations& equations, Id<Equations::Variable> variable, Id<Expr> term);
 void print_equations(std::ostream& out, const Equations& equations);
 void print_equations_latex(std::ostream& out, const Equations& equations);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Syntax check of formulas that properties pass to an external tool (`ctl "..."`, `ltl "..."`, `uppaal "..."`). Each is
-// copied unchanged into a model, so it must be exactly one formula of the language of that tool. The check reports the
-// first error in an invalid text.
+// Syntax check of formulas that properties pass to an external tool (`ctl "..."`, `ltl "..."`, `uppaal "..."`). A
+// formula is copied unchanged into a model and must therefore be exactly one formula of that tool's language. The check
+// reports the first error in an invalid text.
 //
-// ctl, ltl: formulas of NuSMV 2.6 over conditions, numbers and named values, without its bit vectors, arrays and `case`
-// (instead of which conditions allow `c ? a : b`). Types are checked as NuSMV does, because it rejects a complete model
-// for one ill-typed formula. uppaal: `A[] p`, `A<> p`, `E<> p`, `E[] p`, `p --> q` over expressions without side
-// effects.
+// ctl, ltl: formulas of NuSMV 2.6 over conditions, numbers and named values, without its bit vectors, arrays and
+// `case`; conditions may contain `c ? a : b`. Types are checked as by NuSMV, because it rejects a complete model for
+// one ill-typed formula. uppaal: `A[] p`, `A<> p`, `E<> p`, `E[] p`, `p --> q` over expressions without side effects.
 #pragma once
 
 #include <cstddef>
@@ -20,25 +19,28 @@
 namespace grafverif {
 
 enum class FormulaLanguage { Ctl, Ltl, Uppaal };
-/// `CTL`, `LTL`, `UPPAAL`.
+/// Returns `CTL`, `LTL` or `UPPAAL`.
 std::string_view word(FormulaLanguage language);
-/// Formula language of a pattern; empty if its operands are in the input language of grafverif.
+/// Returns the formula language of a pattern; empty if its operands are in the input language of grafverif.
 std::optional<FormulaLanguage> formula_language(Pattern pattern);
 
 /// Meaning of a name in a model.
 struct FormulaName {
     enum class Type { Any, Boolean, Number, Value } type = Type::Any;
-    bool of_steps = false;  ///< chosen in each step: not allowed in CTL, which describes states
+    /// The value is chosen in each step, so that it is not allowed in CTL, which describes states.
+    bool of_steps = false;
 };
-/// Empty result: the model has no such name. Qualified names are passed as one name: `press.X_2`.
+/// Returns the meaning of a name; empty if the model has no such name. A qualified name is passed as one name:
+/// `press.X_2`.
 using FormulaNames = std::function<std::optional<FormulaName>(std::string_view)>;
 
 struct FormulaFault {
     std::size_t begin = 0, end = 0;  ///< byte range in the text
-    std::string what = {};           ///< `expected `)`, got `&``
+    std::string what = {};           ///< description such as `expected `)`, got `&``
 };
 
-/// The first error in `text`; empty if it is a formula. Without `names`, each name is assumed to have a suitable type.
+/// Returns the first error in `text`; empty if it is a formula. Without `names`, each name is assumed to have a
+/// suitable type.
 std::optional<FormulaFault> formula_fault(FormulaLanguage language, std::string_view text,
                                           const FormulaNames& names = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Common part of the formula readers: tokens and error handling. Reading stops at the first error.
+// Common part of the formula readers: tokens and error handling. The reader stops at the first error.
 #pragma once
 
 #include <initializer_list>
@@ -18,7 +18,8 @@ public:
 protected:
     enum class Kind { End, Name, Number, Symbol };
 
-    /// `symbols`: longer ones first. `in_names`: characters allowed in names in addition to letters, digits and `_`.
+    /// In `symbols`, longer symbols must precede their prefixes. `in_names` contains the characters that are allowed in
+    /// names in addition to letters, digits and `_`.
     Reader(std::string_view text, std::span<const std::string_view> symbols, std::string_view in_names)
         : text_(text), symbols_(symbols), in_names_(in_names) {
         advance();
@@ -29,11 +30,11 @@ protected:
     std::string_view here() const { return text_.substr(begin_, end_ - begin_); }
     void advance();
     bool accept(std::string_view token);
-    /// Accepts and returns the one of `tokens` that is next; empty if none is.
+    /// Accepts the next token if it is one of `tokens`, and returns it; otherwise the result is empty.
     std::string_view accept_one(std::initializer_list<std::string_view> tokens);
     void expect(std::string_view token);
     void expected(std::string_view what);
-    /// Records the first error; the rest of the text is skipped.
+    /// Records the first error. The rest of the text is skipped.
     void fail(std::size_t begin, std::size_t end, std::string what);
     void fail_here(std::string what) { fail(begin_, end_, std::move(what)); }
     std::string shown() const { return kind_ == Kind::End ? "the end" : '`' + std::string(here()) + '`'; }
@@ -54,7 +55,7 @@ protected:
     std::span<const std::string_view> symbols_ = {};
     std::string_view in_names_ = {};
     Kind kind_ = Kind::End;
-    std::size_t begin_ = 0, end_ = 0;  ///< the current token
+    std::size_t begin_ = 0, end_ = 0;  ///< range of the current token
     std::size_t before_ = 0;           ///< end of the previous token
     std::size_t depth_ = 0;
     std::optional<FormulaFault> fault_ = {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// CTL and LTL in the syntax of NuSMV 2.6, loosest first: `->`, `<->`, `? :`, `| xor xnor`, `&`, `U S V T` (LTL), path
-// operators, relations, `in`, sums, products, `!` and `-`. So `AG x -> y` is `(AG x) -> y`, and `!a = b` is `(!a) = b`.
-// Between `A [` and `]` the language is pure CTL, without `? :`.
+// CTL and LTL in the syntax of NuSMV 2.6. The operators, from lowest to highest precedence, are: `->`, `<->`, `? :`, `|
+// xor xnor`, `&`, `U S V T` (LTL), path operators, relations, `in`, sums, products, `!` and `-`. Therefore `AG x -> y`
+// is `(AG x) -> y`, and `!a = b` is `(!a) = b`. Between `A [` and `]` the language is pure CTL, without `? :`.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 26> smv_symbols{"<->", "->", "!=", "<=", 
 struct Subformula {
     std::size_t begin = 0, end = 0;
     Type type = Type::Any;
-    bool temporal = false;  ///< contains a path operator
+    bool temporal = false;  ///< true if it contains a path operator
 };
 
 std::string_view described(Type type) {
@@ -140,7 +140,7 @@ private:
         return {begin, operand.end, Type::Boolean, operand.temporal || op != "!"};
     }
 
-    /// True if a path operator follows the `!` operators at the current position.
+    /// True if a path operator follows, possibly after `!` operators.
     bool path_follows() {
         SmvReader ahead = *this;
         while (ahead.accept("!")) {
@@ -208,7 +208,7 @@ private:
         return {left.begin, set.end, Type::Boolean, false};
     }
 
-    /// `{a, b}` or `1..3`, with members of the type of `one`.
+    /// Reads `{a, b}` or `1..3`, whose members have the type of `one`.
     Subformula members(const Subformula& one) {
         const std::size_t begin = begin_;
         if (!accept("{")) {
@@ -320,7 +320,7 @@ private:
         return {begin, before_, known ? known->type : Type::Any, false};
     }
 
-    /// Rejects words that look like names but are not allowed as such.
+    /// Rejects words that have the form of a name but are not allowed as names.
     void refuse_word() {
         const std::string_view word = here();
         static constexpr std::array<std::string_view, 12> of_ctl{"EX", "AX", "EF",  "AF",  "EG",  "AG",

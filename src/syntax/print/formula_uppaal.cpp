@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The symbolic queries of UPPAAL over its expressions. Operator precedence is left to UPPAAL: here an expression is a
-// sequence of operands and operators; an operand has prefix operators before it and indices after it.
+// The symbolic queries of UPPAAL over its expressions. UPPAAL itself applies operator precedence. In this reader, an
+// expression is a sequence of operands and operators; an operand has prefix operators before it and indices after it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -122,7 +122,7 @@ private:
             fail(begin, before_, fmt::format("the model does not declare `{}`", path));
     }
 
-    /// `forall (i : int[0, 3]) ...`
+    /// Reads `forall (i : int[0, 3]) ...`.
     void over_range() {
         advance();
         expect("(");

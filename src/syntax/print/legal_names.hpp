@@ -3,8 +3,9 @@
 // plant; a target may reserve some (`X` in UPPAAL's queries, `S` in NuSMV) or not allow others (a location named `2`,
 // an expanded property `P.X7`). Emitters print the mapped names unchanged.
 //
-// The map is injective over the entities of one scope and deterministic: it depends only on the order of the names.
-// Legal names are unchanged, independently of the others; of several entities with one name the first keeps it.
+// The map is injective over the names of one scope and deterministic: it depends only on the order of the names. Legal
+// names are unchanged, independently of the other names. If a name occurs several times, its first occurrence is
+// unchanged.
 #pragma once
 
 #include <span>
@@ -15,20 +16,20 @@
 
 namespace grafverif {
 
-/// UppaalLocal: entities that no query can name, such as the parameters of a template; keywords of queries are allowed
-/// there. StructuredText: identifiers of IEC 61131-3, which are case-insensitive and have no double or trailing `_`.
+/// UppaalLocal: names that no query can contain, such as parameters of a template; keywords of queries are allowed.
+/// StructuredText: identifiers of IEC 61131-3, which are case-insensitive and have no double or trailing `_`.
 enum class Target { Uppaal, UppaalLocal, Nusmv, StructuredText };
 
 /// True if `name` has another meaning in the target: a keyword, a built-in, or an operator of its properties.
 bool is_reserved(Target target, std::string_view name);
 
-/// True if `name` is allowed as the name of an entity in the target.
+/// True if `name` is allowed as an identifier in the target.
 bool is_legal(Target target, std::string_view name);
 
-/// Names of the entities `names`, which share one scope, in the target; no result is in `taken`. Letters of other
-/// scripts are transliterated to ASCII (`Förderer`: `Foerderer`), characters not allowed in identifiers become `_`, and
-/// a number gets a leading `_`. A reserved or used name gets a trailing `_`, then `_2`, `_3`, ... until it is unused
-/// (in Structured Text directly `_2`).
+/// Returns legal identifiers for `names`, which share one scope. No result is in `taken`. Letters of other scripts are
+/// transliterated to ASCII (`Förderer`: `Foerderer`), characters that are not allowed in identifiers become `_`, and a
+/// number gets a leading `_`. A reserved or used name gets a trailing `_`, then `_2`, `_3`, ... until it is unused (in
+/// Structured Text immediately `_2`).
 std::vector<std::string> legal_names(Target target, std::span<const std::string> names,
                                      const std::unordered_set<std::string>& taken = {});
 
@@ -39,7 +40,7 @@ struct Renaming {
     bool operator==(const Renaming&) const = default;
 };
 
-/// The `names` whose entry in `legal` differs, in order.
+/// Returns the `names` that differ from their entry in `legal`, in order.
 std::vector<Renaming> renamings(std::span<const std::string> names, std::span<const std::string> legal);
 
 }  // namespace grafverif

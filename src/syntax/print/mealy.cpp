@@ -162,7 +162,7 @@ void print_test_json(std::ostream& out, const TestSequence& test) {
 
 namespace {
 
-/// Per situation: the situations that are successors (or predecessors) in one step of a test.
+/// For each situation, the situations that precede or follow it by one step of a test.
 using Ways = std::vector<std::set<std::uint32_t>>;
 
 Ways ways(const TestSequence& test, bool back) {
@@ -186,9 +186,9 @@ std::set<std::uint32_t> led_to(const Ways& next, std::uint32_t from) {
     return found;
 }
 
-/// The first entered situations of the terminal strongly connected components that the test reaches. The test takes all
-/// transitions that can be taken, so a component that no step leaves cannot be left at all. Several sequences are
-/// needed only if some situations cannot be left.
+/// Returns the situations in which the test first enters the terminal strongly connected components that it reaches.
+/// The test takes all transitions that can be taken. Therefore, if no step leaves a component, it cannot be left at
+/// all. Several sequences are necessary only if some situations cannot be left.
 std::vector<std::string> traps(const TestSequence& test) {
     if (test.sequences.size() < 2 || test.cover == TestCover::Locations) return {};
     const Ways next = ways(test, false), before = ways(test, true);
@@ -198,7 +198,8 @@ std::vector<std::string> traps(const TestSequence& test) {
         const std::uint32_t end = sequence.steps.back().situation.index;
         if (known.contains(end)) continue;
         const std::set<std::uint32_t> stays = led_to(next, end);
-        if (!std::ranges::includes(led_to(before, end), stays)) continue;  // the test could continue from here
+        // The test could continue from this situation.
+        if (!std::ranges::includes(led_to(before, end), stays)) continue;
         known.insert(stays.begin(), stays.end());
         const auto entered = std::ranges::find_if(
             sequence.steps, [&](const TestSequence::Step& step) { return stays.contains(step.situation.index); });
@@ -207,7 +208,7 @@ std::vector<std::string> traps(const TestSequence& test) {
     return found;
 }
 
-/// `; nothing leads back from {2} and {4,5}`
+/// Returns `; nothing leads back from {2} and {4,5}`.
 std::string traps_text(const TestSequence& test) {
     constexpr std::size_t most = 5;
     const std::vector<std::string> found = traps(test);

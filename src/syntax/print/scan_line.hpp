@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Scan lines: protocol between a tester and a controller, with one line of inputs and one line of outputs for each scan
-// of the PLC (docs/how-to/test-a-plc.md). A line has one value per column, in the order in which the chart declares its
-// inputs or outputs; values are separated by commas, spaces or semicolons.
+// Scan lines: a protocol between a tester and a controller, with one line of inputs and one line of outputs for each
+// scan of the PLC (docs/how-to/test-a-plc.md). A line has one value per column, in the order in which the chart
+// declares its inputs or outputs. Commas, spaces or semicolons separate the values.
 //
-//   1,0,0,1,1       as written: 0 and 1 for Booleans, decimal numbers for integers, separated by commas
-//   TRUE 0 12       also accepted: true and false in any case, spaces
+//   1,0,0,1,1       as printed: 0 and 1 for Booleans, decimal numbers for integers, separated by commas
+//   TRUE 0 12       also accepted: true and false in upper or lower case, spaces
 //   wait 5s         time passes before the next scan (ms, s, min); it is not a scan and has no response
 #pragma once
 
@@ -27,22 +27,22 @@ struct ScanColumn {
     bool operator==(const ScanColumn&) const = default;
 };
 
-/// One value per column, or the problem of the line as message text.
+/// One value per column, or a message text with the error in the line.
 struct ScanValues {
     std::optional<std::vector<std::int64_t>> values = {};
     std::string problem = {};
 };
 
-/// `values` as a line without line end.
+/// Returns `values` as a line without line end.
 std::string scan_line(std::span<const std::int64_t> values);
 
-/// Parses `line`; each value has the type of its column and is within its range.
+/// Parses `line`. Each value must have the type of its column and be within its range.
 ScanValues read_scan_line(std::string_view line, std::span<const ScanColumn> columns);
 
-/// Longer lines are invalid for this number of columns, so readers can truncate them.
+/// Returns the maximum length of a valid line with this number of columns. Readers may truncate longer lines.
 std::size_t longest_scan_line(std::size_t columns);
 
-/// `line` for display in a message: unprintable characters are replaced and long lines are cut.
+/// Returns `line` for display in a message: unprintable characters are replaced, and long lines are truncated.
 std::string shown_line(std::string_view line);
 
 }  // namespace grafverif

@@ -21,7 +21,7 @@ std::string claim(Pattern pattern, const std::vector<std::string>& operands, con
     case Pattern::Reachable: return "reachable " + operands[0];
     case Pattern::Inevitable: return "inevitable " + operands[0];
     case Pattern::LeadsTo: return operands[0] + " leads to " + operands[1];
-    case Pattern::Watched: break;  // printed by the other overload
+    case Pattern::Watched: break;  // the other overload prints it
     case Pattern::NoDeadlock: return "no deadlock";
     case Pattern::NoTimelock: return "no timelock";
     case Pattern::ReachableAllSteps: return "reachable all steps";
@@ -36,10 +36,10 @@ std::string claim(Pattern pattern, const std::vector<std::string>& operands, con
 
 namespace {
 
-/// The text as an operand before `and`: in brackets unless it is a single word.
+/// Returns the text as an operand before `and`: in brackets unless it is a single word.
 std::string bracketed(const std::string& text) { return text.find(' ') == std::string::npos ? text : '(' + text + ')'; }
 
-/// Prints the scope with its operands `of`.
+/// Returns the scope with its operands `of`.
 std::string scope_text(Sentence::Scope scope, std::span<const std::string> of) {
     switch (scope) {
     case Sentence::Scope::Globally: return "";
@@ -82,7 +82,8 @@ std::string sentence(const ClosedLoop& loop, const ClosedLoop::Constraint& const
     const std::string text =
         expr_text(loop.exprs, constraint.condition, chart_spelling, [&loop](std::ostream& out, const Expr& leaf) {
             const ClosedLoop::Symbol& symbol = loop.symbols[{static_cast<std::uint32_t>(leaf.value)}];
-            out << loop.shared[std::get<ClosedLoop::SharedSymbol>(symbol).shared].name;  // constraints read only inputs
+            // Constraints read only inputs, which have a name.
+            out << loop.shared[std::get<ClosedLoop::SharedSymbol>(symbol).shared].name;
         });
     return text.size() > longest ? "a long constraint holds of this plant" : text + " holds of this plant";
 }

@@ -8,19 +8,19 @@
 
 namespace grafverif {
 
-/// Text of a property in the input language: `never a && b`. `operands`: as written; `raw`: text of a formula in
-/// another language.
+/// Returns a property in the input language, such as `never a && b`. `operands` are the operands as text; `raw` is a
+/// formula in another language.
 std::string claim(Pattern pattern, const std::vector<std::string>& operands, const std::string& raw);
-/// The same for a property with an observer. `bound`: its duration or count as written, if any.
+/// Returns a property with an observer. `bound` is its duration or count as text, if it has one.
 std::string claim(const Sentence& watch, const std::vector<std::string>& operands, const std::string& bound);
 
-/// The duration or count of a sentence; empty if it has none.
+/// Returns the duration or count of a sentence; empty if it has none.
 std::string bound_text(const Sentence& watch);
 
-/// Text of the proof obligation of a constraint if there is a plant: `!(IN && OUT)` holds.
+/// Returns the proof obligation of a constraint if there is a plant, such as `!(IN && OUT)`.
 std::string sentence(const ClosedLoop& loop, const ClosedLoop::Constraint& constraint);
 
-/// The constraints of `loop` as properties, with names different from those of its properties.
+/// Returns the constraints of `loop` as properties, with names that differ from those of its properties.
 std::vector<Property> constraints_to_prove(const ClosedLoop& loop);
 
 }  // namespace grafverif

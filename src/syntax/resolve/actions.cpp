@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Resolves the actions of the steps of a chart: continuous, stored, and forcing orders.
+// Resolves the actions of the steps of a chart: continuous actions, stored actions and forcing orders.
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/resolve/chart_scope.hpp"
@@ -9,7 +9,7 @@ namespace grafverif {
 
 namespace {
 
-/// The variable of an action; reports an unknown one.
+/// Returns the variable of an action; reports an unknown name.
 Id<Chart::Variable> target_of(ChartScope& scope, tree::Name name) {
     const auto found = scope.variables.find(name.word);
     if (found != scope.variables.end()) return found->second;
@@ -31,7 +31,7 @@ void note_kind(ChartScope& scope, Id<Chart::Variable> variable, std::vector<Span
             messages::continuous_and_stored(where, scope.chart.variables[variable].name, other[variable.index]));
 }
 
-/// In milliseconds; 0 if omitted or after an error.
+/// Returns the duration in milliseconds; 0 if it is omitted or after an error.
 std::int64_t duration_of(ChartScope& scope, Id<tree::Expr> node) {
     if (!node.valid()) return 0;
     Terms terms = terms_of(scope);

@@ -23,19 +23,19 @@ struct ChartScope {
 
     std::unordered_map<Id<tree::Word>, Id<Chart::Variable>> variables = {};
     std::unordered_map<Id<tree::Word>, Id<Chart::PartialChart>> partials = {};
-    /// Per partial chart.
+    /// Steps by name, per partial chart.
     std::vector<std::unordered_map<Id<tree::Word>, Id<Chart::Step>>> steps = {};
     /// All steps with a name, in order of declaration.
     std::unordered_map<std::string_view, std::vector<Id<Chart::Step>>> steps_by_name = {};
     std::unordered_map<std::string, Id<Chart::TimeCondition>> times = {};
-    std::unordered_map<std::uint64_t, Term> known_names = {};  ///< by partial chart and word
-    std::vector<Span> continuous = {}, stored = {};            ///< per variable: its first action of that type
-    Id<Chart::PartialChart> here = {};                         ///< partial chart of the current term
+    std::unordered_map<std::uint64_t, Term> known_names = {};  ///< terms of names, by partial chart and word
+    std::vector<Span> continuous = {}, stored = {};  ///< per variable: the position of its first action of that type
+    Id<Chart::PartialChart> here = {};               ///< partial chart of the current term
 
     std::string_view text(tree::Name name) const { return file.text(name); }
 };
 
-/// A step or transition of the tree, with its partial chart.
+/// A step or transition of the tree, together with its partial chart.
 struct WrittenStep {
     const tree::Step* step = nullptr;
     Id<Chart::Step> id = {};
@@ -67,9 +67,9 @@ void resolve_stored(ChartScope& scope, const tree::Assignment& written, Chart::S
 // -- condition.cpp
 /// Resolves terms with the names of `scope`, which must outlive the result.
 Terms terms_of(ChartScope& scope);
-/// Invalid after an error.
+/// Returns the term of a condition; invalid after an error.
 Id<Expr> resolve_condition(ChartScope& scope, Id<tree::Expr> node, Id<Chart::PartialChart> here, std::string_view user);
-/// The step named `label` in `here`; reports an unknown one.
+/// Returns the step named `label` in `here`; reports an unknown name.
 Id<Chart::Step> step_in(ChartScope& scope, Id<Chart::PartialChart> here, tree::Name label);
 Id<Chart::PartialChart> partial_named(ChartScope& scope, tree::Name name);
 

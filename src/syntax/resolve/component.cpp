@@ -13,7 +13,7 @@ namespace {
 
 bool is_blank(char byte) { return byte == ' ' || byte == '\t' || byte == '\r' || byte == '\n'; }
 
-/// The first line of a comment, without comment delimiters.
+/// Returns the first line of a comment, without comment delimiters.
 std::string first_line(std::string_view comment) {
     comment.remove_prefix(2);
     if (comment.ends_with("*/")) comment.remove_suffix(2);
@@ -23,7 +23,7 @@ std::string first_line(std::string_view comment) {
     return std::string(comment);
 }
 
-/// The first line of the comment directly above the component, without a blank line between them.
+/// Returns the first line of the comment directly above the component, if no blank line separates them.
 std::string summary(const tree::File& file, const tree::Component& written) {
     const auto after = std::ranges::lower_bound(file.comments, written.where.begin, {},
                                                 [](const tree::Comment& comment) { return comment.where.begin; });
@@ -43,7 +43,7 @@ std::string summary(const tree::File& file, const tree::Component& written) {
     return first == after ? std::string() : first_line(first->text);
 }
 
-/// A constraint guarantees a property of the component's outputs. It reads only outputs, so that it can be assumed if
+/// A constraint states a guarantee about the component's outputs. It reads only outputs, so that it can be assumed if
 /// they are free.
 void resolve_constraint(ComponentScope& scope, const tree::Constraint& written) {
     const Id<Expr> condition = all_terms(scope).resolve(written.condition, TermKind::Boolean, "a constraint");

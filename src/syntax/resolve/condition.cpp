@@ -31,7 +31,7 @@ Term unknown_name(ChartScope& scope, Span where, std::string_view name) {
     return {};
 }
 
-/// `X2` in the current partial chart; otherwise anywhere in the chart if it is unique.
+/// Resolves `X2` in the current partial chart, or in the complete chart if it is unique.
 Term step_variable_term(ChartScope& scope, Span where, std::string_view name) {
     if (name.size() < 2 || name[0] != 'X') return unknown_name(scope, where, name);
     const auto found = scope.steps_by_name.find(name.substr(1));
@@ -63,7 +63,7 @@ Term name_term(ChartScope& scope, const tree::Expr& node) {
     return term;
 }
 
-/// Reports `Fill.T`, `X2.T`, `Fill.X` of IEC 61131-3 if `Fill` and `2` are steps.
+/// Reports `Fill.T`, `X2.T` and `Fill.X` of IEC 61131-3 if `Fill` and `2` are steps.
 bool report_step_member(ChartScope& scope, const tree::Expr& node) {
     const std::string_view owner = scope.text({scope.file.exprs[node.first].word, {}}),
                            member = scope.file.text(node.word);
@@ -74,7 +74,7 @@ bool report_step_member(ChartScope& scope, const tree::Expr& node) {
     return true;
 }
 
-/// `G2.X2`; the name of the chart denotes the steps written directly in it.
+/// Resolves `G2.X2`. The name of the chart denotes the steps that are written directly in it.
 Term member_term(ChartScope& scope, const tree::Expr& node) {
     const tree::Expr& owner = scope.file.exprs[node.first];
     const std::string_view name = scope.file.text(node.word);
@@ -116,7 +116,7 @@ Term time_term(ChartScope& scope, const tree::Expr& node, const WrittenTime& wri
     return {scope.chart.exprs.leaf(Op::Timed, known->second.index), TermKind::Boolean};
 }
 
-/// Type of the divisor in `3/X2`, a time condition without unit; Integer for any other division.
+/// Returns the type of the divisor in `3/X2`, a time condition without unit; Integer for any other division.
 TermKind timed_without_unit(ChartScope& scope, const tree::Expr& node) {
     const tree::Expr& left = scope.file.exprs[node.first];
     const tree::Expr& right = scope.file.exprs[node.last];

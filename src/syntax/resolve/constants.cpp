@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Resolves the named constants of a closed loop. Each has a value, which may read earlier constants and can be set by
-// the user. Terms contain the value instead of the name, so later stages have no constants.
+// the user. Terms contain the value instead of the name, so that constants do not exist in later stages.
 #include <charconv>
 #include <string>
 #include <vector>
@@ -39,7 +39,7 @@ std::optional<std::int64_t> value_of(Named::Kind kind, const std::string& text) 
     return duration_ms(text);
 }
 
-/// The declared type, or that of the value if none is declared; empty after an error.
+/// Returns the declared type, or the type of the value if none is declared; empty after an error.
 std::optional<Named::Kind> written_kind(const tree::Variable& written, TermKind value) {
     switch (written.type) {
     case tree::TypeWord::Bool: return Named::Kind::Boolean;
@@ -58,7 +58,7 @@ struct Bounds {
     bool contain(std::int64_t value) const { return low <= value && value <= high; }
 };
 
-/// The declared range; empty if there is none or after an error.
+/// Returns the declared range; empty if there is none or after an error.
 std::optional<Bounds> bounds_of(LoopScope& scope, const tree::Variable& written) {
     if (!written.range) return {};
     Terms terms = constant_terms(scope, "a range");
@@ -70,7 +70,7 @@ std::optional<Bounds> bounds_of(LoopScope& scope, const tree::Variable& written)
     return {};
 }
 
-/// Replaces the declared value by the one set by the user.
+/// Replaces the declared value by the value that the user has set.
 void set_from_outside(LoopScope& scope, const std::optional<Bounds>& bounds, Named& constant) {
     const auto given = scope.context.constants.find(constant.name);
     if (given == scope.context.constants.end()) return;
@@ -100,7 +100,7 @@ void declare_constant(LoopScope& scope, const tree::Variable& written) {
     auto bounds = bounds_of(scope, written);
     if (!kind || scope.diagnostics.errors() != errors) return;
     constant.kind = *kind;
-    if (*kind == Named::Kind::Integer) {  // the same limits as for variables
+    if (*kind == Named::Kind::Integer) {  // the same limits apply to variables
         if (!bounds) bounds = {least_integer, greatest_integer};
         bounds = {std::max(bounds->low, least_integer), std::min(bounds->high, greatest_integer)};
     }

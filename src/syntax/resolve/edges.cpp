@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Resolves the locations and edges of a component. Comparisons of clocks become clock constraints (CEP13 equation (4)),
-// the remaining conjuncts the guard; `clock := 0` becomes a reset.
+// Resolves the locations and edges of a component. Comparisons of clocks become clock constraints (CEP13 equation (4));
+// the remaining conjuncts become the guard; `clock := 0` becomes a reset.
 #include <optional>
 #include <unordered_set>
 #include <vector>
@@ -23,7 +23,7 @@ std::optional<Id<Component::Clock>> clock_at(const ComponentScope& scope, Id<tre
     return std::get<Id<Component::Clock>>(found->second);
 }
 
-/// The relation with exchanged operands: `3s <= t` is `t >= 3s`.
+/// Returns the relation with exchanged operands: `3s <= t` is `t >= 3s`.
 Op mirrored(Op relation) {
     switch (relation) {
     case Op::Less: return Op::Greater;
@@ -37,7 +37,7 @@ Op mirrored(Op relation) {
 struct Conjuncts {
     std::vector<Id<Expr>> data = {};
     std::vector<Component::ClockConstraint> clocks = {};
-    std::vector<Id<tree::Expr>> data_nodes = {};  ///< tree node of each of `data`
+    std::vector<Id<tree::Expr>> data_nodes = {};  ///< tree node of each element of `data`
 };
 
 void take_clock_constraint(ComponentScope& scope, const tree::Expr& node, Conjuncts& taken) {
@@ -57,7 +57,7 @@ void take_clock_constraint(ComponentScope& scope, const tree::Expr& node, Conjun
     else if (constraint.bound.valid()) taken.clocks.push_back(constraint);
 }
 
-/// Splits a conjunction, including nested ones in brackets; their depth is limited.
+/// Splits a conjunction, including nested conjunctions in brackets. Their depth is limited.
 void take(ComponentScope& scope, Id<tree::Expr> id, Conjuncts& taken) {
     const tree::Expr& node = scope.file.exprs[id];
     if (node.op == tree::Op::And) {
@@ -88,7 +88,7 @@ const ComponentScope::Symbol* target_of(ComponentScope& scope, tree::Name name) 
     return nullptr;
 }
 
-/// Resolves `target := value` with the terms `values`. Empty after an error.
+/// Resolves `target := value` with the resolver `values`; empty after an error.
 std::optional<Component::Assignment> assignment(ComponentScope& scope, const tree::Assignment& written,
                                                 const ComponentScope::Symbol& target, Terms values) {
     Component::Assignment resolved;

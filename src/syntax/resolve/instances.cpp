@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Resolves the instances of a closed loop: each binds the parameters of a component. Constants and outputs come first,
-// because outputs declare the variables of the plant, then the inputs, which read them.
+// Resolves the instances of a closed loop: each binds the parameters of a component. Constants and outputs are resolved
+// first, because outputs declare the variables of the plant. The inputs, which read these variables, follow.
 #include <string>
 
 #include "support/messages.hpp"
@@ -21,7 +21,7 @@ struct Binding {
     const tree::Instance* written = nullptr;
     const Component* component = nullptr;
     ClosedLoop::Instance instance = {};
-    std::vector<const tree::Argument*> given = {};  ///< per parameter
+    std::vector<const tree::Argument*> given = {};  ///< argument of each parameter
     bool wrong = false;
 };
 
@@ -112,8 +112,8 @@ void bind_given_constant(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     binding.instance.arguments[id.index] = value.value_or(0);
 }
 
-/// Binds defaults in order of dependency: a default that reads other constants is bound after them. Cycles have been
-/// rejected before.
+/// Binds defaults in the order of dependency: a default that reads other constants is bound after them. Cycles have
+/// already been rejected.
 void bind_defaults(LoopScope& scope, Binding& binding) {
     const Component& component = *binding.component;
     std::vector<bool> bound(component.parameters.size());
@@ -142,7 +142,7 @@ void bind_defaults(LoopScope& scope, Binding& binding) {
 
 // -- variables --------------------------------------------------------------------------------------------------------
 
-/// The name to which an output is bound; reports any other expression.
+/// Returns the name to which an output is bound; reports any other expression.
 std::optional<std::string_view> bound_name(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     const tree::Expr& value = scope.file.exprs[binding.given[id.index]->value];
     if (value.op == tree::Op::Name) return scope.file.text(value.word);

@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// Names of transitions: the declared ones, and `t1`, `t2`, ... by position for the others.
+/// Names of transitions: the declared names, and `t1`, `t2`, ... by position for all others.
 class TransitionNames {
 public:
     explicit TransitionNames(ChartScope& scope, const WrittenChart& written) : scope_(&scope) {

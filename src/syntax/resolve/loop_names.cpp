@@ -51,7 +51,7 @@ Term internal_term(LoopScope& scope, Id<Controller> controller, Id<Chart::Variab
                        scope.chart(controller).variables[variable].type.boolean);
 }
 
-/// The unambiguous name in a property.
+/// Returns the unambiguous name in a property.
 std::string qualified(const LoopScope& scope, Id<Controller> controller, std::string_view name) {
     return scope.loop.controllers[controller].name + '.' + std::string(name);
 }
@@ -73,7 +73,7 @@ Term unknown_name(LoopScope& scope, Span where, std::string_view name) {
     return {};
 }
 
-/// A step `X2` or an internal variable of one controller, optionally in one of its partial charts.
+/// Resolves a step `X2` or an internal variable of one controller, optionally in one of its partial charts.
 std::optional<Term> inside(LoopScope& scope, Id<Controller> controller, std::string_view name,
                            std::optional<Id<Chart::PartialChart>> partial, Span where) {
     const LoopScope::Inside& known = scope.inside[controller.index];
@@ -98,7 +98,7 @@ Term own_term(LoopScope& scope, Id<ClosedLoop::Instance> instance, Id<Component:
                        component.variables[variable].value == Component::ValueKind::Boolean);
 }
 
-/// `Gate_X`, the name of the variable `X` of `Gate` in traces and models.
+/// Resolves `Gate_X`, the name of the variable `X` of `Gate` in traces and models.
 std::optional<Term> display_name(LoopScope& scope, std::string_view name) {
     for (const Id<ClosedLoop::Instance> id : scope.loop.instances.ids()) {
         const ClosedLoop::Instance& instance = scope.loop.instances[id];
@@ -133,13 +133,13 @@ Term simple_name(LoopScope& scope, Span where, std::string_view name) {
     }
     if (found) return *found;
     if (const auto own = display_name(scope, name)) return *own;
-    if (scope.excused.contains(name)) return {};  // declared by an instance that has an error
+    if (scope.excused.contains(name)) return {};  // an instance with an error may declare the name
     return unknown_name(scope, where, name);
 }
 
 // -- `owner.name` -----------------------------------------------------------------------------------------------------
 
-/// An internal variable of the instance, or the variable bound to its output or input `name`.
+/// Resolves an internal variable of the instance, or the variable that is bound to its output or input `name`.
 std::optional<Term> variable_of(LoopScope& scope, Id<ClosedLoop::Instance> instance, const Component& component,
                                 std::string_view name) {
     for (const Id<Component::Variable> variable : component.variables.ids())
@@ -156,7 +156,7 @@ std::optional<Term> variable_of(LoopScope& scope, Id<ClosedLoop::Instance> insta
     return {};
 }
 
-/// `Gate.open`, `Gate in open`: a location; `Gate.X`: a variable, unless a location has this name.
+/// Resolves `Gate.open` and `Gate in open` to a location, and `Gate.X` to a variable, unless a location has this name.
 Term state_of(LoopScope& scope, Id<ClosedLoop::Instance> instance, std::string_view name, const tree::Expr& node) {
     const Span where = node.where;
     const Id<Component> id = scope.loop.instances[instance].component;
@@ -200,7 +200,7 @@ Term inside_or_unknown(LoopScope& scope, Id<Controller> controller, std::string_
     return unknown_name(scope, where, name);
 }
 
-/// Reports `X2.T`, `Fill.T`, `Fill.X` of IEC 61131-3 if a controller has the steps `2` and `Fill`.
+/// Reports `X2.T`, `Fill.T` and `Fill.X` of IEC 61131-3 if a controller has the steps `2` and `Fill`.
 bool report_step_member(LoopScope& scope, std::string_view owner, std::string_view member, Span where) {
     if (!is_step_member(member)) return false;
     for (const LoopScope::Inside& inside : scope.inside) {
@@ -212,7 +212,7 @@ bool report_step_member(LoopScope& scope, std::string_view owner, std::string_vi
     return false;
 }
 
-/// `G2.X2` if one controller has a partial chart `G2`.
+/// Resolves `G2.X2` if one controller has a partial chart `G2`.
 Term in_partial_chart(LoopScope& scope, const tree::Expr& owner, std::string_view name, Span where) {
     const std::string_view partial = scope.file.text(owner.word);
     std::optional<Id<Controller>> found;
@@ -255,7 +255,7 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
         if (node.op == tree::Op::In) return no_such_instance(scope, owner);
         const auto controller = scope.controllers.find(scope.file.text(owner.word));
         if (controller != scope.controllers.end()) {
-            // If names are ambiguous, `chart.X2` is the step written directly in the grafcet.
+            // If names are ambiguous, `chart.X2` denotes the step that is written directly in the grafcet.
             const auto& steps = scope.inside[controller->second.index].steps;
             const auto same = name.size() > 1 ? steps.find(name.substr(1)) : steps.end();
             const bool repeated = name[0] == 'X' && same != steps.end() && same->second.size() > 1;
@@ -290,7 +290,7 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
     return inside_or_unknown(scope, controller->second, name, partial->second, node.where);
 }
 
-/// Reports a name in the term of an input that is internal to a controller or an instance, or unknown.
+/// Reports a name in the term of an input that is unknown, or internal to a controller or an instance.
 Term no_signal(LoopScope& scope, const tree::Expr& node, std::string_view name) {
     if (node.op != tree::Op::Name) {
         const std::string_view owner = scope.file.text(scope.file.exprs[node.first].word);

@@ -30,14 +30,13 @@ struct LoopScope {
     std::unordered_map<std::string, Id<ClosedLoop::Shared>> shared = {};
     std::unordered_map<std::string_view, Id<ClosedLoop::Instance>> instances = {};
     std::unordered_map<std::string_view, Id<ClosedLoop::Observer>> observers = {};
-    std::vector<std::string> instance_writers = {};     ///< per shared variable: the instance that writes it, or empty
-    std::unordered_set<std::string_view> excused = {};  ///< names bound in instances with errors; they may be driven
-                                                        ///< there
+    std::vector<std::string> instance_writers = {};  ///< per shared variable: the instance that writes it; may be empty
+    std::unordered_set<std::string_view> excused = {};  ///< names bound in instances with errors, which may drive them
     std::unordered_set<std::string_view> below = {};    ///< constants that are declared later
     std::unordered_set<std::string_view> valueless = {};  ///< constants with an error
-    bool incomplete = false;                              ///< an element named by the loop contains an error
+    bool incomplete = false;  ///< true if an element to which the loop refers contains an error
 
-    /// Per controller: its steps by name and its internal variables.
+    /// Steps by name, and internal variables, of each controller.
     struct Inside {
         std::unordered_map<std::string_view, std::vector<Id<Chart::Step>>> steps = {};
         std::unordered_map<std::string_view, Id<Chart::Variable>> internals = {};
@@ -52,37 +51,38 @@ struct LoopScope {
     }
 };
 
-/// The names of its locations, quoted.
+/// Returns the names of its locations in quotation marks.
 std::string location_list(const Component& component);
 
 // -- constants.cpp
-/// `resolve_constants` runs before everything that reads constants; `check_constant_names` runs when all other names
-/// are known and reports conflicts with them.
+/// `resolve_constants` is called before all functions that read constants. `check_constant_names` is called when all
+/// other names are known, and reports conflicts with them.
 void resolve_constants(LoopScope& scope, const tree::ClosedLoop& written);
 void check_constant_names(LoopScope& scope);
-/// The value of a constant as a term; empty if there is no such constant.
+/// Returns the value of a constant as a term; empty if there is no such constant.
 std::optional<Term> constant_named(LoopScope& scope, std::string_view name);
-/// Terms that read only constants; `user` is named in errors.
+/// Returns the resolver of terms that read only constants. `user` is named in errors.
 Terms constant_terms(LoopScope& scope, std::string_view user);
 // -- instances.cpp
 void resolve_instances(LoopScope& scope, const tree::ClosedLoop& written);
 // -- observers.cpp
-/// Declares names and locations first, because properties read them; the second function resolves edges and all
+/// Declares names and locations first, because properties read them. The second function resolves edges and all
 /// constraints.
 void declare_observers(LoopScope& scope, const tree::ClosedLoop& written);
 void resolve_observers(LoopScope& scope, const tree::ClosedLoop& written);
 void resolve_constraints(LoopScope& scope, const tree::ClosedLoop& written);
 // -- loop_names.cpp: names in properties and constraints
 Terms property_terms(LoopScope& scope);
-/// The same for terms bound to inputs of an instance: shared variables and constants.
+/// Returns the resolver of terms that are bound to inputs of an instance: shared variables and constants.
 Terms port_terms(LoopScope& scope);
 // -- loop_times.cpp
-/// `t1/v/t2` in a property, read from the controller that has this timer; empty if `node` is not a time condition.
+/// Resolves `t1/v/t2` in a property. The value is read from the controller that has this timer. The result is empty if
+/// `node` is not a time condition.
 std::optional<Term> time_term(LoopScope& scope, const tree::Expr& node);
-/// The leaf for `symbol` in expressions of the loop.
+/// Returns the leaf for `symbol` in expressions of the loop.
 Id<Expr> symbol_leaf(LoopScope& scope, const ClosedLoop::Symbol& symbol);
 // -- loop.cpp
-/// The shared variable of this name; declares it if necessary.
+/// Returns the shared variable with this name, which is declared if necessary.
 Id<ClosedLoop::Shared> shared_named(LoopScope& scope, std::string_view name, const Type& type, Span where);
 
 }  // namespace grafverif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Time conditions in properties. A property does not create timers (one with a duration has an observer instead). It
-// reads the timers of the charts of the loop, which traces show: `3s/X2` of a transition or of a delayed action.
+// Time conditions in properties. A property does not create timers; a property with a duration has an observer instead.
+// It reads the timers of the charts of the loop, which traces show: `3s/X2` of a transition or of a delayed action.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -49,13 +49,13 @@ bool same(const LoopScope& scope, Id<Controller> controller, Id<Expr> theirs, Id
                               [&](Id<Expr> one, Id<Expr> other) { return same(scope, controller, one, other); });
 }
 
-/// A timer with the term that it observes.
+/// A timer together with the term that it observes.
 struct Timer {
     ClosedLoop::TimeSymbol symbol = {};
     Times times = {};
 };
 
-/// The timers of the loop that observe the term, each once per chart.
+/// Returns the timers of the loop that observe the term, each once per chart.
 std::vector<Timer> timers_over(const LoopScope& scope, Id<Expr> watched) {
     std::vector<Timer> found;
     for (const Id<Controller> controller : scope.loop.controllers.ids()) {

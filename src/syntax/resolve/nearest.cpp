@@ -10,12 +10,12 @@ namespace {
 
 constexpr std::size_t longest = 64;
 
-/// Distance of two names (optimal string alignment), or a value of at least `bound` if it is not less. Only cells less
-/// than `bound` from the diagonal are computed.
+/// Returns the distance of two names (optimal string alignment), or a value of at least `bound` if the distance is not
+/// less than `bound`. Only cells at a distance less than `bound` from the diagonal are computed.
 std::size_t distance(std::string_view a, std::string_view b, std::size_t bound) {
     const std::size_t difference = a.size() > b.size() ? a.size() - b.size() : b.size() - a.size();
     if (difference >= bound || a.size() > longest || b.size() > longest) return bound;
-    std::array<std::array<std::size_t, longest + 2>, 3> rows;  // initialized before use
+    std::array<std::array<std::size_t, longest + 2>, 3> rows;  // each row is initialized before its use
     for (std::size_t j = 0; j <= std::min(b.size(), bound); ++j) rows[0][j] = j;
     for (std::size_t i = 1; i <= a.size(); ++i) {
         const auto& above = rows[(i - 1) % 3];
@@ -47,8 +47,8 @@ std::string folded(std::string_view name) {
     return text;
 }
 
-/// Maximal distance of a candidate. Numbers and single letters are similar to too many names, so they may differ only
-/// in case.
+/// Returns the maximum distance of a candidate. Numbers and single letters are similar to too many names; therefore
+/// only a difference in case is tolerated.
 std::size_t tolerance(std::string_view name) {
     if (name.size() < 2 || name.find_first_not_of("0123456789") == std::string_view::npos) return 0;
     return name.size() < 6 ? 1 : 2;
@@ -66,7 +66,8 @@ void Nearest::offer(char prefix, std::string_view candidate) {
 }
 
 void Nearest::offer(std::string_view candidate) {
-    if (distance_ == 1 || candidate == name_) return;  // the names differ only in case: no other candidate is nearer
+    // The names differ only in case, so that no other candidate is nearer.
+    if (distance_ == 1 || candidate == name_) return;
     const std::size_t bound = (distance_ + 1) / 2;
     if (std::max(name_.size(), candidate.size()) - std::min(name_.size(), candidate.size()) >= bound) return;
     const std::size_t edits = distance(folded(name_), folded(candidate), bound);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Nearest: finds the name that was probably misspelt. Distance: number of insertions, deletions, replacements and swaps
-// of neighbours, at most two; most candidates are excluded by their length alone. Case is compared only for equal
-// distances.
+// Nearest: finds the name that was probably misspelt. The distance is the number of insertions, deletions, replacements
+// and swaps of neighbours; it is at most two. Most candidates are excluded by their length alone. Case is considered
+// only if distances are equal.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ public:
     void offer(std::string_view candidate);
     /// Offers a step variable: `X` and the name of a step.
     void offer(char prefix, std::string_view candidate);
-    /// The first of the nearest candidates; empty if none is near enough.
+    /// Returns the first of the nearest candidates; empty if none is near enough.
     const std::string& best() const { return best_; }
 
 private:
@@ -25,7 +25,9 @@ private:
     std::string best_ = {};
     std::string prefixed_ = {};
     std::size_t
-        distance_;  ///< only lower ranks are considered: twice the distance ignoring case, plus 1 if the case differs
+        /// Only lower ranks are considered; the rank is twice the distance without regard to case, plus 1 if the case
+        /// differs.
+        distance_;
 };
 
 }  // namespace grafverif

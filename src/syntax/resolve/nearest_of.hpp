@@ -9,7 +9,7 @@
 
 namespace grafverif {
 
-/// The element of `candidates` that the misspelt `name` probably means; empty if none is near enough.
+/// Returns the element of `candidates` that the misspelt `name` probably denotes; empty if none is near enough.
 template <class Names>
 std::string nearest_of(std::string_view name, const Names& candidates) {
     Nearest nearest(name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Resolves observers, which monitor a closed loop, and constraints, which are assumptions about its inputs.
+// Resolves observers, which monitor a closed loop, and constraints, which are assumptions about the inputs.
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/chart.hpp"
@@ -123,7 +123,8 @@ void take_chart_constraints(LoopScope& scope) {
     }
 }
 
-/// Adds the constraints of components on their outputs, instantiated: variables for outputs, arguments for constants.
+/// Adds the constraints of components on their outputs. They are instantiated with variables for outputs and arguments
+/// for constants.
 void take_component_constraints(LoopScope& scope) {
     for (const Id<ClosedLoop::Instance> id : scope.loop.instances.ids()) {
         const ClosedLoop::Instance& instance = scope.loop.instances[id];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Resolves the parameters and variables of a component. A constant has the declared type, otherwise the type of its
-// default, otherwise it is an integer. A default can name constants that are declared later, so defaults are resolved
-// in order of dependency.
+// default; without both, it is an integer. A default can name constants that are declared later. Therefore defaults are
+// resolved in the order of dependency.
 #include <algorithm>
 #include <deque>
 #include <vector>
@@ -115,7 +115,7 @@ struct Constant {
     std::size_t needs = 0;                ///< number of defaults that must be resolved first
 };
 
-/// Collects the names in a term; its depth is limited, its width is not.
+/// Collects the names in a term, whose depth is limited but whose width is not.
 void names_in(const tree::File& file, Id<tree::Expr> node, std::vector<Id<tree::Word>>& names) {
     const tree::Expr& written = file.exprs[node];
     if (written.op == tree::Op::Name) names.push_back(written.word);
@@ -195,7 +195,7 @@ ValueKind value_kind(ComponentScope& scope, const tree::Variable& written) {
     unreachable();
 }
 
-/// Resolves range and value at power-on of outputs and variables.
+/// Resolves the range and the value at power-on of outputs and variables.
 template <class Declared>
 void resolve_range(ComponentScope& scope, const tree::Variable& written, Declared& declared) {
     Terms range = constant_terms(scope, "a range");
@@ -229,7 +229,7 @@ Component::ParameterKind parameter_kind(tree::VariableKind kind) {
     case tree::VariableKind::Output: return Component::ParameterKind::Output;
     case tree::VariableKind::Constant: return Component::ParameterKind::Constant;
     case tree::VariableKind::Internal:
-    case tree::VariableKind::Own: break;  // not in the grammar of parameters
+    case tree::VariableKind::Own: break;  // does not occur in the grammar of parameters
     }
     unreachable();
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Steps that can become active according to the links alone, with all conditions assumed satisfiable. A step that
-// cannot is an error of the chart.
+// Determines the steps that can become active according to the links alone, if all conditions are satisfiable. A step
+// that cannot become active is an error of the chart.
 //
-// Steps are activated at power-on (initial) or by a transition if all its upstream steps can be active. They are also
-// activated by a source transition, a forcing order, an activation link, or their macro-step.
+// A step is activated at power-on if it is initial, or by a transition if all upstream steps of the transition can be
+// active. It is also activated by a source transition, a forcing order, an activation link, or its macro-step.
 #include <numeric>
 #include <vector>
 
@@ -59,7 +59,7 @@ private:
 
     const Chart* chart_;
     std::vector<bool> active_;
-    std::vector<std::size_t> waits_;  ///< per transition: number of upstream steps that are not yet active
+    std::vector<std::size_t> waits_;  ///< per transition: number of upstream steps that cannot be active so far
     std::vector<std::vector<Id<Chart::Transition>>> downstream_ = {};
     std::vector<std::vector<Id<Chart::Step>>> links_ = {};  ///< steps that an owner activates
     std::vector<Id<Chart::Step>> work_ = {};

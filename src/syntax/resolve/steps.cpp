@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Resolves the steps and partial charts of a chart, and which macro-step or enclosing step owns which partial chart.
+// Resolves the steps and partial charts of a chart, and determines which macro-step or enclosing step owns which
+// partial chart.
 #include <algorithm>
 
 #include "support/messages.hpp"

@@ -37,7 +37,7 @@ Op ir_op(tree::Op op) {
     case tree::Op::Negate: return Op::Negate;
     case tree::Op::And: return Op::And;
     case tree::Op::Or: return Op::Or;
-    case tree::Op::Implies: return Op::Or;  // of the negated premise: Terms::implication
+    case tree::Op::Implies: return Op::Or;  // applied to the negated premise by Terms::implication
     case tree::Op::Equal: return Op::Equal;
     case tree::Op::NotEqual: return Op::NotEqual;
     case tree::Op::Less: return Op::Less;
@@ -174,7 +174,7 @@ Term Terms::mismatch(const tree::Expr& operand, TermKind found, std::string_view
     return {};
 }
 
-/// Checks the type of an operand; reports another type.
+/// True if the operand has the type `kind`; otherwise its type is reported.
 bool Terms::is(const tree::Expr& operand, const Term& term, TermKind kind, std::string_view user) {
     if (term.kind == kind) return true;
     mismatch(operand, term.kind, user, described(kind));
@@ -211,7 +211,7 @@ Term Terms::junction(const tree::Expr& written) {
             TermKind::Boolean};
 }
 
-/// Resolves a location test; allowed only in properties.
+/// Resolves a location test, which is allowed only in properties.
 Term Terms::place(const tree::Expr& written) {
     if (places_allowed) return name(written);
     diagnostics_->add(messages::place_outside_property(written.where));

@@ -22,7 +22,7 @@ struct Term {
     TermKind kind = TermKind::Wrong;
 };
 
-/// `an integer`, `a condition`, ...
+/// Returns a description such as `an integer` or `a condition`.
 std::string_view described(TermKind kind);
 
 class Terms {
@@ -32,15 +32,15 @@ public:
 
     /// Resolves a Name or Member node.
     std::function<Term(const tree::Expr&)> name = {};
-    /// Handles operators of the owner; empty result: the common rules apply.
+    /// Handles operators of the owner; if the result is empty, the common rules apply.
     std::function<std::optional<Term>(const tree::Expr&)> special = {};
     bool edges_allowed = false;
-    bool places_allowed = false;  ///< `Gate in open`; resolved by `name`
+    bool places_allowed = false;  ///< permits `Gate in open`, which `name` resolves
 
     Term resolve(Id<tree::Expr> node);
-    /// Resolves to a term of type `kind`. Invalid after an error; the message names `user`.
+    /// Resolves to a term of type `kind`; invalid after an error, whose message names `user`.
     Id<Expr> resolve(Id<tree::Expr> node, TermKind kind, std::string_view user);
-    /// Value of a term without variables.
+    /// Returns the value of a term without variables.
     std::optional<std::int64_t> constant(Id<tree::Expr> node, TermKind kind, std::string_view user);
 
     const tree::Expr& node(Id<tree::Expr> id) const { return file_->exprs[id]; }
@@ -68,14 +68,14 @@ struct WrittenTime {
                    fall = {};  ///< `watched` is invalid if the division is not a time condition
 };
 WrittenTime written_time(const tree::File& file, const tree::Expr& node);
-/// Value of a duration in milliseconds; 0 if it is omitted. A zero duration is reported.
+/// Returns the value of a duration in milliseconds; 0 if it is omitted. A duration of zero is reported.
 std::int64_t milliseconds(const tree::File& file, Id<tree::Expr> duration, Diagnostics& diagnostics);
 
-/// Elapsed time and activity of a step in IEC 61131-3: `Fill.T`, `Fill.X`.
+/// True for the names of elapsed time and activity of a step in IEC 61131-3: `Fill.T`, `Fill.X`.
 inline bool is_step_member(std::string_view name) { return name == "T" || name == "t" || name == "X" || name == "x"; }
 
 Op ir_op(tree::Op op);
-/// Spelling of operators in messages: `&&`, `rise`, ...
+/// Returns the spelling of an operator in messages: `&&`, `rise`, ...
 std::string_view spelling(tree::Op op);
 
 }  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Resolves the variables of a chart: inputs, outputs, internal variables.
+// Resolves the variables of a chart: inputs, outputs and internal variables.
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/resolve/chart_scope.hpp"
@@ -14,12 +14,12 @@ Chart::VariableKind kind_of(tree::VariableKind kind) {
     case tree::VariableKind::Output: return Chart::VariableKind::Output;
     case tree::VariableKind::Internal: return Chart::VariableKind::Internal;
     case tree::VariableKind::Own:
-    case tree::VariableKind::Constant: break;  // not in the grammar of charts
+    case tree::VariableKind::Constant: break;  // does not occur in the grammar of charts
     }
     unreachable();
 }
 
-/// Terms of constants only: a name is an error.
+/// Returns the resolver of terms of constants only: each name is an error.
 Terms constants(ChartScope& scope) {
     Terms terms(scope.file, scope.chart.exprs, scope.diagnostics);
     terms.name = [&scope](const tree::Expr& node) {
@@ -29,7 +29,7 @@ Terms constants(ChartScope& scope) {
     return terms;
 }
 
-/// The declared type; Boolean after an error.
+/// Returns the declared type; Boolean after an error.
 Type type_of(ChartScope& scope, const tree::Variable& written) {
     Terms terms = constants(scope);
     switch (written.type) {

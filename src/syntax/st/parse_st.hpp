@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// parse_st: Structured Text and textual Sequential Function Charts -> st tree. The grammar is grammars/st.yy, the
-// tokens are defined in grammars/st.ll. The results are added to a file, so that all texts of one XML document share
-// their names.
+// parse_st: converts Structured Text and textual Sequential Function Charts to the st tree. The grammar is
+// grammars/st.yy; grammars/st.ll defines the tokens. The results are added to a file, so that all texts of one XML
+// document share their names.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace grafverif::st {
 
-/// A part of a source. `escaped`: XML text with character references such as `&lt;`.
+/// A part of a source. If `escaped` is true, it is XML text with character references such as `&lt;`.
 struct Piece {
     Span where = {};
     bool escaped = false;
@@ -21,15 +21,15 @@ struct Piece {
 /// A text in pieces, for example the paragraphs of an XML element.
 using Text = std::vector<Piece>;
 
-/// Empty after at least one error.
+/// Parses an expression; empty after at least one error.
 std::optional<Id<Expr>> parse_expression(const Text& text, File& file, const Sources& sources,
                                          Diagnostics& diagnostics);
 std::optional<Block> parse_statements(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
-/// Programs, function blocks, functions and global variables of a text file. False after an error.
+/// Parses the programs, function blocks, functions and global variables of a text file. Returns false after an error.
 bool parse_units(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
-/// The same with types and configurations, for programs that are executed.
+/// Also parses types and configurations, for programs that are executed. Returns false after an error.
 bool parse_programs(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
-/// An expression that may also use the operators `! && || == !=`. Empty after at least one error.
+/// Parses an expression that may also contain the operators `! && || == !=`; empty after at least one error.
 std::optional<Id<Expr>> parse_property(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
 
 }  // namespace grafverif::st

@@ -57,8 +57,8 @@ public:
     Id<Expr> word(Op op, Name word);
     Id<Expr> other(Span where);
     Id<Expr> unary(Op op, Id<Expr> operand, Span where);
-    /// `AND`, `OR` and `XOR` are flattened: a left operand with the same operator is merged, so a conjunction is one
-    /// node.
+    /// Adds a binary operator. `AND`, `OR` and `XOR` are flattened: a left operand with the same operator is merged, so
+    /// that a conjunction is one node.
     Id<Expr> binary(Op op, Id<Expr> left, Id<Expr> right, Span where);
     Id<Expr> bracketed(Id<Expr> expression, Span where);
     Id<Expr> member(Id<Expr> owner, Name name, Span where);

@@ -19,9 +19,9 @@ namespace grafverif::st {
 
 namespace {
 
-// Values of the literals of IEC 61131-3.
+// Values of literals of IEC 61131-3.
 
-constexpr std::int64_t longest = std::int64_t{1} << 40U;  ///< milliseconds
+constexpr std::int64_t longest = std::int64_t{1} << 40U;  ///< maximum duration in milliseconds
 
 struct Unit {
     std::string_view name = {};
@@ -39,7 +39,7 @@ std::string without_underscores(std::string_view digits) {
     return kept;
 }
 
-/// `1_000`; empty if it is too large.
+/// Returns the value of an integer such as `1_000`; empty if it is too large.
 std::optional<std::int64_t> integer_of(std::string_view digits, int base) {
     const std::string kept = without_underscores(digits);
     std::int64_t value = 0;
@@ -48,7 +48,7 @@ std::optional<std::int64_t> integer_of(std::string_view digits, int base) {
     return value;
 }
 
-/// Removes one part, such as `30m`, from the front of `rest`; its value in microseconds.
+/// Removes one part, such as `30m`, from the front of `rest`, and returns its value in microseconds.
 std::optional<std::int64_t> part_of(std::string_view& rest) {
     std::size_t end = 0;
     while (end < rest.size() && is_digit(rest[end])) ++end;
@@ -79,7 +79,8 @@ std::optional<std::int64_t> part_of(std::string_view& rest) {
     return {};
 }
 
-/// `1h30m`, `2.5s`, `-250ms`: an integer number of milliseconds; empty if the text is invalid or the duration too long.
+/// Returns the number of milliseconds of a duration such as `1h30m`, `2.5s`, `-250ms`. The result is empty if the text
+/// is invalid, the duration is too long, or the number is not an integer.
 std::optional<std::int64_t> milliseconds_of(std::string_view duration) {
     const std::string kept = capitals(without_underscores(duration));
     std::string_view rest = kept;
@@ -113,7 +114,7 @@ bool is_operator(Parser::symbol_kind_type symbol) {
            symbol == Symbols::S_DOT || symbol == Symbols::S_OPEN;
 }
 
-/// Describes the tokens that are allowed here, grouped by type.
+/// Describes the tokens that are allowed at a position, grouped by type.
 std::string expectation(std::span<const Parser::symbol_kind_type> expected) {
     const auto has = [&](Parser::symbol_kind_type symbol) {
         return std::ranges::find(expected, symbol) != expected.end();
@@ -151,7 +152,7 @@ Token Lexer::next() {
         return {goal_, here_};
     }
     if (too_deep_ || ended_ || !scanner_) return {Parser::token::END, Span{here_.source, here_.end, here_.end}};
-    auto passing = Symbols::S_YYEMPTY;  // end of a skipped section that charts do not need
+    auto passing = Symbols::S_YYEMPTY;  // keyword that ends a section which charts do not need and which is skipped
     for (;;) {
         Token token = scanner_->next(*this);
         const auto kind = token.kind();
@@ -203,7 +204,7 @@ void Lexer::advance(std::size_t length) {
 
 void Lexer::comment(std::string_view match) { file_->comments.push_back({std::string(match), here_}); }
 
-/// Counts open brackets and statements; true if the nesting exceeds the limit.
+/// Counts open brackets and statements. Returns true if the nesting exceeds the limit.
 bool Lexer::nests_too_deep(Kind kind) {
     switch (kind) {
     case Parser::token::LEFT:
@@ -230,7 +231,7 @@ bool Lexer::nests_too_deep(Kind kind) {
     return true;
 }
 
-/// The rest of the text is skipped.
+/// Ends after an error: the rest of the text is skipped.
 Token Lexer::failed() {
     too_deep_ = true;
     return Parser::make_YYerror(here_);
@@ -284,7 +285,7 @@ Token Lexer::integer(std::string_view digits, int base) {
     return {Parser::token::INTEGER, value.value_or(0), here_};
 }
 
-/// `INT#5`, `BYTE#-1`; with any other type it is an unsupported literal.
+/// Reads `INT#5` or `BYTE#-1`. With any other type, it is an unsupported literal.
 Token Lexer::typed_integer(std::string_view match) {
     const std::size_t hash = match.find('#');
     const std::string type = capitals(match.substr(0, hash));

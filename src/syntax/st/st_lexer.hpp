@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// st::Lexer: tokens of a text in pieces with their source positions for the parser. In an XML piece, character
-// references (`&lt;`, `&#10;`) are replaced first; positions remain those of the source.
+// st::Lexer: returns the tokens of a text in pieces, with their source positions, to the parser. In an XML piece,
+// character references (`&lt;`, `&#10;`) are replaced first; positions remain those of the source.
 #pragma once
 
 #include <cstddef>
@@ -37,20 +37,20 @@ public:
     using Token = Parser::symbol_type;
     using Kind = Parser::token_kind_type;
 
-    /// `goal`: first token, which selects the start symbol of the parser. Keywords of units and charts are names in the
-    /// other start symbols.
+    /// `goal` is the first token, which selects the start symbol of the parser. If the start symbol is not a unit or
+    /// chart, keywords of units and charts are names.
     Lexer(const Text& text, Kind goal, File& file, const Sources& sources, Diagnostics& diagnostics);
 
     Token next();
     void report_unexpected(Span where, std::span<const Parser::symbol_kind_type> expected);
 
-    // Called by the rules of the scanner.
+    // The rules of the scanner call the following functions.
     void advance(std::size_t length);
     void comment(std::string_view match);
     Token sign(Kind kind);
-    /// AND_THEN, OR_ELSE: programs do not evaluate lazily.
+    /// Rejects AND_THEN and OR_ELSE, because programs do not evaluate lazily.
     Token lazy_sign(Kind kind, std::string_view match);
-    /// Operators of C, such as `&&`, which only properties have.
+    /// Accepts operators of C, such as `&&`, only in properties.
     Token c_sign(Kind kind, std::string_view match);
     Token type_word(Kind kind, std::string_view match);
     Token configuration_word(Kind kind, std::string_view match);
@@ -70,15 +70,15 @@ private:
     Token failed();
 
     const Text* text_;
-    std::size_t piece_ = 0;  ///< the next piece to open
+    std::size_t piece_ = 0;  ///< index of the next piece
     std::optional<Scanner> scanner_ = {};
     std::string decoded_ = {};
     std::vector<std::uint32_t> origins_ = {};  ///< source position of each byte of `decoded_`; empty if they are
                                                ///< consecutive
-    std::uint32_t base_ = 0;                   ///< position of the piece, if `origins_` is empty
+    std::uint32_t base_ = 0;                   ///< source position of the piece if `origins_` is empty
     std::uint32_t at_ = 0;                     ///< offset in the piece after the last match
     bool units_ = false;
-    Kind section_ = Parser::token::END;  ///< TYPE or CONFIGURATION: the open one, if the parser reads it
+    Kind section_ = Parser::token::END;  ///< section TYPE or CONFIGURATION that is open, if the parser reads it
     bool started_ = false, ended_ = false;
     Kind goal_;
     File* file_;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// st_tree: abstract syntax of Structured Text and of the textual form of Sequential Function Charts (IEC 61131-3),
-// before name resolution. It is the input of the importers, and the tests read exported text back into it.
+// st_tree: abstract syntax of Structured Text and of textual Sequential Function Charts (IEC 61131-3), before name
+// resolution. The importers use it. Tests parse exported text to it.
 //
-// Names are case-insensitive: two names of one file are equal iff their words are, and a word is displayed as in its
-// first occurrence. Expressions and statements are stored in flat tables, operands linked as siblings.
+// Names are case-insensitive. Two names of one file are equal exactly if their words are. A word is displayed as in its
+// first occurrence. Expressions and statements are stored in flat tables, with operands linked as siblings.
 #pragma once
 
 #include <array>
@@ -32,17 +32,17 @@ enum class Op : std::uint8_t {
     False,
     True,
     Integer,
-    Time,   // Integer, Time (milliseconds): `value`
-    Other,  // literal of any other type: `word`
+    Time,   // literals with an integer `value`: Integer, and Time in milliseconds
+    Other,  // literal of any other type, with its text in `word`
     Name,
     Member,
     Address,  // Member: operand `.` word; Address: `%IX0.0`
     Index,
-    Dereference,  // operand and indices; operand
+    Dereference,  // operands: the indexed operand and its indices; the dereferenced operand
     Call,
     Argument,
-    Result,  // Call: callee, then arguments; `formal := value`, `formal => variable`
-    Range,   // `1..4` in a label of CASE
+    Result,  // Call: callee, then arguments, which may be `formal := value` or `formal => variable`
+    Range,   // range `1..4` in a label of CASE
     Not,
     Negate,
     Power,
@@ -65,7 +65,7 @@ enum class Op : std::uint8_t {
 struct Expr {
     Op op = Op::False;
     std::uint16_t depth = 1;
-    Id<Word> word = {};  ///< for Name, Member, Address, Other, Argument, Result
+    Id<Word> word = {};  ///< word of Name, Member, Address, Other, Argument, Result
     std::int64_t value = 0;
     Id<Expr> first = {}, last = {}, next = {};  ///< first and last operand, next sibling
     Span where = {};
@@ -74,7 +74,7 @@ struct Expr {
 struct Statement;
 using Block = std::vector<Id<Statement>>;
 
-/// `IF`, `ELSIF` or a label of `CASE` with its statements; `ELSE` has no conditions.
+/// `IF`, `ELSIF` or a label of `CASE`, with its statements. `ELSE` has no conditions.
 struct Branch {
     std::vector<Id<Expr>> conditions = {};
     Block body = {};
@@ -85,29 +85,31 @@ enum class StatementKind : std::uint8_t { Assign, Call, If, Case, For, While, Re
 
 struct Statement {
     StatementKind kind = StatementKind::Return;
-    Id<Expr> target = {};               ///< for Assign
-    Id<Expr> value = {};                ///< Assign; Call: the call; Case: the selector; While, Repeat: the condition
-    std::vector<Branch> branches = {};  ///< for If, Case; the body of a loop
+    Id<Expr> target = {};  ///< target of Assign
+    Id<Expr> value = {};   ///< Assign: the value; Call: the call; Case: the selector; While, Repeat: the condition
+    std::vector<Branch> branches = {};  ///< branches of If and Case, or the body of a loop
     Span where = {};
-    std::array<Id<Expr>, 3> range = {};  ///< for For, whose variable is `target`: first, last, step (may be invalid)
+    /// For, whose variable is `target`: first value, last value, step (may be invalid).
+    std::array<Id<Expr>, 3> range = {};
 };
 
 struct Comment {
-    std::string text = {};  ///< with its delimiters
+    std::string text = {};  ///< text including its delimiters
     Span where = {};
 };
 
 enum class Section : std::uint8_t { Input, Output, InOut, Local, External, Global, Temporary };
 
-/// `INT`, `INT (0..10)`, `(RED, GREEN)`; composite: an array, a pointer, a structure, an enumeration.
+/// A type such as `INT`, `INT (0..10)`, `(RED, GREEN)`. It is composite if it is an array, a pointer, a structure or an
+/// enumeration.
 struct Type {
     Name name = {};
     Id<Expr> low = {}, high = {};
     bool composite = false;
-    std::vector<Name> values = {};  ///< of an enumeration; its name is that of the first value
+    std::vector<Name> values = {};  ///< values of an enumeration, whose name is that of its first value
 };
 
-/// A declaration of TYPE.
+/// One declaration in a TYPE section.
 struct TypeDeclaration {
     Name name = {};
     Type type = {};
@@ -122,7 +124,7 @@ struct Task {
     Span where = {};
 };
 
-/// `PROGRAM NAME WITH TASK : TYPE (ARGUMENTS);`
+/// A program instance `PROGRAM NAME WITH TASK : TYPE (ARGUMENTS);`.
 struct Instance {
     Name name = {}, task = {}, type = {};
     std::vector<Id<Expr>> arguments = {};
@@ -135,7 +137,7 @@ struct Variable {
     Name name = {};
     Type type = {};
     Id<Expr> initial = {};
-    std::string address = {};  ///< `%IX0.0`, or empty
+    std::string address = {};  ///< address such as `%IX0.0`; may be empty
     std::string comment = {};  ///< plain text
     Span where = {};
 };
@@ -144,12 +146,12 @@ struct Variable {
 
 /// An action block: `NAME (QUALIFIER, TIME);` in a step.
 struct Association {
-    Name action = {};             ///< an action or a Boolean variable; invalid if `body` contains the statements
-    std::string qualifier = "N";  ///< in capitals
+    Name action = {};  ///< name of an action or a Boolean variable; invalid if `body` contains the statements
+    std::string qualifier = "N";  ///< qualifier in capital letters
     Id<Expr> time = {};
     Block body = {};
     Span where = {};
-    bool unread = false;  ///< has further arguments, or an indicator variable
+    bool unread = false;  ///< true if it has further arguments or an indicator variable, which are not read
 };
 
 struct Step {
@@ -160,7 +162,7 @@ struct Step {
     Span where = {};
 };
 
-/// If several transitions leave one step, they are evaluated in order of `priority`, then of position.
+/// If several transitions leave one step, they are evaluated in the order of `priority`, then of position.
 struct Transition {
     Name name = {};             ///< invalid if omitted
     std::int64_t priority = 0;  ///< 0 if omitted
@@ -173,13 +175,13 @@ struct Transition {
 struct Action {
     Name name = {};
     Block body = {};
-    bool opaque = false;  ///< its body is in another language
+    bool opaque = false;  ///< true if its body is in another language
     Span where = {};
 };
 
 /// The steps and transitions of a chart, or of the expansion of a macro-step.
 struct Network {
-    Name macro_step = {};  ///< valid for the expansion of that step
+    Name macro_step = {};  ///< valid for the expansion of this step
     std::vector<Step> steps = {};
     std::vector<Transition> transitions = {};
     Span where = {};
@@ -191,10 +193,10 @@ struct Unit {
     UnitKind kind = UnitKind::Program;
     Name name = {};
     std::vector<Variable> variables = {};
-    std::vector<Network> networks = {};  ///< the chart, then expansions; empty: not a chart
+    std::vector<Network> networks = {};  ///< the chart, followed by expansions; empty if the unit is not a chart
     std::vector<Action> actions = {};
-    Block body = {};   ///< Structured Text outside a chart
-    Type result = {};  ///< of a function
+    Block body = {};   ///< statements in Structured Text outside of a chart
+    Type result = {};  ///< return type of a function
     std::string comment = {};
     Span where = {};
 };
@@ -202,7 +204,7 @@ struct Unit {
 struct File {
     Id<Source> source = {};
     Table<Word> words = {};
-    std::unordered_map<std::string, Id<Word>> index = {};  ///< words by their upper-case form
+    std::unordered_map<std::string, Id<Word>> index = {};  ///< ids of words, indexed by their upper-case form
     Table<Expr> exprs = {};
     Table<Statement> statements = {};
     std::vector<Variable> globals = {};
@@ -217,11 +219,11 @@ struct File {
     std::string_view text(Name name) const { return words[name.word].text; }
 };
 
-/// Upper-case form, in which names and keywords are compared.
+/// Returns the upper-case form, in which names and keywords are compared.
 std::string capitals(std::string_view text);
 
 void append(Table<Expr>& exprs, Id<Expr> node, Id<Expr> operand);
-/// The operands of `node`, in order.
+/// Returns the operands of `node`, in order.
 std::vector<Id<Expr>> operands(const File& file, Id<Expr> node);
 
 }  // namespace grafverif::st
