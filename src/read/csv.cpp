@@ -15,7 +15,7 @@ std::string_view first_line(std::string_view text) {
     return text.substr(0, std::min(text.find_first_of(line_ends), text.size()));
 }
 
-/// If the first row contains both separators, the comma is used: column names contain neither.
+/// Returns the separator. If the first row contains both separators, it is the comma: column names contain neither.
 char separator_of(std::string_view line) {
     return line.find(',') == std::string_view::npos && line.find(';') != std::string_view::npos ? ';' : ',';
 }
@@ -67,12 +67,12 @@ CsvField CsvRows::field() {
         made.text += text_[at_];
         if (!at(blanks)) end = at_ + 1;
     }
-    made.text.resize(made.text.find_last_not_of(blanks) + 1);  // npos + 1 == 0
+    made.text.resize(made.text.find_last_not_of(blanks) + 1);  // correct if only blanks exist, because npos + 1 is 0
     made.where = {source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
     return made;
 }
 
-/// The text up to the closing quote, or up to the end if there is none.
+/// Returns the text up to the closing quote, or up to the end if there is none.
 std::string CsvRows::quoted() {
     std::string inside;
     for (++at_; !at_end(); ++at_) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// CSV reader (RFC 4180): fields that contain a separator or a quote are quoted, with quotes doubled. The separator is
-// the comma, or the semicolon as written by spreadsheets with a decimal comma; it is determined from the first row.
-// Empty rows, a byte order mark, spaces around fields and Excel's `sep=;` are ignored.
+// CSV reader (RFC 4180): a field that contains a separator or a quote is enclosed in quotes, and quotes in it are
+// doubled. The first row determines the separator: the comma, or the semicolon, which spreadsheets with a decimal comma
+// use. Empty rows, a byte order mark, spaces around fields and Excel's `sep=;` are ignored.
 #pragma once
 
 #include <string>
@@ -22,11 +22,11 @@ using CsvRow = std::vector<CsvField>;
 /// Reads the rows of a table sequentially.
 class CsvRows {
 public:
-    /// If the file is not UTF-8 text, reports an error and has no rows. Rows that begin with `comment` are ignored;
-    /// '\0' disables this.
+    /// If the file is not UTF-8 text, an error is reported and there are no rows. Rows that begin with `comment` are
+    /// ignored, unless `comment` is '\0'.
     CsvRows(Id<Source> source, const Sources& sources, char comment, Diagnostics& diagnostics);
 
-    /// False at the end of the table.
+    /// Reads the next row; returns false at the end of the table.
     bool next(CsvRow& row);
 
     Span here() const { return {source_, static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_)}; }

@@ -14,9 +14,10 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t deepest_expression = 1000;
-constexpr std::size_t longest_name = 900;  // of the limit of 1000 bytes, leaving space for a prefix and a number
+// Lower than the limit of 1000 bytes, to leave space for a prefix and a number.
+constexpr std::size_t longest_name = 900;
 
-/// Reserved words, not allowed as names: see grammars/grafcet.yy.
+/// Reserved words, which are not allowed as names (see grammars/grafcet.yy).
 constexpr std::array reserved = {"grafcet",  "component", "closed_loop", "include", "input", "output",
                                  "internal", "step",      "transition",  "when",    "do",    "force",
                                  "and",      "or",        "not",         "true",    "false", "always",
@@ -100,7 +101,7 @@ Id<tree::Expr> Draft::copy(Id<tree::Expr> term) {
     tree::Expr node = file_.exprs[term];
     node.first = node.last = node.next = {};
     const Id<tree::Expr> id = file_.exprs.add(node);
-    for (const Id<tree::Expr> one : inner) {  // depth is limited by deepest_expression
+    for (const Id<tree::Expr> one : inner) {  // deepest_expression limits the depth
         const Id<tree::Expr> twin = copy(one);
         tree::append(file_.exprs, id, twin);
     }

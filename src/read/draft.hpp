@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Draft: builder for the tree of a chart imported from another format. All elements keep their positions in the
-// imported file, so that later stages report errors there. Names are made legal once. Comments are attached to
+// imported file, so that later stages report errors in it. Names are made legal once. Comments are attached to
 // positions of that file; their lines are determined when the tree is laid out as text.
 #pragma once
 
@@ -29,26 +29,26 @@ public:
     Id<tree::Expr> duration(std::int64_t milliseconds, Span where);
     Id<tree::Expr> variable(std::string_view name, Span where);
     Id<tree::Expr> member(std::string_view owner, std::string_view name, Span where);
-    /// Creates a node. Invalid after an error: the term exceeds the maximal depth. `And` and `Or` have any number of
+    /// Creates a node; invalid after an error: the term exceeds the maximum depth. `And` and `Or` have any number of
     /// operands; nested operands with the same operator are flattened.
     Id<tree::Expr> node(tree::Op op, const std::vector<Id<tree::Expr>>& operands, Span where);
-    /// A copy of a term: operands belong to exactly one node.
+    /// Returns a copy of a term. It is needed because an operand belongs to exactly one node.
     Id<tree::Expr> copy(Id<tree::Expr> term);
     const tree::Expr& operator[](Id<tree::Expr> id) const { return file_.exprs[id]; }
     std::vector<Id<tree::Expr>> operands(Id<tree::Expr> id) const;
 
-    /// Adds a comment line (`// ...`) before the element at the given position; if the flag is set, at the end of its
-    /// line.
+    /// Adds a comment line (`// ...`) before the element at the given position, or at the end of its line if `behind`
+    /// is true.
     void comment(Span where, std::string line, bool behind = false);
 
-    /// Reports a construct that cannot be imported: an error, or with `lossy` a warning and a comment in the text.
-    /// `hint`: the remedy.
+    /// Reports a construct that cannot be imported. It is an error, or with `lossy` a warning and a comment in the
+    /// text. `hint` is the remedy.
     void refuse(Span where, std::string_view what, std::string_view hint);
     bool lossy() const { return lossy_; }
     Diagnostics& diagnostics() { return *diagnostics_; }
 
     const tree::File& file() const { return file_; }
-    /// Inputs first, then outputs, then internal variables; Booleans without a comment share one line.
+    /// Sorts the variables: inputs, outputs, internal variables. Booleans without a comment share one line.
     void group_variables(tree::Chart& chart) const;
     void declare(tree::Chart chart) { file_.declarations.emplace_back(std::move(chart)); }
     tree::File take();
@@ -63,16 +63,16 @@ private:
     std::size_t errors_ = 0;  ///< number of errors before this draft
 };
 
-/// Unique legal names of one scope. A name that has to be changed causes a warning.
+/// Unique legal names of one scope. A warning is added for each name that must be changed.
 class LegalNames {
 public:
     enum class Kind { Variable, Label, Chart };
 
     LegalNames(Kind kind, Draft& draft) : kind_(kind), draft_(&draft) {}
 
-    /// A legal unused name, as similar to `wish` as possible.
+    /// Returns a legal unused name that is as similar to `wish` as possible.
     std::string make(std::string_view wish, Span where);
-    /// The same for a generated name, without a warning.
+    /// Returns a generated name of this type, without a warning.
     std::string invent(std::string_view wish);
     /// Reserves a legal name.
     void reserve(std::string_view name) { taken_.take(std::string(name)); }

@@ -19,14 +19,14 @@
 namespace grafverif {
 
 struct ExclusionRow {
-    Id<Chart::Variable> first = {}, second = {};  ///< different Boolean inputs of the chart
+    Id<Chart::Variable> first = {}, second = {};  ///< two different Boolean inputs of the chart
     std::string reason = {};
     Span origin = {};
 
     bool operator==(const ExclusionRow&) const = default;
 };
 
-/// The rows of `file`; empty after at least one error.
+/// Returns the rows of `file`; empty after at least one error.
 std::optional<std::vector<ExclusionRow>> read_exclusions(Id<Source> file, const Sources& sources, const Chart& chart,
                                                          Diagnostics& diagnostics);
 

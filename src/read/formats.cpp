@@ -24,14 +24,14 @@ namespace grafverif {
 
 namespace {
 
-// The textual form of Sequential Function Charts (IEC 61131-3, 2.6): text -> tree.
+// Reads the textual form of Sequential Function Charts (IEC 61131-3, 2.6) to a tree.
 
 std::string_view without_marks(std::string_view comment) {
     if (comment.starts_with("//")) return comment.substr(2);
     return comment.substr(2, comment.size() - 4);
 }
 
-/// A comment is attached to the element that follows it, or to the one that precedes it on its line.
+/// Attaches each comment to the element that follows it, or to the element that precedes it on its line.
 void keep_comments(const st::File& file, std::string_view text, Draft& draft) {
     std::vector<Span> places;
     for (const st::Unit& unit : file.units) {
@@ -55,7 +55,7 @@ void keep_comments(const st::File& file, std::string_view text, Draft& draft) {
     }
 }
 
-/// The charts of `source`. The file is `broken` after an error.
+/// Reads the charts of `source`. The file is `broken` after an error.
 tree::File read_sfc_text(Id<Source> source, const Sources& sources, bool lossy, Diagnostics& diagnostics) {
     Draft draft(source, lossy, diagnostics);
     const Span whole = without_mark({source, 0, static_cast<std::uint32_t>(sources[source].text.size())}, sources);
@@ -68,13 +68,13 @@ tree::File read_sfc_text(Id<Source> source, const Sources& sources, bool lossy, 
     return draft.take();
 }
 
-/// First words of files in IEC 61131-3 that cannot begin a .grafcet file.
+/// First words of files in IEC 61131-3 with which a .grafcet file cannot begin.
 constexpr std::array first_text = {"PROGRAM", "FUNCTION_BLOCK", "FUNCTION",   "VAR_GLOBAL",  "TYPE", "CONFIGURATION",
                                    "VAR",     "VAR_INPUT",      "VAR_OUTPUT", "INITIAL_STEP"};
 
 constexpr std::array our_first_words = {"grafcet", "component", "closed_loop", "include"};
 
-/// Removes leading white space, comments of both languages and pragmas.
+/// Returns the text without leading white space, comments of both languages and pragmas.
 std::string_view without_comments(std::string_view text) {
     for (;;) {
         text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n\f\v"), text.size()));
@@ -89,7 +89,7 @@ std::string_view without_comments(std::string_view text) {
     }
 }
 
-/// `station` for `charts/station.xml`.
+/// Returns `station` for `charts/station.xml`.
 std::string stem_of(std::string_view path) {
     path.remove_prefix(std::min(path.find_last_of('/') + 1, path.size()));
     return std::string(path.substr(0, path.find('.')));

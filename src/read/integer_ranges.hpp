@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Ranges of integers that an imported file does not specify. For a variable that is only compared with constants and
-// assigned constants, these values suffice, and for an input also one value below and one above: the chart cannot
-// distinguish others. Any other variable has the complete range of its type.
+// Determines the ranges of integers for which an imported file specifies none. For a variable that is only compared
+// with constants and assigned constants, these values are sufficient. For an input, one value below and one above them
+// are added, because the chart cannot distinguish further values. Any other variable has the complete range of its
+// type.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +17,15 @@ struct OpenInteger {
     Id<tree::Word> variable = {};
     bool input = false;
     std::int64_t initial = 0;
-    std::int64_t least = 0, greatest = 0;  ///< range of its type
+    std::int64_t least = 0, greatest = 0;  ///< range of the variable's type
 };
 
 struct FoundRange {
     std::int64_t low = 0, high = 0;
-    bool exact = false;  ///< other values are indistinguishable
+    bool exact = false;  ///< true if the chart cannot distinguish other values
 };
 
-/// The range of each of `integers`, in order.
+/// Returns the range of each of `integers`, in order.
 std::vector<FoundRange> ranges_of(const tree::File& file, const tree::Chart& chart,
                                   const std::vector<OpenInteger>& integers);
 

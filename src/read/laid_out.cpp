@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Assigns positions to an imported tree in the order of the input language: elements that are printed first have
-// smaller positions. Comments are attached to the position, in the imported file, of the element that they describe;
-// those of elements that no longer exist are placed at the head.
+// smaller positions. Comments are attached to the element that they describe by its position in the imported file. If
+// the element no longer exists, its comments are placed at the head.
 #include <map>
 #include <utility>
 
@@ -15,7 +15,8 @@ namespace {
 class Layout {
 public:
     explicit Layout(tree::File& file) : file_(file) {
-        position_ += static_cast<std::uint32_t>(file.comments.size());  // space for the comments of the head
+        // Reserves positions for the comments of the head.
+        position_ += static_cast<std::uint32_t>(file.comments.size());
         for (tree::Comment& comment : file.comments) hung_[comment.where.begin].push_back(std::move(comment));
         file.comments.clear();
         file.gaps.clear();
@@ -42,7 +43,7 @@ public:
 private:
     Span next() { return {{}, std::exchange(position_, position_ + 2), position_ - 1}; }
 
-    /// Assigns a position to the next element, and to its comments around it.
+    /// Assigns a position to the next element, and to the comments before and after it.
     void begin(Span& where, bool gap) {
         std::vector<tree::Comment> behind;
         const auto hung = hung_.extract(where.begin);
@@ -83,7 +84,7 @@ private:
                            },
                            [&](tree::Partial& partial) {
                                begin(partial.where, gap);
-                               items(partial.items);  // partial charts cannot be nested
+                               items(partial.items);  // not recursive, because partial charts cannot be nested
                                end(partial.where);
                            },
                        },

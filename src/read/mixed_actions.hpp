@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Splits outputs that have both continuous and stored actions, which IEC 60848 forbids and other formats allow. The
-// stored actions act on a new variable, and the output is true if a continuous action or this variable is true. In
-// Sequential Function Charts this is the meaning of N together with S; for other formats it is an interpretation,
-// reported by a warning.
+// Splits outputs that have both continuous and stored actions. IEC 60848 forbids such outputs, but other formats allow
+// them. The stored actions act on a new variable, and the output is true if a continuous action or this variable is
+// true. In Sequential Function Charts this is the meaning of N together with S; for other formats it is an
+// interpretation, which a warning reports.
 #pragma once
 
 #include "read/draft.hpp"

@@ -161,7 +161,7 @@ private:
     std::unordered_map<std::string, Id<TestSequence::Situation>> situations_ = {};
 };
 
-/// The inputs and outputs of `chart` in order of declaration, without steps.
+/// Returns a test with the inputs and outputs of `chart` in order of declaration, and without steps.
 TestSequence test_without_steps(const Chart& chart, ExecutionMode mode) {
     TestSequence test;
     test.chart = chart.name;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// read/test_csv: a table of inputs and expected outputs (CSV, RFC 4180) -> TestSequence of one chart.
+// read/test_csv: reads a table of inputs and expected outputs (CSV, RFC 4180) to a TestSequence of one chart.
 //
 // The first row contains the column names: every input and every output of the chart, and optionally `sequence`
-// (default: one), `step`, `wait`, `cycles` (default: 1) and `situation`, as written by syntax/print/test_csv. A name of
-// a variable of the chart denotes this variable, unless the row begins like one written by syntax/print/test_csv. A new
+// (default: one), `step`, `wait`, `cycles` (default: 1) and `situation`, as printed by syntax/print/test_csv. A name of
+// a variable of the chart denotes this variable, unless the row begins like one printed by syntax/print/test_csv. A new
 // value of `sequence` begins a sequence at power-on; `step` 0 is its activation.
 #pragma once
 
@@ -16,7 +16,8 @@
 
 namespace grafverif {
 
-/// Empty after at least one error. Guarantees verify(test).empty(). The coverage of the result is unknown.
+/// Reads the test; empty after at least one error. Guarantees verify(test).empty(). The coverage of the result is
+/// unknown.
 std::optional<TestSequence> read_test_csv(Id<Source> file, const Sources& sources, const Chart& chart,
                                           ExecutionMode mode, Diagnostics& diagnostics);
 

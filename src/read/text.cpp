@@ -22,13 +22,13 @@ namespace grafverif {
 
 namespace {
 
-// Parses the input file and all files that it includes, included ones first.
+// Parses the input file and all files that it includes. Included files come first.
 
 std::string identity(const std::string& path, const ReadContext& context) {
     return context.identity ? context.identity(path) : path;
 }
 
-/// `folder`/`written`, normalized if this leads to the same file: `link/../a` need not be `a`.
+/// Returns `folder`/`written`, normalized if this denotes the same file: `link/../a` need not be `a`.
 std::string joined(const std::filesystem::path& folder, const std::string& written, const ReadContext& context) {
     const std::filesystem::path path = folder / written;
     const std::string shorter = path.lexically_normal().generic_string();
@@ -39,15 +39,16 @@ std::string joined(const std::filesystem::path& folder, const std::string& writt
 
 enum class State { Open, Done };
 
-/// A file whose includes are being processed. The stack of open files is explicit, so nesting is not limited by the
-/// native stack.
+/// A file whose includes are being processed. The stack of open files is explicit, so that the native stack does not
+/// limit nesting.
 struct Open {
     tree::File file = {};
     std::string identity = {};
     std::size_t next = 0;  ///< next declaration to process
 };
 
-/// Parses each file once; cycles and unreadable files (then sets `missing`) are reported at the include line.
+/// Parses each file once. Cycles and unreadable files are reported at the include line; for the latter, `missing` is
+/// set.
 std::vector<tree::File> parse_with_includes(Id<Source> file, Sources& sources, const ReadContext& context,
                                             bool& missing, Diagnostics& diagnostics) {
     std::vector<tree::File> files;
@@ -116,7 +117,7 @@ void read_chart(ReadState& reading, const tree::File& file, const tree::Chart& w
     else reading.charts_in_error.insert(name);
 }
 
-/// The component of this name in the library; null if there is none.
+/// Returns the component of this name in the library; null if there is none.
 const LibraryEntry* library_entry(const ReadState& reading, std::string_view name) {
     const auto entry = std::ranges::find(reading.context.library, name, &LibraryEntry::name);
     return entry == reading.context.library.end() ? nullptr : &*entry;
@@ -132,7 +133,7 @@ void read_component(ReadState& reading, const tree::File& file, const tree::Comp
     else reading.components_in_error.insert(name);
 }
 
-/// Charts and components first, because loops refer to them independently of the order of declaration.
+/// Reads charts and components first, because loops refer to them independently of the order of declaration.
 void read_parts(ReadState& reading, const tree::File& file) {
     for (const tree::Declaration& declaration : file.declarations) {
         std::visit(overloaded{
@@ -145,7 +146,7 @@ void read_parts(ReadState& reading, const tree::File& file) {
     }
 }
 
-/// Takes a component from the library, if the input does not define it and the library does.
+/// Adds a component from the library if the library defines it and the input does not.
 void take_from_library(ReadState& reading, const std::string& name) {
     const LibraryEntry* const entry = library_entry(reading, name);
     if (entry == nullptr || reading.components.contains(name)) return;
@@ -171,7 +172,7 @@ void take_components(ReadState& reading, const tree::File& file) {
     }
 }
 
-/// Checks that every constant set by the user is one of some loop.
+/// Checks that every constant set by the user is a constant of some loop.
 void check_settings(ReadState& reading) {
     std::vector<std::string> known;
     for (const ClosedLoop& loop : reading.model.loops)
@@ -231,7 +232,7 @@ std::optional<Model> model_of(std::span<const tree::File> files, bool files_miss
     ReadState reading{sources, context, diagnostics};
     for (const tree::File& parsed : files) read_parts(reading, parsed);
     for (const tree::File& parsed : files) take_components(reading, parsed);
-    // Declarations omitted because of an error may define the missing names.
+    // If declarations were omitted because of an error, they may define the missing names.
     const bool hidden = std::ranges::any_of(files, &tree::File::lost) || files_missing;
     const LoopContext loops = loop_context(reading);
     if (!hidden)

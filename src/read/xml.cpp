@@ -22,7 +22,7 @@ namespace grafverif {
 
 namespace {
 
-/// The value of `encoding` in the XML declaration as a view of the text; empty if there is none.
+/// Returns the value of `encoding` in the XML declaration as a view of the text; empty if there is none.
 std::string_view declared_encoding(std::string_view text) {
     const std::string_view head =
         text.substr(0, text.starts_with("<?xml") ? std::min(text.find("?>"), text.size()) : 0);
@@ -35,11 +35,11 @@ std::string_view declared_encoding(std::string_view text) {
 }
 
 /// Converts the text of `source` to UTF-8 if its byte order mark or XML declaration specifies UTF-16 or Latin-1 (or
-/// Windows-1252). False after an error: another encoding.
+/// Windows-1252). Returns false after an error: the encoding is not supported.
 bool decode_xml(Id<Source> source, Sources& sources, Diagnostics& diagnostics) {
     std::string& text = sources[source].text;
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-        if (text.size() % 2 == 0) text = utf8_of_utf16(text);  // otherwise is_readable reports it
+        if (text.size() % 2 == 0) text = utf8_of_utf16(text);  // an odd size is reported by is_readable
         return true;
     }
     const std::size_t mark = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
@@ -76,7 +76,7 @@ std::string_view described(pugi::xml_parse_status status) {
     }
 }
 
-/// True if an attribute occurs twice on one element, which XML forbids.
+/// True if an attribute occurs twice in one element, which XML forbids.
 bool has_twins(pugi::xml_node node) {
     std::unordered_set<std::string_view> seen;
     for (const pugi::xml_attribute& one : node.attributes())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Xml: a parsed document with source positions. Text is not replaced or normalized during parsing, so that texts parsed
-// later have positions of the file.
+// Xml: a parsed document with source positions. Parsing does not replace or normalize text, so that texts parsed later
+// have positions in the file.
 //
 // Elements and attributes are identified by their local names, because prefixes differ between tools.
 #pragma once
@@ -19,24 +19,25 @@ namespace grafverif {
 
 class Xml {
 public:
-    /// Empty after an error: not text, not well-formed, declared entities, or nested deeper than 1,000 levels. A
-    /// document in Latin-1 or UTF-16 is converted to UTF-8 in `sources`; positions refer to the converted text.
+    /// Reads a document; empty after an error: it is not text, is not well-formed, declares entities, or is nested
+    /// deeper than 1,000 levels. A document in Latin-1 or UTF-16 is converted to UTF-8 in `sources`; positions refer to
+    /// the converted text.
     static std::optional<Xml> read(Id<Source> source, Sources& sources, Diagnostics& diagnostics);
 
     pugi::xml_node root() const { return root_; }
     Id<Source> source() const { return source_; }
 
-    /// Span of the name in the start tag of an element; for other nodes, of their text.
+    /// Returns the span of the name in the start tag of an element; for other nodes, of their text.
     Span where(pugi::xml_node node) const;
-    /// Span of the attribute's value, or where(node) if it is missing.
+    /// Returns the span of the attribute's value, or where(node) if it is missing.
     Span where(pugi::xml_node node, std::string_view attribute) const;
-    /// The texts in an element, in order.
+    /// Returns the texts in an element, in order.
     st::Text text(pugi::xml_node node) const;
-    /// The value of an attribute as a text.
+    /// Returns the value of an attribute as a text.
     st::Text text(pugi::xml_node node, std::string_view attribute) const;
-    /// Value of an xsd:boolean; false if it is missing or after an error.
+    /// Returns the value of an xsd:boolean; false if it is missing or after an error.
     bool flag(pugi::xml_node node, std::string_view attribute, Diagnostics& diagnostics) const;
-    /// The characters denoted by text().
+    /// Returns the characters that text() denotes.
     std::string content(pugi::xml_node node) const;
 
 private:
@@ -45,22 +46,22 @@ private:
     }
 
     Id<Source> source_ = {};
-    std::uint32_t begin_ = 0;  ///< start of the buffer in the source
+    std::uint32_t begin_ = 0;  ///< offset of the buffer in the source
     std::vector<char> buffer_ = {};
     pugi::xml_document document_ = {};
     pugi::xml_node root_ = {};
 };
 
-/// `Grafcet` for `grafcet:Grafcet`.
+/// Returns `Grafcet` for `grafcet:Grafcet`.
 std::string_view local_name(const char* name);
 bool is(pugi::xml_node node, std::string_view name);
-/// The first child element with this name.
+/// Returns the first child element with this name.
 pugi::xml_node child(pugi::xml_node node, std::string_view name);
 std::vector<pugi::xml_node> children(pugi::xml_node node, std::string_view name);
 pugi::xml_attribute attribute(pugi::xml_node node, std::string_view name);
-/// Empty if it is missing.
+/// Returns the value of an attribute; empty if it is missing.
 std::string value(pugi::xml_node node, std::string_view attribute);
-/// The text of an XML comment as comment lines `// ...`.
+/// Returns the text of an XML comment as comment lines `// ...`.
 std::vector<std::string> comment_lines(std::string_view text);
 
 }  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Macro-steps, enclosing steps and forcing orders according to the rules of the standard, on sets of steps: activity is
+// Applies the rules of the standard for macro-steps, enclosing steps and forcing orders to sets of steps. Activity is
 // computed level by level up to a fixed point.
 #pragma once
 
@@ -9,34 +9,34 @@
 
 namespace grafverif {
 
-/// The structure of a chart as far as the rules need it.
+/// The part of the structure of a chart that the rules require.
 class Levels {
 public:
     explicit Levels(const Chart& chart);
 
-    /// The step that is activated instead of `step`: for a macro-step, the entry step of its expansion.
+    /// Returns the step that is activated in place of `step`: for a macro-step, the entry step of its expansion.
     Id<Chart::Step> entry(Id<Chart::Step> step) const;
-    /// The step that must be active when `step` is left: for a macro-step, the exit step of its expansion.
+    /// Returns the step that must be active for `step` to be left: for a macro-step, the exit step of its expansion.
     Id<Chart::Step> exit(Id<Chart::Step> step) const;
 
-    /// True if the rules allow clearing `transition` once its steps are active. No order forces its chart, and for a
-    /// source transition of an expansion or enclosed chart the owner is active.
+    /// True if the rules allow clearing `transition` when its upstream steps are active: no forcing order is active for
+    /// its chart. For a source transition of an expansion or an enclosed chart, the owner must also be active.
     bool is_free(const Chart::Transition& transition, const std::vector<bool>& situation) const;
 
-    /// The situation after an evolution from `old`; `cleared`: the result of rules 3 and 5.
+    /// Returns the situation after an evolution from `old`. `cleared` is the result of rules 3 and 5.
     std::vector<bool> after(const std::vector<bool>& old, const std::vector<bool>& cleared) const;
 
-    /// The situation after the user activates or deactivates `step`; for a macro-step, its expansion. The rules take
-    /// precedence: the result may have another activity of `step`.
+    /// Returns the situation after the user activates or deactivates `step`; for a macro-step, its expansion. The rules
+    /// take precedence, so that `step` may have another activity in the result.
     std::vector<bool> by_hand(const std::vector<bool>& old, Id<Chart::Step> step, bool active) const;
 
-    /// A step whose order forces the partial chart in `situation`; invalid if there is none.
+    /// Returns a step whose forcing order applies to the partial chart in `situation`; invalid if there is none.
     Id<Chart::Step> holder(Id<Chart::PartialChart> partial, const std::vector<bool>& situation) const;
 
-    /// The situation at power-on.
+    /// Returns the situation at power-on.
     std::vector<bool> initial() const;
 
-    /// One of two contradictory orders that are active in `situation`; invalid if there are none.
+    /// Returns one of two contradictory forcing orders that are active in `situation`; invalid if there are none.
     Id<Chart::ForcingOrder> conflict(const std::vector<bool>& situation) const;
 
 private:
@@ -52,7 +52,8 @@ private:
 
     const Chart& chart_;
     bool has_hierarchy_ = false;
-    std::vector<Id<Chart::Step>> entries_ = {}, exits_ = {};  ///< per macro-step: steps of its expansion
+    /// Per macro-step: entry step and exit step of its expansion.
+    std::vector<Id<Chart::Step>> entries_ = {}, exits_ = {};
 };
 
 }  // namespace grafverif

@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// Rules 2 and 4: determines the transitions to clear, all from the old situation.
+/// Rules 2 and 4: determines the transitions to clear. All are determined from the old situation.
 void clear_transitions(const Chart& chart, const Levels& levels, const State& old, Reader& reader,
                        Evolution& evolution) {
     for (const Id<Chart::Transition> id : chart.transitions.ids()) {
@@ -28,14 +28,14 @@ void clear_transitions(const Chart& chart, const Levels& levels, const State& ol
     }
 }
 
-/// Steps that have become active have age 0; inactive steps have no age.
+/// Updates the ages: steps that have become active have age 0, and inactive steps have no age.
 void age(const std::vector<bool>& before, State& state) {
     for (std::size_t step = 0; step < before.size(); ++step)
         if (before[step] != state.situation[step]) state.ages[step] = state.situation[step] ? 0 : -1;
 }
 
-/// Rules 3 and 5: deactivates, then activates, so that activation has priority; a step that was already active keeps
-/// its age. Hierarchy is applied last.
+/// Rules 3 and 5: first deactivates, then activates, so that activation has priority. A step that was already active
+/// keeps its age. The hierarchy is applied last.
 void change_situation(const Chart& chart, const Levels& levels, const State& old, Evolution& evolution) {
     State& state = evolution.state;
     for (const Id<Chart::Transition> id : evolution.fired)
@@ -61,7 +61,7 @@ std::optional<bool> is_triggered(const Chart::StoredAction& action, const State&
     return event ? std::optional(*event != 0) : std::nullopt;
 }
 
-/// Executes the triggered stored actions. All values are evaluated before any is stored.
+/// Executes the triggered stored actions. All values are evaluated before any value is stored.
 void store(const Chart& chart, const State& old, Reader& reader, Evolution& evolution) {
     std::vector<std::pair<Id<Chart::StoredAction>, std::int64_t>> writes;
     for (const Id<Chart::StoredAction> id : chart.stored.ids()) {
@@ -91,7 +91,7 @@ void store(const Chart& chart, const State& old, Reader& reader, Evolution& evol
     }
 }
 
-/// Stores the values that edges of the next evolution compare with: those before this one.
+/// Stores the values with which edges of the next evolution are compared: the values before this evolution.
 void remember(const Chart& chart, const Memory& memory, Reader& reader, Evolution& evolution) {
     evolution.state.previous.resize(memory.edges.size());
     for (std::size_t place = 0; place < memory.edges.size(); ++place) {
@@ -101,8 +101,8 @@ void remember(const Chart& chart, const Memory& memory, Reader& reader, Evolutio
     }
 }
 
-/// Starts and stops the timing of changed terms; terms are evaluated after the evolution.
-/// If a term changes at the instant when its t1 elapses, `ended` determines the order of the two events.
+/// Starts and stops the timing of changed terms; terms are evaluated after the evolution. If a term changes at the
+/// instant at which its t1 elapses, `ended` determines the order of the two events.
 void watch(const Chart& chart, const Memory& memory, const std::vector<bool>& ended, Reader& reader,
            Evolution& evolution) {
     const std::vector<TimedElement> elements = timed_elements(chart);
@@ -217,7 +217,7 @@ std::optional<std::vector<std::int64_t>> output_values(const Chart& chart, const
 
 namespace {
 
-/// The situations on the cycle of `length` evolutions that contains `state`.
+/// Returns the situations on the cycle of `length` evolutions that contains `state`.
 std::vector<std::vector<bool>> loop(const Chart& chart, State state, InputValues inputs, std::size_t length) {
     std::vector<std::vector<bool>> situations;
     for (std::size_t k = 0; k < length; ++k) {

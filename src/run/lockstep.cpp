@@ -17,7 +17,7 @@ std::vector<Comparison::Variable> plugs(const Chart& chart, Chart::VariableKind 
 
 namespace {
 
-/// Per input or output of `chart`: the index of the one with the same name in `first`.
+/// Returns, for each input or output of `chart`, the index of the variable with the same name in `first`.
 std::vector<std::size_t> places(const Chart& chart, const Chart& first, Chart::VariableKind kind) {
     const std::vector<Comparison::Variable> known = plugs(first, kind);
     std::vector<std::size_t> found;
@@ -67,7 +67,7 @@ std::optional<std::size_t> Lockstep::difference(const std::vector<Comparison::Sc
     return {};
 }
 
-/// True if the constraints of both charts allow the inputs.
+/// True if the constraints of both charts are satisfied by the inputs.
 bool Lockstep::possible(const Comparison::Scan& scan) const {
     for (const std::size_t k : {0U, 1U}) {
         std::vector<std::int64_t> values(charts_[k]->variables.size());

@@ -11,7 +11,8 @@ namespace grafverif {
 
 namespace {
 
-/// The variable bound to a Boolean parameter of the process's template; invalid if there is no parameter of that name.
+/// Returns the variable bound to a Boolean parameter of the process's template; invalid if there is no parameter with
+/// that name.
 Id<Network::Variable> argument(const Network& network, Id<Network::Process> id, std::string_view name) {
     const Network::Process& process = network.processes[id];
     const auto& parameters = network.templates[process.automaton].parameters;
@@ -62,7 +63,7 @@ void put_situation(const Network& network, NetworkState& state, Id<Network::Cont
     for (std::size_t k = 0; k < controller.timers.size(); ++k) {
         const std::optional<std::size_t> step = controller.words.timers[k].step;
         if (!step || before[*step] == situation[*step]) continue;
-        // The request parameter of a timer in compose/timers.cpp.
+        // `P` is the request parameter of a timer in compose/timers.cpp.
         if (const auto request = argument(network, controller.timers[k].process, "P"); request.valid())
             state.variables[request.index] = 1;
     }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// by_hand: the user activates or deactivates a step to explore the consequences ("what if"). The result is no longer a
-// run of the chart or of the model. The new situation is consistent with the rules of hierarchy:
+// by_hand: the user activates or deactivates a step to explore the consequences ("what if"). After that, the result is
+// not a run of the chart or of the model. The new situation is consistent with the rules of hierarchy:
 //
 //   ordinary step    only this step; a step of an expansion activates its macro-steps
 //   macro-step       its entry step is activated; all of its expansion is deactivated
 //   enclosing step   its activation links are activated; all enclosed steps are deactivated
 //   forcing step     its orders take effect
 //
-// Rejected are changes that the rules would revert: a step in a chart forced by an active order, a step whose enclosing
-// step is inactive, and contradictory orders. Stored actions are not executed; continuous ones follow the situation.
+// A change is rejected if the rules would revert it: if an active forcing order forces the step's chart, if its
+// enclosing step is inactive, or if forcing orders are contradictory. Stored actions are not executed; continuous
+// actions follow the situation.
 #pragma once
 
 #include <string>
@@ -20,17 +21,17 @@
 namespace grafverif {
 
 struct ManualSituation {
-    std::vector<bool> situation = {};  ///< per step of the chart
-    std::string refusal = {};          ///< reason for rejection; empty if accepted
+    std::vector<bool> situation = {};  ///< per step of the chart: true if it is active
+    std::string refusal = {};          ///< reason for rejection; empty if the change is accepted
 };
 
-/// Requires a situation that is consistent with the rules.
+/// Activates or deactivates a step. Requires a situation that is consistent with the rules.
 ManualSituation by_hand(const Chart& chart, const std::vector<bool>& situation, Id<Chart::Step> step, bool active);
 
-/// Per step of the chart of `controller`.
+/// Returns the situation of the chart of `controller`, per step.
 std::vector<bool> situation_of(const Network& network, const NetworkState& state, Id<Network::Controller> controller);
-/// The controller waits for its next cycle, has `situation` from now on, and is due to run a cycle; timers of steps
-/// that change are started and stopped.
+/// Sets the situation of a controller. It then waits for its next cycle, and a cycle is requested. Timers of steps that
+/// change are started and stopped.
 void put_situation(const Network& network, NetworkState& state, Id<Network::Controller> controller,
                    const std::vector<bool>& situation);
 

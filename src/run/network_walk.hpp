@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Interactive exploration of a Network: possible next events and delays. The moves themselves are those of
+// Interactive exploration of a Network: possible next events and delays. The moves themselves are performed by
 // ir/network_run.
 #pragma once
 
@@ -13,21 +13,21 @@
 
 namespace grafverif {
 
-/// Delays possible from a state without taking an edge, in time units.
+/// Delays that are possible from a state without taking an edge, in time units.
 struct Leeway {
     bool may_pass = false;
-    std::optional<std::int64_t> limit = {};   ///< until an invariant blocks it; empty: unbounded
-    std::optional<std::int64_t> change = {};  ///< until a disabled edge becomes enabled; empty: never
+    std::optional<std::int64_t> limit = {};   ///< time until an invariant blocks delay; empty: unbounded
+    std::optional<std::int64_t> change = {};  ///< time until a disabled edge becomes enabled; empty: never
     bool operator==(const Leeway&) const = default;
 };
 
 Leeway leeway(const Network& network, const NetworkState& state);
 
-/// The constraints of the invariant of its location that another unit of time would violate.
+/// Returns the constraints of the invariant of its location that another unit of time would violate.
 std::vector<Network::ClockConstraint> reached_bounds(const Network& network, const NetworkState& state,
                                                      Id<Network::Process> id);
 
-/// The processes that block delay: an urgent edge is enabled, or an invariant is at its bound.
+/// Returns the processes that block delay: an urgent edge is enabled, or an invariant has reached its bound.
 std::vector<Id<Network::Process>> impatient(const Network& network, const NetworkState& state);
 
 }  // namespace grafverif

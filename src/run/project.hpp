@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// project: a run of a Network, of a TransitionSystem or of a Chart -> a ChartRun, without rows.
+// project: converts a run of a Network, of a TransitionSystem or of a Chart to a ChartRun without rows.
 //
 // Mapping for a Network:
 //   edge of an instance, of a timer    an event; for a timer an internal one, unless one of its delays elapses
 //   edge of a PLC                      an event with the actions of its controller, phase by phase as in its procedures
 //   delay                              an event
 // For a TransitionSystem, each step is split into events, in this order: time; the controllers that acted, with their
-// results; timers that expired; components that moved; inputs that changed spontaneously. Events are numbered by steps,
-// or by times if the system has ticks. A step without visible changes is an internal event.
-// For a Chart run by the interpreter, the caller defines the events.
+// results; timers that expired; components that moved; inputs that changed spontaneously. The time of an event is its
+// step number, or a time if the system has ticks. A step without visible changes is an internal event. For a Chart
+// executed by the interpreter, the caller defines the events.
 #pragma once
 
 #include <cstdint>
@@ -28,10 +28,11 @@ namespace grafverif {
 /// Maps the values of a model's state to the signals of charts and plant; keys are indices of these values.
 class ChartView {
 public:
-    /// Unless the controller is `alone`, names of its steps and internal variables are qualified by its name.
+    /// If the controller is not the only one (`alone`), its name qualifies the names of its steps and internal
+    /// variables.
     ChartView(ChartRun& run, std::size_t keys, bool alone) : run_(&run), alone_(alone), signals_(keys) {}
 
-    /// The controller without timers and images. `add(named, role)` adds the signal of a variable.
+    /// Returns the controller without timers and images. `add(named, role)` adds the signal of a variable.
     template <class Variable, class Add>
     ChartRun::Controller controller(const ControllerWords<Variable>& words, const Add& add) {
         ChartRun::Controller made{.name = words.name, .mode = words.mode, .conditions = words.conditions};
@@ -46,9 +47,9 @@ public:
         }
         return made;
     }
-    /// An existing signal keeps its role.
+    /// Adds a signal for a value. An existing signal keeps its role.
     Id<ChartRun::Signal> add_signal(std::uint32_t key, ChartRun::Signal signal);
-    /// Invalid if the value belongs to no signal.
+    /// Returns the signal of a value; invalid if there is none.
     Id<ChartRun::Signal> signal(std::uint32_t key) const { return signals_[key]; }
     ChartRun::State state(std::int64_t time_ms, const std::vector<std::int64_t>& values) const;
 
@@ -57,11 +58,11 @@ private:
 
     ChartRun* run_;
     bool alone_;
-    std::vector<Id<ChartRun::Signal>> signals_;  ///< per key
+    std::vector<Id<ChartRun::Signal>> signals_;  ///< signal of each key
     std::vector<std::uint32_t> signal_keys_ = {}, step_keys_ = {};
 };
 
-/// Projects a run incrementally.
+/// Converts a run move by move.
 class NetworkProjection {
 public:
     /// Initializes `run` as a run of `network` that begins in `state`. `network` and `run` must outlive the projection.
@@ -69,7 +70,7 @@ public:
 
     /// Appends one move from `before` to `after`.
     void append(const Move& move, const NetworkState& before, const NetworkState& after);
-    /// Appends a change by the user: an event of the kind `environment` without further data.
+    /// Appends a change made by the user: an event of the type `environment` without further data.
     void append_by_hand(const NetworkState& after);
 
 private:
@@ -84,24 +85,26 @@ private:
     const Network& network_;
     ChartRun& run_;
     ChartView view_;
-    std::vector<Id<Network::Controller>> controller_of_ = {};  ///< per process: the controller whose PLC it is
-    std::vector<Id<ChartRun::Instance>> instance_of_ = {};     ///< per process that is not a controller or timer
-    std::vector<Id<ChartRun::Timer>> timer_of_ = {};           ///< per process
-    std::vector<Id<Network::Variable>> end_of_ = {};           ///< per timer
+    std::vector<Id<Network::Controller>> controller_of_ = {};  ///< per process of a PLC: its controller
+    /// Per process that is neither a controller nor a timer: its instance.
+    std::vector<Id<ChartRun::Instance>> instance_of_ = {};
+    std::vector<Id<ChartRun::Timer>> timer_of_ = {};  ///< timer of each process
+    std::vector<Id<Network::Variable>> end_of_ = {};  ///< output variable of each timer
     std::int64_t time_ms_ = 0;
 };
 
-/// A run of a chart that the interpreter executes with free inputs: its declarations, without events. Its signals are
-/// the variables of the chart, in order; stored outputs have no images.
+/// Returns a run of a chart that the interpreter executes with free inputs. It has declarations but no events. Its
+/// signals are the variables of the chart, in order; stored outputs have no images.
 ChartRun project(const Chart& chart, ExecutionMode mode);
-/// The signals of such a run in `state`.
+/// Returns the values of the signals of such a run in `state`.
 ChartRun::State project(const Chart& chart, const State& state, InputValues inputs, std::int64_t time_ms);
 /// Appends an event and its row: an instant in which `fired` was cleared, evolution by evolution, and the state after
-/// it. The first evolution of a run clears nothing, which is shown as a separate row.
+/// it. The first evolution of a run clears no transition; it has a separate row.
 void append_instant(ChartRun& run, std::string what, const std::vector<std::vector<Id<Chart::Transition>>>& fired,
                     ChartRun::State after);
 
-/// Requires a system or network created by a stage of grafverif, and that a SystemRun belongs to `system`.
+/// Converts a run. Requires that a stage of grafverif created the system or network, and that a SystemRun belongs to
+/// `system`.
 ChartRun project(const Network& network, const Run& run);
 ChartRun project(const TransitionSystem& system, const SystemRun& run);
 

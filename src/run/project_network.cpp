@@ -26,7 +26,7 @@ bool calls(const Network::Edge& edge, Id<Network::Procedure> procedure) {
     return procedure.valid() && std::ranges::find(edge.calls, procedure) != edge.calls.end();
 }
 
-/// The variables that `edge` itself assigns, without its procedures, each once, in order.
+/// Returns the variables that `edge` itself assigns, without its procedures, each once, in order.
 std::vector<Id<Network::Variable>> assigned(const Slots& slots, const Network::Edge& edge) {
     std::vector<Id<Network::Variable>> found;
     for (const Network::Assignment& assignment : edge.assignments) {
@@ -68,7 +68,7 @@ NetworkProjection::NetworkProjection(const Network& network, const NetworkState&
 }
 
 void NetworkProjection::add_controllers() {
-    // A variable written by a controller is an output, even if another controller reads it.
+    // A variable that a controller writes is an output, even if another controller reads it.
     for (const Network::Controller& from : network_.controllers)
         for (const auto& output : from.words.outputs) add_signal(output.variable, ChartRun::Role::Output);
     for (const Id<Network::Controller> id : network_.controllers.ids()) {
@@ -105,7 +105,7 @@ void NetworkProjection::add_timers(const Network::Controller& from, ChartRun::Co
     for (std::size_t k = 0; k < from.timers.size(); ++k) {
         const Network::Timer& timer = from.timers[k];
         const auto& words = from.words.timers[k];
-        const bool exact = timer.restarts;  // timers as published are inexact on purpose
+        const bool exact = timer.restarts;  // timers as published are intentionally inexact
         timer_of_[timer.process.index] =
             run_.timers.add({from.words.name, words.watched, words.step, words.rise_ms, words.fall_ms, exact});
         controller.timers.push_back(timer_of_[timer.process.index]);
@@ -178,7 +178,7 @@ ChartRun::Act NetworkProjection::act(Id<Network::Controller> id, const Network::
         for (const auto& input : from.words.inputs) act.inputs.push_back(before.variables[input.variable.index]);
     for (std::size_t k = 0; k < from.timers.size(); ++k) {
         if (act.samples) act.timers.push_back(holds(before, from.words.timers[k].end));
-        // Its output is not sufficient, since it may still be true from an earlier rise.
+        // Its output is not sufficient, because it may still be true from an earlier rise.
         if (act.evolves) act.done.push_back(before.locations[from.timers[k].process.index] == from.timers[k].done);
     }
     // If the evolution is a separate edge, it resets the firing conditions.

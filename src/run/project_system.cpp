@@ -10,7 +10,7 @@ namespace grafverif {
 namespace {
 
 using System = TransitionSystem;
-using Values = std::vector<std::int64_t>;  ///< per symbol of main
+using Values = std::vector<std::int64_t>;  ///< value of each symbol of main
 using Writes = ChartRun::Act::Writes;
 
 ChartRun::Kind kind_of(System::Component::Kind kind) {
@@ -56,7 +56,7 @@ private:
     }
 
     void add_controllers() {
-        // A variable written by a controller is an output, even if another controller reads it.
+        // A variable that a controller writes is an output, even if another controller reads it.
         for (const System::Controller& from : system_.controllers)
             for (const System::Named& output : from.words.outputs) add_signal(output, ChartRun::Role::Output);
         for (const System::Controller& controller : system_.controllers) {
@@ -78,7 +78,7 @@ private:
         made_.moments.push_back(std::move(moment));
     }
 
-    /// The event at power-on, including the first evolutions that are not separate steps of the system.
+    /// Returns the event at power-on, including the first evolutions that are not separate steps of the system.
     ChartRun::Event power_on() const {
         ChartRun::Event moment;
         for (std::uint32_t index = 0; index < system_.controllers.size(); ++index) {
@@ -96,7 +96,7 @@ private:
         return condition.valid() ? value_in(system_, values, condition) != 0 : otherwise;
     }
 
-    /// Updates the shown value of the symbol to that in `next`; true if it changes.
+    /// Updates the displayed value of the symbol to its value in `next`. Returns true if it changes.
     bool take(Id<System::Symbol> symbol, const Values& next) {
         std::int64_t& shown = shown_[symbol.index];
         return std::exchange(shown, next[symbol.index]) != next[symbol.index];
@@ -152,7 +152,7 @@ private:
             add({.kind = ChartRun::Kind::Controller, .acts = {std::move(act)}});
     }
 
-    /// A controller that evolves and writes in one step writes nothing while its search for stability continues.
+    /// A controller that evolves and writes in one step does not write while its search for stability continues.
     static Writes writes(const System::Controller& from, const ChartRun::Act& act) {
         const bool searches = from.words.mode == ExecutionMode::StabilitySearch;
         if (act.starts) return searches ? Writes::No : Writes::Yes;
@@ -178,7 +178,7 @@ private:
 
     void project_component(std::uint32_t index, const Values& next) {
         const System::Component& component = system_.components[index];
-        const bool of_model = component.kind == System::Component::Kind::Timer;  // its expiry is shown
+        const bool of_model = component.kind == System::Component::Kind::Timer;  // true if the model shows its expiry
         ChartRun::Event moment{.kind = kind_of(component.kind), .internal = of_model, .instance = {index}};
         if (component.location.valid() && take(component.location, next))
             moment.location =
@@ -196,7 +196,7 @@ private:
 
     const System& system_;
     const SystemRun& run_;
-    Values shown_;  ///< as in the run so far
+    Values shown_;  ///< values as displayed in the run so far
     ChartRun made_ = {};
     ChartView view_;
     std::size_t step_ = 0;

@@ -35,7 +35,8 @@ Memory memory(const Chart& chart) {
 }
 
 std::optional<std::int64_t> Reader::value(Id<Expr> term) {
-    const bool outer = std::exchange(lost_, false);  // belongs to the term that reads an output with this condition
+    // This belongs to the term that reads an output with this condition.
+    const bool outer = std::exchange(lost_, false);
     const auto result = evaluate(chart_.exprs, term, [this](const Expr& leaf) { return leaf_value(leaf); });
     const bool lost = std::exchange(lost_, outer);
     return lost ? std::nullopt : result;
@@ -73,7 +74,7 @@ std::int64_t Reader::variable_value(Id<Chart::Variable> variable) {
     return set.value_or(0);
 }
 
-/// True in the first evolution after the change.
+/// Returns true in the first evolution after the change.
 std::int64_t Reader::edge_value(const Expr& edge) {
     if (memory_ == nullptr) return 0;
     const Id<Expr> operand = chart_.exprs.operands(edge)[0];
@@ -83,8 +84,9 @@ std::int64_t Reader::edge_value(const Expr& edge) {
     return edge.op == Op::Rise ? !before && now.value_or(0) != 0 : before && now.value_or(1) == 0;
 }
 
-/// `t1/v/t2`: the timing refers to v after the last evolution, and v may have changed since. Without t2, the condition
-/// ends immediately when v becomes false; without t1, it starts immediately when v becomes true.
+/// Returns the value of `t1/v/t2`. The timing refers to v after the last evolution, and v may have changed since.
+/// Without t2, the condition ends immediately when v becomes false; without t1, it starts immediately when v becomes
+/// true.
 std::int64_t Reader::time_value(std::size_t index) {
     const Chart::TimeCondition& timed = chart_.time_conditions[{static_cast<std::uint32_t>(index)}];
     const bool over = timed_[index];
@@ -107,7 +109,7 @@ std::optional<std::int64_t> Reader::look_up(Id<Chart::Variable> output) {
     return 0;
 }
 
-/// For an action whose step is active: true if its delay has elapsed and its limit has not.
+/// For an action whose step is active: true if its delay has elapsed and its time limit has not.
 bool Reader::in_time(Id<Chart::ContinuousAction> id) const {
     const Chart::ContinuousAction& action = chart_.continuous[id];
     std::size_t place = first_time_[id.index];

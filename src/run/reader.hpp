@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reader: evaluates terms of a chart for one situation, one set of variables and the inputs of one evolution.
-// Memory: the terms of a chart whose previous values an evolution needs.
+// Reader: evaluates terms of a chart for one situation, one set of variables and the inputs of one evolution. Memory
+// contains the terms of a chart whose previous values an evolution requires.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace grafverif {
 
-/// Values that an evolution must store for the next one, restricted to terms that the chart reads.
+/// Values that an evolution must store for the next one. Only terms that the chart reads are included.
 struct Memory {
     std::vector<Id<Expr>> edges = {};        ///< operands of edges, in order
     std::vector<std::uint32_t> places = {};  ///< per term: its index in `edges`; empty if there are no edges
@@ -20,17 +20,17 @@ struct Memory {
 
 Memory memory(const Chart& chart);
 
-/// Continuous outputs in conditions are evaluated once each.
+/// Evaluates terms. Continuous outputs in conditions are evaluated once each.
 class Reader {
 public:
-    /// `timed`: as in evolve(). Without `memory`, as in the first evolution, there are no edges.
+    /// `timed` is the argument of evolve(). Without `memory`, as in the first evolution, there are no edges.
     Reader(const Chart& chart, const State& state, InputValues inputs, const std::vector<bool>& timed,
            const Memory* memory)
         : chart_(chart), state_(state), inputs_(inputs), timed_(timed), memory_(memory) {}
 
-    /// Empty if the term is undefined.
+    /// Returns the value of a term; empty if it is undefined.
     std::optional<std::int64_t> value(Id<Expr> term);
-    /// True (1) if an action currently sets `output`.
+    /// Returns 1 if an action currently sets `output`, otherwise 0; empty if this is undefined.
     std::optional<std::int64_t> output(Id<Chart::Variable> output);
     /// True if an action stores values in `variable`.
     bool is_stored(Id<Chart::Variable> variable);
@@ -55,7 +55,7 @@ private:
     std::vector<bool> stored_ = {};
     std::vector<std::vector<Id<Chart::ContinuousAction>>> actions_ = {};
     std::vector<std::size_t> first_time_ = {};  ///< per continuous action: index of its first element in `timed`
-    bool lost_ = false;                         ///< the current term reads an undefined value
+    bool lost_ = false;                         ///< true if the current term reads an undefined value
 };
 
 }  // namespace grafverif

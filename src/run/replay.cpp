@@ -32,7 +32,7 @@ public:
 
     void pass(std::int64_t milliseconds) { state_ = pass_time(std::move(state_), milliseconds); }
 
-    /// Differences between the run and the rules; empty if they agree.
+    /// Returns the differences between the run and the rules; empty if they agree.
     std::string does(const ChartRun::Act& act, const ChartRun::State& before, const ChartRun::State& after) {
         if (over_) return {};
         if (act.starts || act.samples) read_inputs(act);
@@ -50,13 +50,13 @@ public:
     }
 
     std::size_t evolutions() const { return evolutions_; }
-    /// Both have a race: nothing after it is compared.
+    /// True if both have a race. Nothing after the race is compared.
     bool raced() const { return raced_; }
     const std::string& racing() const { return racing_; }
     const std::string& name() const { return controller_.name; }
 
 private:
-    /// The index, among the controller's timers, of the timer for the element.
+    /// Returns the index, among the controller's timers, of the timer for the element.
     std::optional<std::size_t> timer_of(std::size_t element) const {
         const TimedElement& wanted = elements_[element];
         if (wanted.watched.valid()) return controller_.conditions[element];
@@ -67,7 +67,7 @@ private:
         return {};
     }
 
-    /// The variables of a kind, in order: they correspond to the controller's signals of that kind.
+    /// Visits the variables of one kind, in order. They correspond to the controller's signals of that kind.
     template <class Visit>
     void each(Chart::VariableKind kind, Visit visit) const {
         std::size_t place = 0;
@@ -82,7 +82,8 @@ private:
             timed_[k] = act.samples && timers_[k] && act.timers[*timers_[k]];
     }
 
-    /// A timer expires when its duration has elapsed; at exactly that time it may not have expired yet.
+    /// Returns an error if a timer has not expired although its duration has elapsed. At exactly that time it may not
+    /// have expired yet.
     std::string timers_fault() const {
         for (std::size_t k = 0; k < timers_.size(); ++k) {
             if (!timers_[k] || !run_.timers[controller_.timers[*timers_[k]]].exact) continue;
@@ -108,7 +109,7 @@ private:
         return step_variable(chart_, {static_cast<std::uint32_t>(node.value)});
     }
 
-    /// Per element: true if its t1 has elapsed. A timer may expire in the instant of a cycle, after the sampling of
+    /// Returns, per element, true if its t1 has elapsed. A timer may expire during a cycle, after the sampling of
     /// inputs and before the evolution.
     std::vector<bool> ended(const ChartRun::Act& act) const {
         if (act.done.empty()) return timed_;
@@ -135,7 +136,8 @@ private:
     /// If one evolution has several faults, the order of their detection is unspecified.
     std::string race_fault(const ChartRun::Act& act, const Evolution& result) {
         const bool broken = result.race || result.fault;
-        over_ = broken && act.race.value_or(true);  // a model without race flags continues, the rules do not
+        // A model without race flags continues after a race, but the rules do not.
+        over_ = broken && act.race.value_or(true);
         raced_ = over_ && act.race.has_value();
         if (result.race) racing_ = chart_.variables[result.race->variable].name;
         if (over_ || (!broken && !act.race.value_or(false))) return {};
@@ -200,15 +202,15 @@ private:
     const Chart& chart_;
     std::vector<TimedElement> elements_;
     State state_;
-    Values inputs_ = {};                                   ///< as sampled, per variable of the chart
-    std::vector<bool> timed_ = {};                         ///< as sampled, per element
-    std::vector<std::optional<std::size_t>> timers_ = {};  ///< per element
+    Values inputs_ = {};                                   ///< sampled value of each variable of the chart
+    std::vector<bool> timed_ = {};                         ///< sampled time condition of each element
+    std::vector<std::optional<std::size_t>> timers_ = {};  ///< timer of each element
     std::size_t evolutions_ = 0;
     bool over_ = false, raced_ = false;
-    std::string racing_ = {};  ///< the variable
+    std::string racing_ = {};  ///< the variable of the race
 };
 
-/// Replays the run on `replays`, one per controller, up to the first disagreement or race.
+/// Replays the run with `replays`, one per controller, up to the first disagreement or race.
 std::optional<Disagreement> replay(const ChartRun& run, std::span<const Chart* const> charts,
                                    std::vector<ControllerReplay>& replays) {
     for (const Id<ChartRun::Controller> id : run.controllers.ids())

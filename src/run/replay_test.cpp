@@ -15,7 +15,7 @@ public:
     TestReplay(const Chart& chart, const TestSequence& test)
         : chart_(chart), test_(test), inputs_(chart.variables.size()) {}
 
-    /// Executes one step; returns a description of the difference, or nothing.
+    /// Executes one step. Returns a description of the difference; empty if there is none.
     std::string step(const TestSequence::Step& step) {
         pass(step);
         for (std::uint32_t scan = 1; scan <= step.cycles; ++scan) {
@@ -38,7 +38,7 @@ public:
         time_ms_ = 0;
     }
 
-    /// The run of the chart in a sequence, up to a fault.
+    /// Returns the run of the chart in a sequence, up to a fault.
     ChartRun run_of(const TestSequence::Sequence& sequence) {
         power_up();
         told_ = project(chart_, test_.mode);
@@ -62,7 +62,7 @@ private:
         time_ms_ += step.wait_ms;
     }
 
-    /// Executes a scan; returns the fault, or nothing.
+    /// Executes a scan. Returns a description of the fault; empty if there is none.
     std::string scan(const TestSequence::Step& step) {
         std::size_t input = 0;
         for (const Id<Chart::Variable> id : chart_.variables.ids())
@@ -77,7 +77,7 @@ private:
         return {};
     }
 
-    /// First difference between the outputs and the expected ones.
+    /// Returns the first difference between the outputs and the expected ones.
     std::string difference(const TestSequence::Step& step) const {
         std::size_t output = 0;
         for (const Id<Chart::Variable> id : chart_.variables.ids()) {
@@ -93,9 +93,9 @@ private:
     const Chart& chart_;
     const TestSequence& test_;
     State state_ = {};
-    std::vector<std::int64_t> inputs_ = {};  ///< per variable of the chart
+    std::vector<std::int64_t> inputs_ = {};  ///< value of each variable of the chart
     std::int64_t time_ms_ = 0;
-    std::optional<ChartRun> told_ = {};  ///< if the run is requested
+    std::optional<ChartRun> told_ = {};  ///< only if the run is requested
 };
 
 }  // namespace

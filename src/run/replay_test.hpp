@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs a test sequence on the interpreter of IEC 60848: the expected behaviour of a PLC that implements the chart.
+// Executes a test sequence on the interpreter of IEC 60848. The result is the expected behaviour of a PLC that
+// implements the chart.
 #pragma once
 
 #include <optional>
@@ -12,12 +13,12 @@
 
 namespace grafverif {
 
-/// Describes the first scan in which the outputs of the chart differ from those that `test` expects; empty: it passes.
-/// Requires that the inputs and outputs of the test are those of the chart, in its order.
+/// Describes the first scan in which the outputs of the chart differ from those that `test` expects; empty if the test
+/// passes. Requires that the inputs and outputs of the test are those of the chart, in its order.
 std::optional<std::string> disagreement(const Chart& chart, const TestSequence& test);
 
-/// The run of the chart in each sequence of a test, independently of the expected outputs: a row per scan. After a
-/// fault of the chart the last row states the cause.
+/// Returns the run of the chart in each sequence of a test, independently of the expected outputs, with one row per
+/// scan. After a fault of the chart, the last row states the cause.
 std::vector<ChartRun> runs_of(const Chart& chart, const TestSequence& test);
 
 }  // namespace grafverif

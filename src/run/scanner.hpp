@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scanner: executes a chart as a PLC does, scan by scan: inputs are read, one cycle is executed (with stability search
-// if the mode has it), outputs are written; time passes between scans.
+// Scanner: executes a chart scan by scan, as a PLC does. In a scan, inputs are read, one cycle is executed (with
+// stability search, depending on the mode), and outputs are written. Time passes between scans.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,20 @@
 
 namespace grafverif {
 
-/// In order of declaration.
+/// Returns the variables of one kind in order of declaration.
 std::vector<Id<Chart::Variable>> variables_of_kind(const Chart& chart, Chart::VariableKind kind);
 
-/// `{2, 5}`
+/// Returns a situation such as `{2, 5}`.
 std::string situation_text(const Chart& chart, const std::vector<bool>& situation);
 
-/// Message for a chart that repeats the situations of `endless`, at least one, forever; with its code.
+/// Returns the message, with its code, for a chart that repeats the situations of `endless` forever. `endless` must not
+/// be empty.
 std::string instability_text(const Chart& chart, const std::vector<std::vector<bool>>& endless);
-/// Message for stored actions that give `variable` different values; for contradictory forcing orders if the name is
-/// empty.
+/// Returns the message for stored actions that assign different values to `variable`; if the name is empty, the message
+/// for contradictory forcing orders.
 std::string race_text(std::string_view variable);
 
-/// Reason why a PLC cannot execute `cycle`; empty if it can.
+/// Returns the reason why a PLC cannot execute `cycle`; empty if it can.
 std::string problem_in(const Chart& chart, const Cycle& cycle);
 
 class Scanner {
@@ -34,14 +35,14 @@ public:
 
     const std::vector<Id<Chart::Variable>>& inputs() const { return inputs_; }
 
-    /// Time that passes before the first scan is before power-on.
+    /// Lets time pass. Time that passes before the first scan passes before power-on.
     void wait(std::int64_t milliseconds);
 
-    /// Executes one scan with `values` in the order of the inputs; returns the fault that stops the PLC, or an empty
+    /// Executes one scan with `values` in the order of the inputs. Returns the fault that stops the PLC, or an empty
     /// string.
     std::string scan(const std::vector<std::int64_t>& values);
 
-    /// As last written.
+    /// Returns the outputs that were last written.
     std::vector<std::int64_t> outputs() const;
     const State& state() const { return state_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads the actions of an AGRAFE document, grouped by the steps that they are linked to.
+// Reads the actions of an AGRAFE document, grouped by the steps to which they are linked.
 #include <string>
 
 #include "read/agrafe/reader.hpp"
@@ -14,7 +14,7 @@ using Kind = AgrafeEntity::Kind;
 bool is_action(Kind kind) { return kind == Kind::Action; }
 bool is_forceable(Kind kind) { return kind == Kind::Partial || kind == Kind::Expansion; }
 
-/// The target variable of an action; invalid after an error.
+/// Returns the target variable of an action; invalid after an error.
 tree::Name target(AgrafeReader& reader, pugi::xml_node action) {
     const pugi::xml_node variable = child(action, "variable");
     if (!variable) {
@@ -32,7 +32,7 @@ tree::Name target(AgrafeReader& reader, pugi::xml_node action) {
     return reader.draft.name(reader.index[*found].name, reader.xml.where(variable, "variableDeclaration"));
 }
 
-/// Reports a condition on an action whose type does not have one, instead of ignoring it.
+/// Reports a condition on an action whose type has no condition, instead of ignoring it.
 bool has_stray_condition(AgrafeReader& reader, pugi::xml_node action, std::string_view hint) {
     const pugi::xml_node term = child(action, "term");
     if (!term) return false;

@@ -65,8 +65,8 @@ bool is_enclosing(Kind kind) { return kind == Kind::Enclosing; }
 
 // -- names ------------------------------------------------------------------------------------------------------------
 
-/// Preferred name of a step: `2`, `M2` for a macro-step, `E2` and `S2` for the entry and exit step of an expansion,
-/// according to the numbering of IEC 60848.
+/// Returns the preferred name of a step: `2`, `M2` for a macro-step, `E2` and `S2` for the entry and exit step of an
+/// expansion, according to the numbering of IEC 60848.
 std::string wish_for(const AgrafeEntity& step) {
     const std::string id = attribute(step.node, "id") ? value(step.node, "id") : "0";
     switch (step.kind) {
@@ -107,7 +107,8 @@ void name_steps(AgrafeReader& reader) {
     }
 }
 
-/// Names transitions after their id, `t7`, qualified by the partial chart if another one also has a `t7`.
+/// Names transitions after their id, such as `t7`. The name is qualified by the partial chart if another one also has a
+/// transition `t7`.
 void name_transitions(AgrafeReader& reader) {
     std::unordered_map<std::string, std::size_t> taken;
     LegalNames names(LegalNames::Kind::Chart, reader.draft);
@@ -134,7 +135,7 @@ tree::VariableKind kind_of(AgrafeReader& reader, pugi::xml_node declaration) {
     return tree::VariableKind::Input;
 }
 
-/// Declarations of the variables that are not step variables, one item each.
+/// Returns the declarations of the variables that are not step variables, one item each.
 std::vector<tree::ChartItem> declarations(AgrafeReader& reader) {
     std::vector<tree::ChartItem> items;
     LegalNames names(LegalNames::Kind::Variable, reader.draft);
@@ -198,7 +199,7 @@ tree::Step step_of(AgrafeReader& reader, std::size_t entity, std::vector<tree::A
     return step;
 }
 
-/// Empty for a transition without links, which has no effect.
+/// Returns a transition; empty if it has no links and therefore no effect.
 std::optional<tree::Transition> transition_of(AgrafeReader& reader, std::size_t entity) {
     const AgrafeEntity& one = reader.index[entity];
     tree::Transition transition;
@@ -249,7 +250,7 @@ void check_enclosure(AgrafeReader& reader, std::size_t entity) {
 
 // -- the chart ----------------------------------------------------------------------------------------------------------
 
-/// Comments are attached to the element that follows them.
+/// Attaches comments to the element that follows them.
 void keep_comments(AgrafeReader& reader, pugi::xml_node root) {
     for (pugi::xml_node node = root.first_child(); node;) {
         if (node.type() == pugi::node_comment) {
@@ -267,8 +268,8 @@ void keep_comments(AgrafeReader& reader, pugi::xml_node root) {
     }
 }
 
-/// A Boolean driven by continuous actions becomes an output, even if the file declares it as internal or without a
-/// type. The meaning is unchanged: conditions read the steps that drive it.
+/// Makes a Boolean that continuous actions drive an output, even if the file declares it as internal or without a type.
+/// The meaning is unchanged: conditions read the steps that drive it.
 void drive_outputs(AgrafeReader& reader, const tree::File& file, tree::Chart& chart,
                    const std::vector<std::vector<tree::Action>>& actions) {
     std::unordered_set<Id<tree::Word>> driven;

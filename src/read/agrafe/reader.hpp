@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// AgrafeReader: context for the conversion of an AGRAFE document: names of its entities, and conversion of its parts to
-// the tree.
+// AgrafeReader: context for the conversion of an AGRAFE document. It contains the names of the document's elements, and
+// converts parts of the document to the tree.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace grafverif {
 
-// The entities of an AGRAFE document and the targets of its references.
+// The elements of an AGRAFE document and the targets of its references.
 
 struct AgrafeEntity {
     enum class Kind {
@@ -35,16 +35,16 @@ struct AgrafeEntity {
     };
     Kind kind = Kind::Main;
     pugi::xml_node node = {};
-    std::size_t partial = 0;                     ///< the partial chart that contains it; for a partial chart: itself
-    std::string name = {};                       ///< name in the input language; set by the reader
-    std::vector<std::size_t> in = {}, out = {};  ///< arcs: predecessors and successors
+    std::size_t partial = 0;  ///< the partial chart that contains it; a partial chart contains itself
+    std::string name = {};    ///< name in the input language; set by the reader
+    std::vector<std::size_t> in = {}, out = {};  ///< predecessors and successors through arcs
 };
 
 class AgrafeIndex {
 public:
     using Kind = AgrafeEntity::Kind;
 
-    /// Traverses the complete document; nested partial charts are stored in one list with the others.
+    /// Traverses the complete document. Nested partial charts are stored in the same list as all others.
     explicit AgrafeIndex(pugi::xml_node root);
 
     std::vector<AgrafeEntity>& all() { return entities_; }
@@ -74,39 +74,39 @@ struct AgrafeReader {
 
     Diagnostics& diagnostics() { return draft.diagnostics(); }
 
-    /// The entity that `attribute` of `node` refers to, if `accepts` holds for its type. Reports a missing or dangling
-    /// reference; `what` describes the accepted type.
+    /// Returns the element to which `attribute` of `node` refers, if `accepts` is true for its type. Reports a missing
+    /// or dangling reference; `what` describes the accepted type.
     std::optional<std::size_t> reference(pugi::xml_node node, std::string_view attribute, std::string_view what,
                                          bool (*accepts)(AgrafeEntity::Kind));
-    /// All entities in a list of references.
+    /// Returns all elements in a list of references.
     std::vector<std::size_t> references(pugi::xml_node node, std::string_view attribute, std::string_view what,
                                         bool (*accepts)(AgrafeEntity::Kind));
-    /// An integer; `otherwise` if it is missing, or invalid and reported.
+    /// Returns an integer; `otherwise` if it is missing, or if it is invalid, which is reported.
     std::int64_t number(pugi::xml_node node, std::string_view attribute, std::int64_t otherwise);
     bool flag(pugi::xml_node node, std::string_view attribute) { return xml.flag(node, attribute, diagnostics()); }
 };
 
 // -- terms.cpp
-/// Invalid after an error.
+/// Converts a term; invalid after an error.
 Id<tree::Expr> agrafe_term(AgrafeReader& reader, pugi::xml_node term);
-/// Times of a transition or action; `t1/term/t2` if its type is timeDependent.
+/// Times of a transition or action; only the type timeDependent has `t1/term/t2`.
 struct AgrafeTime {
     enum class Kind { None, Dependent, Delayed, Limited };
     Kind kind = Kind::None;
     std::int64_t rise_ms = 0, fall_ms = 0;
 };
 AgrafeTime agrafe_time(AgrafeReader& reader, pugi::xml_node node);
-/// `t1/term/t2`.
+/// Returns `t1/term/t2`.
 Id<tree::Expr> timed(AgrafeReader& reader, const AgrafeTime& time, Id<tree::Expr> term, Span where);
 
 // -- actions.cpp
-/// The actions of each entity; empty for entities other than steps.
+/// Returns the actions of each element; empty for elements other than steps.
 std::vector<std::vector<tree::Action>> agrafe_actions(AgrafeReader& reader);
 
 // -- links.cpp
-/// Sets `in` and `out` of every entity from the arcs; reports arcs that are not allowed.
+/// Sets `in` and `out` of every element according to the arcs. Reports arcs that are not allowed.
 void read_arcs(AgrafeReader& reader);
-/// The steps upstream (`backwards`) or downstream of a transition, through synchronizations.
+/// Returns the steps upstream (`backwards`) or downstream of a transition, through synchronizations.
 std::vector<std::size_t> linked_steps(AgrafeReader& reader, std::size_t transition, bool backwards);
 
 }  // namespace grafverif

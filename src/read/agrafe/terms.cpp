@@ -31,7 +31,7 @@ constexpr Operator operators[] = {
     {"Subtraction", tree::Op::Minus, 2, 2},
 };
 
-/// `X2`, or `G2.X2` if other partial charts also have a step 2.
+/// Returns `X2`, or `G2.X2` if other partial charts also have a step 2.
 Id<tree::Expr> step_variable(AgrafeReader& reader, const AgrafeEntity& step, Span where) {
     const std::string name = 'X' + step.name;
     if (reader.namesakes[step.name] == 1) return reader.draft.variable(name, where);
@@ -67,7 +67,7 @@ Id<tree::Expr> applied(AgrafeReader& reader, const Operator& known, pugi::xml_no
 
 }  // namespace
 
-/// Recursion depth is limited by that of the document, at most 1,000.
+/// The recursion depth is limited by the depth of the document, which is at most 1,000.
 Id<tree::Expr> agrafe_term(AgrafeReader& reader, pugi::xml_node term) {
     const std::string_view type = local_name(attribute(term, "type").value());
     if (type == "Variable") return variable(reader, term);

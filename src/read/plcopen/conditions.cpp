@@ -8,7 +8,7 @@ namespace grafverif {
 
 namespace {
 
-/// A body in Structured Text. For named transitions, `NAME := EXPRESSION;` is also accepted.
+/// Reads a body in Structured Text. For named transitions, `NAME := EXPRESSION;` is also accepted.
 Id<st::Expr> structured(PlcopenReader& reader, pugi::xml_node text) {
     const st::Text pieces = reader.xml.text(text);
     const std::string content = reader.xml.content(text);
@@ -19,7 +19,7 @@ Id<st::Expr> structured(PlcopenReader& reader, pugi::xml_node text) {
     return reader.file.statements[block.front()].value;
 }
 
-/// A body: Structured Text, or an LD or FBD network that ends in one coil or variable, the condition.
+/// Reads a body: Structured Text, or an LD or FBD network that ends in one coil or variable, which is the condition.
 Id<st::Expr> body_condition(PlcopenReader& reader, pugi::xml_node body, Span where) {
     if (const pugi::xml_node text = child(body, "ST")) return structured(reader, text);
     for (const std::string_view language : {"LD", "FBD"}) {
@@ -46,7 +46,7 @@ Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit&, const PlcopenN
     const std::size_t errors = reader.diagnostics().errors();
     Id<st::Expr> found;
     if (const pugi::xml_node reference = child(condition, "reference")) {
-        // A transition of the POU with this name, otherwise a Boolean variable.
+        // The name denotes a transition of the POU, or otherwise a Boolean variable.
         pugi::xml_node pou = transition;
         while (pou && !is(pou, "pou")) pou = pou.parent();
         const std::string wanted = st::capitals(value(reference, "name"));
@@ -59,7 +59,7 @@ Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit&, const PlcopenN
         found = body_condition(reader, inner, reader.xml.where(inner));
     } else if (child(condition, "connectionPointIn")) {
         found = PlcopenValues(reader, network).at(condition);
-    } else if (!children(condition, "connection").empty()) {  // version 1.01
+    } else if (!children(condition, "connection").empty()) {  // as in version 1.01
         for (const pugi::xml_node& connection : children(condition, "connection")) {
             const pugi::xml_node source = network.find(value(connection, "refLocalId"));
             if (!source)

@@ -66,14 +66,14 @@ public:
 
 private:
     enum class Mark : std::uint8_t { New, Open, Done };
-    using Top = std::tuple<double, double, std::size_t>;  // of a network: y, x and number of its first element
+    using Top = std::tuple<double, double, std::size_t>;  // y, x and index of the first element of a network
 
     // -- order --------------------------------------------------------------------------------------------------------
 
     static std::pair<double, double> position(pugi::xml_node node) {
         const auto number = [at = child(node, "position")](std::string_view name) {
             const double value = attribute(at, name).as_double();
-            return std::isfinite(value) ? value : 0;  // `nan` has no place in an order
+            return std::isfinite(value) ? value : 0;  // `nan` is not ordered
         };
         return {number("x"), number("y")};
     }
@@ -84,7 +84,7 @@ private:
 
     std::size_t number(pugi::xml_node node) const { return numbers_.at(node.hash_value()); }
 
-    /// Sets the network of each element, and the position of each network.
+    /// Determines the network of each element, and the position of each network.
     void find_rungs() {
         std::vector<std::size_t> parents(network_.elements.size());
         std::iota(parents.begin(), parents.end(), std::size_t{0});
@@ -123,7 +123,7 @@ private:
 
     // -- elements -----------------------------------------------------------------------------------------------------
 
-    /// False for elements without effect; reports those that are not supported.
+    /// Returns false for elements without effect. Reports elements that are not supported.
     bool is_accepted(pugi::xml_node node) {
         const std::string_view kind = local_name(node.name());
         for (const std::string_view known : {"inVariable", "outVariable", "inOutVariable", "contact", "coil", "block",
@@ -230,7 +230,7 @@ private:
         Id<st::Expr> enable;
         bool complete = true;
         for (const pugi::xml_node& each : children(child(node, "inputVariables"), "variable")) {
-            if (!is_connected(each)) continue;  // keeps its value
+            if (!is_connected(each)) continue;  // the input keeps its value
             const std::string formal = value(each, "formalParameter");
             const Id<st::Expr> one = pin(each, 0);
             if (!one.valid()) complete = false;
@@ -248,7 +248,7 @@ private:
         written_[rung_].insert(st::capitals(name));
     }
 
-    /// Reports a block whose type is not that of its instance.
+    /// Reports a block whose type differs from the type of its instance.
     void check_type(pugi::xml_node node, const std::string& name) {
         const std::string type = st::capitals(value(node, "typeName"));
         if (const auto declared = types_.find(st::capitals(name)); declared != types_.end() && declared->second != type)
@@ -256,7 +256,7 @@ private:
                            "give the block the type with which the instance is declared");
     }
 
-    /// The output of a new instance that detects an edge of `clock`.
+    /// Adds an instance that detects an edge of `clock`, and returns its output.
     Id<st::Expr> edge_of(pugi::xml_node node, Id<st::Expr> clock) {
         const std::string edge = value(node, "edge");
         const Span where = reader_.xml.where(node, "edge");
@@ -279,7 +279,7 @@ private:
     }
 
     Id<st::Expr> other_element(pugi::xml_node node, std::size_t depth) override {
-        if (is(node, "coil")) return wired(node, depth, "this coil");  // its value is that of the line before it
+        if (is(node, "coil")) return wired(node, depth, "this coil");  // its value is that of the line that leads to it
         if (is(node, "outVariable")) return wired(node, depth, "this variable");
         if (is(node, "contact") && !is_marked(node, "storage")) return edge_contact(node, depth);
         reader_.refuse(reader_.xml.where(node), "a `" + std::string(local_name(node.name())) + "` as a source",
@@ -334,7 +334,7 @@ private:
         return negated(from, with_word(st::Op::Member, named(value(node, "instanceName"), where), formal, where));
     }
 
-    /// A call of a function, of the project or of the standard.
+    /// Adds a call of a function of the project or of the standard.
     Id<st::Expr> function(pugi::xml_node node, const std::string& output, std::size_t depth) {
         const std::string type = st::capitals(value(node, "typeName"));
         const bool of_project = functions_.contains(type);
@@ -370,7 +370,7 @@ private:
 
     // -- variables ----------------------------------------------------------------------------------------------------
 
-    /// The variables of a term, in capitals.
+    /// Returns the variables of a term in capital letters.
     std::vector<std::string> variables(Id<st::Expr> term) const {
         std::vector<std::string> found;
         std::vector<Id<st::Expr>> open = {term};
@@ -401,13 +401,15 @@ private:
 
     st::Unit& unit_;
     const std::unordered_set<std::string>& functions_;
-    std::unordered_map<std::size_t, std::size_t> numbers_ = {};  // of elements
-    std::unordered_map<std::string, std::string> types_ = {};    // of variables, in capitals
+    std::unordered_map<std::size_t, std::size_t> numbers_ = {};  // index of each element
+    // Type of each variable, whose name is in capital letters.
+    std::unordered_map<std::string, std::string> types_ = {};
     std::vector<Mark> marks_ = {};
-    std::vector<std::size_t> rungs_ = {};  // per element
+    std::vector<std::size_t> rungs_ = {};  // network of each element
     std::vector<Top> tops_ = {};
-    std::unordered_map<std::size_t, std::unordered_set<std::string>> written_ = {};  // per network, so far
-    std::unordered_map<std::size_t, std::string> edges_ = {};  // contacts and coils: their instances
+    // Variables written so far, per network.
+    std::unordered_map<std::size_t, std::unordered_set<std::string>> written_ = {};
+    std::unordered_map<std::size_t, std::string> edges_ = {};  // instances of contacts and coils with edges
     bool ordered_ = false;
     std::size_t rung_ = 0, calls_ = 0, current_ = 0;
     st::Block block_ = {};

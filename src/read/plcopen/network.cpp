@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The chart of a PLCopen document: steps, transitions, and the lines between them.
+// Reads the chart of a PLCopen document: steps, transitions, and the lines between them.
 #include "read/plcopen/network.hpp"
 
 #include <algorithm>
@@ -16,15 +16,15 @@ bool is_step(pugi::xml_node node) { return is(node, "step") || is(node, "macroSt
 
 // -- connections ------------------------------------------------------------------------------------------------------
 
-/// The steps upstream of a transition, or the transitions upstream of a step, through divergences and convergences.
-/// `wanted` accepts the end of a path; other ends are reported.
+/// Returns the steps upstream of a transition, or the transitions upstream of a step, through divergences and
+/// convergences. `wanted` is true for an element at which a path may end; other ends are reported.
 std::vector<pugi::xml_node> upstream(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node start,
                                      bool (*wanted)(pugi::xml_node), std::string_view hint) {
     std::vector<pugi::xml_node> found, work = {start};
     std::unordered_set<std::size_t> seen = {start.hash_value()};
     for (std::size_t i = 0; i < work.size(); ++i) {
         for (const pugi::xml_node& source : sources_of(reader, network, work[i])) {
-            const bool over = is(source, "jumpStep");  // CODESYS draws lines beyond the jump of a branch
+            const bool over = is(source, "jumpStep");  // CODESYS draws lines that continue after the jump of a branch
             if (over || !seen.insert(source.hash_value()).second) continue;
             const std::string_view kind = local_name(source.name());
             const bool on_the_way = is(start, "transition")
@@ -55,7 +55,8 @@ st::Association association(PlcopenReader& reader, pugi::xml_node action) {
     st::Association made;
     made.where = reader.xml.where(action);
     made.unread = attribute(action, "indicator") || child(action, "indicator");
-    if (attribute(action, "qualifier")) made.qualifier = st::capitals(value(action, "qualifier"));  // N by default
+    // The default qualifier is N.
+    if (attribute(action, "qualifier")) made.qualifier = st::capitals(value(action, "qualifier"));
     if (const std::string duration = value(action, "duration"); !duration.empty())
         made.time = reader.expression(reader.xml.text(action, "duration"));
     if (const pugi::xml_node reference = child(action, "reference")) {
@@ -70,7 +71,7 @@ st::Association association(PlcopenReader& reader, pugi::xml_node action) {
     return made;
 }
 
-/// In CODESYS the qualifier may include its time: `D T#2s`.
+/// In CODESYS, the qualifier may include its time: `D T#2s`.
 void split_qualifier(PlcopenReader& reader, st::Association& association, pugi::xml_node action) {
     const std::size_t blank = association.qualifier.find(' ');
     if (blank == std::string::npos) return;
@@ -80,7 +81,7 @@ void split_qualifier(PlcopenReader& reader, st::Association& association, pugi::
     association.qualifier.resize(blank);
 }
 
-/// The entry, active and exit action of a step in CODESYS, given as names of actions.
+/// Reads the entry, active and exit action of a step in CODESYS, which are given as names of actions.
 void codesys_actions(PlcopenReader& reader, pugi::xml_node node, st::Step& step) {
     struct Known {
         std::string_view guid = {}, qualifier = {};
@@ -147,7 +148,7 @@ void read_actions(PlcopenReader& reader, const PlcopenNetwork& network, const st
     for (std::size_t i = 0; i < steps.size(); ++i) codesys_actions(reader, steps[i].node, made.steps[i]);
 }
 
-/// Elements with the given name from left to right: the default order of priority.
+/// Returns elements with the given name from left to right, which is the default order of priority.
 std::vector<pugi::xml_node> from_left(const PlcopenNetwork& network, std::string_view name) {
     std::vector<pugi::xml_node> found;
     for (const pugi::xml_node& element : network.elements)
@@ -192,7 +193,7 @@ bool is_connected(pugi::xml_node point) {
 
 std::vector<PlcopenLine> lines_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point) {
     std::vector<PlcopenLine> lines;
-    if (is(point, "continuation")) {  // continues at the end of the connector with this name
+    if (is(point, "continuation")) {  // the line continues at the end of the connector with this name
         for (const pugi::xml_node& element : network.elements)
             if (is(element, "connector") && value(element, "name") == value(point, "name"))
                 lines.push_back({element, {}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PlcopenNetwork: the elements of one graphical body in PLCopen XML, and the connections between them.
+// PlcopenNetwork: the elements of one graphical body in PLCopen XML and the connections between them.
 #pragma once
 
 #include <string>
@@ -16,16 +16,16 @@ struct PlcopenReader {
     const Xml& xml;
     const Sources& sources;
     Draft& draft;
-    bool of_program = false;  ///< the result is executed, not converted to a chart
+    bool of_program = false;  ///< true: the result is executed; false: it is converted to a chart
     st::File file = {};
 
     /// Reports a construct that cannot be read.
     void refuse(Span where, std::string_view what, std::string_view hint);
     Diagnostics& diagnostics() { return draft.diagnostics(); }
     st::Name name(const std::string& text, Span where) { return {file.intern(text), where}; }
-    /// Invalid after an error.
+    /// Parses an expression; invalid after an error.
     Id<st::Expr> expression(const st::Text& text);
-    /// Empty after an error.
+    /// Parses statements; empty after an error.
     st::Block statements(const st::Text& text);
     bool flag(pugi::xml_node node, std::string_view attribute) { return xml.flag(node, attribute, diagnostics()); }
     st::Expr& node(Id<st::Expr> id) { return file.exprs[id]; }
@@ -33,36 +33,37 @@ struct PlcopenReader {
 };
 
 struct PlcopenNetwork {
-    pugi::xml_node body = {};                                    ///< `SFC`, `LD`, `FBD`
-    std::vector<pugi::xml_node> elements = {};                   ///< in order
-    std::unordered_map<std::string, pugi::xml_node> by_id = {};  ///< by `localId`
+    pugi::xml_node body = {};                                    ///< element `SFC`, `LD` or `FBD`
+    std::vector<pugi::xml_node> elements = {};                   ///< elements in the order of the file
+    std::unordered_map<std::string, pugi::xml_node> by_id = {};  ///< elements by `localId`
 
     pugi::xml_node find(const std::string& id) const;
 };
 
-/// Reports duplicate ids.
+/// Returns the elements of a body. Reports duplicate ids.
 PlcopenNetwork network_of(PlcopenReader& reader, pugi::xml_node body);
 
-/// A connection: the element that it begins at, and the name of its output; empty: the first one.
+/// A connection: the element at which it begins, and the name of its output. If the name is empty, it is the first
+/// output.
 struct PlcopenLine {
     pugi::xml_node source = {};
     std::string output = {};
 };
 
-/// True if a connection ends at `point`, also one from an element that is missing.
+/// True if a connection ends at `point`, even if the element at which it begins is missing.
 bool is_connected(pugi::xml_node point);
 
-/// The connections that end at the `connectionPointIn`s of `point`. Reports dangling connections.
+/// Returns the connections that end at the `connectionPointIn`s of `point`. Reports dangling connections.
 std::vector<PlcopenLine> lines_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point);
 
-/// The elements that they begin at.
+/// Returns the elements at which they begin.
 std::vector<pugi::xml_node> sources_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point);
 
-/// Reads the steps and transitions of the chart; the expansions of macro-steps are appended as separate networks.
+/// Reads the steps and transitions of the chart. The expansions of macro-steps are appended as separate networks.
 void read_network(PlcopenReader& reader, st::Unit& unit, pugi::xml_node body, st::Name macro_step);
 
 // -- conditions.cpp
-/// The condition of a transition; invalid after an error, or if it is omitted.
+/// Returns the condition of a transition; invalid if it is omitted, or after an error.
 Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit& unit, const PlcopenNetwork& network,
                           pugi::xml_node transition);
 

@@ -92,7 +92,7 @@ void read_variables(PlcopenReader& reader, pugi::xml_node list, std::vector<st::
     }
 }
 
-/// The unit of a POU with its kind, name and variables.
+/// Returns the unit of a POU with its type, name and variables.
 st::Unit unit_of(PlcopenReader& reader, pugi::xml_node pou) {
     st::Unit unit;
     const std::string kind = value(pou, "pouType");
@@ -107,7 +107,7 @@ st::Unit unit_of(PlcopenReader& reader, pugi::xml_node pou) {
     return unit;
 }
 
-/// Reads the actions of the POU in Structured Text; actions in other languages are rejected later.
+/// Reads the actions of the POU in Structured Text. Actions in other languages are rejected later.
 void read_actions(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit) {
     for (const pugi::xml_node& node : children(child(pou, "actions"), "action")) {
         st::Action action;
@@ -120,7 +120,7 @@ void read_actions(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit) {
     }
 }
 
-/// Comments of the drawing and XML comments are placed before the chart.
+/// Returns the comments of the drawing and the XML comments, which are placed before the chart.
 std::string remarks(PlcopenReader& reader, pugi::xml_node pou) {
     std::string text;
     if (const pugi::xml_node documentation = child(pou, "documentation"))
@@ -133,7 +133,8 @@ std::string remarks(PlcopenReader& reader, pugi::xml_node pou) {
     return text;
 }
 
-/// The descendants of `root` with one of the names, in the order of the file; not those in one of them.
+/// Returns the descendants of `root` with one of the names, in the order of the file. Descendants of such an element
+/// are not included.
 std::vector<pugi::xml_node> all_of(pugi::xml_node root, std::initializer_list<std::string_view> names) {
     std::vector<pugi::xml_node> found;
     for (pugi::xml_node node = root.first_child(); node;) {
@@ -155,7 +156,7 @@ st::File read_plcopen(const Xml& xml, const Sources& sources, Draft& draft) {
     PlcopenReader reader{xml, sources, draft};
     reader.file.source = xml.source();
     std::vector<pugi::xml_node> pous;
-    pugi::xml_node program;  // in Structured Text; reported if there is no chart
+    pugi::xml_node program;  // a program in Structured Text, which is reported if there is no chart
     for (const pugi::xml_node& node : all_of(xml.root(), {"globalVars", "pou"})) {
         if (is(node, "globalVars")) read_variables(reader, node, reader.file.globals);
         else if (child(child(node, "body"), "SFC")) pous.push_back(node);
@@ -200,7 +201,7 @@ void read_body(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit,
     }
 }
 
-/// The milliseconds of an xsd:duration of days and smaller units, such as `PT0.01S`; empty for other texts.
+/// Returns the milliseconds of an xsd:duration of days and smaller units, such as `PT0.01S`; empty for other texts.
 std::optional<std::int64_t> milliseconds(const std::string& text) {
     static const std::regex pattern(
         R"(P(?:(\d{1,6})D)?(?:T(?:(\d{1,6})H)?(?:(\d{1,6})M)?(?:(\d{1,6})(?:\.(\d{1,3})0*)?S)?)?)");
@@ -214,7 +215,7 @@ std::optional<std::int64_t> milliseconds(const std::string& text) {
     return total;
 }
 
-/// The interval of a task: a duration of IEC 61131-3 or of XML Schema.
+/// Returns the interval of a task: a duration of IEC 61131-3 or of XML Schema.
 Id<st::Expr> interval_of(PlcopenReader& reader, pugi::xml_node task) {
     const auto known = milliseconds(value(task, "interval"));
     if (!known) return reader.expression(reader.xml.text(task, "interval"));

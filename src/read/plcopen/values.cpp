@@ -11,7 +11,8 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t most_values = 100'000;  // of one network: each connection copies what precedes it
+// Maximum number of values of one network, because each connection copies the expression before it.
+constexpr std::size_t most_values = 100'000;
 
 struct Function {
     std::string_view name = {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// PlcopenValues: the values at the connections of an LD or FBD network, as expressions: variables, contacts, and blocks
-// for Boolean and arithmetic functions. A derived class adds elements with a state.
+// PlcopenValues: the values at the connections of an LD or FBD network, as expressions. They consist of variables,
+// contacts, and blocks for Boolean and arithmetic functions. A derived class adds elements with a state.
 #pragma once
 
 #include <cstddef>
@@ -16,30 +16,31 @@ public:
     PlcopenValues(PlcopenValues&&) = delete;
     virtual ~PlcopenValues() = default;
 
-    /// Value at a connection point; several incoming lines form an OR. Invalid if it is not connected.
+    /// Returns the value at a connection point; several incoming lines form an OR. Invalid if it is not connected.
     Id<st::Expr> at(pugi::xml_node point, std::size_t depth = 0);
     Id<st::Expr> from(pugi::xml_node source) { return of({source, {}}, 0); }
-    /// Value assigned to the coil or variable at the end of the network.
+    /// Returns the value assigned to the coil or variable at the end of the network.
     Id<st::Expr> into(pugi::xml_node end) { return passes_on(end) ? negated(end, at(end)) : Id<st::Expr>{}; }
 
 protected:
-    static constexpr std::size_t deepest = 200;  // levels of a network
+    static constexpr std::size_t deepest = 200;  // maximum number of levels in a network
 
-    /// Value of an output of a block other than the functions with an operator in IEC 61131-3.
+    /// Returns the value of an output of a block that is not a function with an operator in IEC 61131-3.
     virtual Id<st::Expr> other_block(pugi::xml_node block, const std::string& output, std::size_t depth);
-    /// Value of a contact or coil with an edge or storage, or of a coil in the middle of a rung.
+    /// Returns the value of a contact or coil with an edge or storage, or of a coil in the middle of a rung.
     virtual Id<st::Expr> other_element(pugi::xml_node element, std::size_t depth);
     /// Called with each term that reads variables.
     virtual void is_read(Id<st::Expr>) {}
 
     Id<st::Expr> negated(pugi::xml_node node, Id<st::Expr> term, std::string_view mark = "negated");
-    /// True if a variable, contact, coil or pin passes a value without an edge, set or reset; reports it otherwise.
+    /// True if a variable, contact, coil or pin passes a value without an edge, set or reset; otherwise this is
+    /// reported.
     bool passes_on(pugi::xml_node node);
-    /// Like at(), but reports an unconnected point.
+    /// Same as at(), but reports an unconnected point.
     Id<st::Expr> wired(pugi::xml_node point, std::size_t depth, std::string_view what);
-    /// The value of an input pin of a block.
+    /// Returns the value of an input pin of a block.
     Id<st::Expr> pin(pugi::xml_node pin, std::size_t depth);
-    /// The variable of a contact or coil.
+    /// Returns the variable of a contact or coil.
     Id<st::Expr> operand(pugi::xml_node node);
     Id<st::Expr> unsupported(pugi::xml_node block, std::string_view what);
 

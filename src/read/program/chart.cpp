@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Sequential Function Charts as statements. A step is an instance with the outputs X and T, which counts time while X
-// is true; an action is an instance of its ACTION_CONTROL. In each execution of the body:
-//   - the conditions of enabled transitions are evaluated, by priority; a transition is not cleared if one before it
-//     was that leaves the same step. The first execution, in which the initial step is active, clears none: the effects
-//     of the activation of a step precede the test of the transitions after it;
+// Converts Sequential Function Charts to statements. A step is an instance with the outputs X and T, which counts time
+// while X is true; an action is an instance of its ACTION_CONTROL. In each execution of the body:
+//   - the conditions of enabled transitions are evaluated, by priority; a transition is not cleared if a previous
+//     transition that leaves the same step is cleared. The first execution, in which the initial step is active, clears
+//     no transition: the effects of the activation of a step precede the test of the transitions after it;
 //   - all cleared transitions deactivate and activate their steps;
-//   - all action controls are evaluated; then actions are executed, and Boolean variables assigned, in their order.
+//   - all action controls are evaluated; then actions are executed, and Boolean variables are assigned, in their order.
 #include <algorithm>
 #include <utility>
 
@@ -18,7 +18,7 @@ namespace grafverif::program {
 namespace {
 
 using Op = Program::Op;
-constexpr std::uint32_t time_offset = 1;  // of T in a step; X is first
+constexpr std::uint32_t time_offset = 1;  // offset of T in the cells of a step; X is at offset 0
 
 }  // namespace
 
@@ -49,7 +49,7 @@ Id<Type> Reader::step_type(bool initial) {
     return type = program.types.add({Type::Kind::Block, "STEP", 0, 0, {}, id});
 }
 
-/// The first cell of a new variable that statements cannot name.
+/// Adds a variable that statements cannot name. Returns its first cell.
 std::uint32_t Reader::add_cells(Id<Unit> id, std::string shown, Id<Type> type, Span where, Variable::Section section) {
     Unit& unit = program.units[id];
     Variable made;
@@ -64,7 +64,8 @@ std::uint32_t Reader::add_cells(Id<Unit> id, std::string shown, Id<Type> type, S
     return unit.variables.back().offset;
 }
 
-/// A step or an action, with two of its members. Only a step may have the name of an elementary variable.
+/// Adds a step or an action, with two of its members. A step may have the name of an elementary variable, but an action
+/// may not.
 std::uint32_t Reader::add_cells(Id<Unit> id, st::Name name, std::array<std::string_view, 2> members, Id<Type> type) {
     Scope& scope = scopes_[id.index];
     const auto old = scope.variables.find(name.word.index);
@@ -79,7 +80,7 @@ std::uint32_t Reader::add_cells(Id<Unit> id, st::Name name, std::array<std::stri
     return add_cells(id, text(name.word), type, name.where);
 }
 
-/// `Step.X`, `Step.T`, `Action.Q`, of this unit or of an instance that the expression may read.
+/// Resolves `Step.X`, `Step.T` or `Action.Q`, of this unit or of an instance that the expression may read.
 std::optional<Reader::Found> Reader::chart_member(Id<st::Expr> path) {
     const st::Expr member = file_->exprs[path];
     const st::Expr owner = file_->exprs[member.first];
@@ -130,7 +131,7 @@ void Reader::declare_chart(std::size_t index) {
 
 // -- parts of statements ----------------------------------------------------------------------------------------------
 
-/// The cell of X of a step.
+/// Returns the cell of X of a step.
 std::uint32_t Reader::cell_of(Id<st::Word> step) const {
     const std::uint32_t index = scopes_[unit_.index].members.at({step.index, file_->intern("X").index});
     return program.units[unit_].variables[index].offset;
@@ -273,7 +274,8 @@ void Reader::execute(const ChartAction& action, Program::Body& body) {
 
 // -- step times -------------------------------------------------------------------------------------------------------
 
-/// The operands of a comparison. A step time need not be counted beyond the constants with which it is compared.
+/// Returns the operands of a comparison. A step time need not be counted beyond the constants with which it is
+/// compared.
 std::array<Reader::MaybeTyped, 2> Reader::compared(const std::vector<Id<st::Expr>>& sides) {
     const auto is_member = [&](std::size_t side) { return file_->exprs[sides[side]].op == st::Op::Member; };
     std::array<MaybeTyped, 2> values;

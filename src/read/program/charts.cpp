@@ -20,13 +20,13 @@ namespace grafverif::program {
 
 namespace {
 
-/// A part of the body of ACTION_CONTROL (IEC 61131-3, 2.6.4.5). `{0}`: the duration, `{1}`: the reset.
+/// A part of the body of ACTION_CONTROL (IEC 61131-3, 2.6.4.5). `{0}` is replaced by the duration, `{1}` by the reset.
 struct Qualifier {
     std::string_view name = {};
     bool timed = false;
     std::string_view variables = {}, statements = {};
-    std::string_view value = {};    ///< contributes to Q
-    std::string_view trigger = {};  ///< contributes to A alone
+    std::string_view value = {};    ///< term that contributes to Q
+    std::string_view trigger = {};  ///< term that contributes only to A
 };
 constexpr std::array qualifiers = {
     Qualifier{"N", false, "", "", "N", ""},
@@ -45,7 +45,8 @@ constexpr std::array qualifiers = {
     Qualifier{"P0", false, "P0_END, P0_OLD : BOOL;", "P0_END := P0_OLD AND NOT P0; P0_OLD := P0;", "", "P0_END"},
 };
 
-/// Q is the state of a Boolean variable; statements are executed while A is true: also once after Q (the final scan).
+/// Returns the text of ACTION_CONTROL. Q is the state of a Boolean variable. Statements are executed while A is true,
+/// which includes one scan after Q (the final scan).
 std::string control_text(const ChartAction& action, std::optional<std::int64_t> time) {
     const std::string duration = time ? fmt::format("T#{}ms", *time) : "T";
     const std::string reset = action.steps.contains("R") ? "R" : "FALSE";
@@ -205,7 +206,7 @@ private:
         if (qualifier->timed) times_[static_cast<std::size_t>(action - chart_.actions.data())].push_back(&association);
     }
 
-    /// The value of a duration literal, or of a constant.
+    /// Returns the value of a duration literal or of a constant.
     std::optional<std::int64_t> duration(Id<st::Expr> expr) const {
         const st::Expr& node = file_.exprs[expr];
         if (node.op == st::Op::Time) return node.value;
@@ -221,7 +222,8 @@ private:
         return {};
     }
 
-    /// The standard makes it an error if two associations with durations are active together.
+    /// Adds the action control. According to the standard, it is an error if two associations with durations are active
+    /// together.
     void control(ChartAction& action) {
         const auto& timed = times_[static_cast<std::size_t>(&action - chart_.actions.data())];
         std::optional<std::int64_t> time;
@@ -236,11 +238,13 @@ private:
         const st::Text all = {{{source, 0, static_cast<std::uint32_t>(body.size())}, false}};
         action.control = file_.units.size();
         st::parse_programs(all, file_, sources_, diagnostics_);
-        file_.units.back().name.word = file_.intern(fmt::format("ACTION_CONTROL {}", action.control));  // unique
+        // The name is unique.
+        file_.units.back().name.word = file_.intern(fmt::format("ACTION_CONTROL {}", action.control));
     }
 
-    /// Without regard to conditions, no transition activates an active step. Simultaneous clearing has the effect of
-    /// clearing in sequence. Not every situation of a chart that has too many is examined: the chart is rejected.
+    /// Checks that, without regard to conditions, no transition activates an active step. Then clearing transitions
+    /// simultaneously has the same effect as clearing them in sequence. If a chart has too many situations to examine,
+    /// it is rejected.
     void check_safety(const st::Network& network) {
         Marking first(index_.size());
         for (const st::Step& step : network.steps)
@@ -274,13 +278,13 @@ private:
     }
 
     st::File& file_;
-    const st::Unit unit_;  // a copy: units are added to the file
+    const st::Unit unit_;  // copied, because units are added to the file
     Sources& sources_;
     Diagnostics& diagnostics_;
     Chart chart_ = {};
-    std::unordered_map<std::uint32_t, std::size_t> index_ = {};  ///< of steps, by word
+    std::unordered_map<std::uint32_t, std::size_t> index_ = {};  ///< index of each step, by word
     std::unordered_map<std::uint32_t, const st::Action*> actions_ = {};
-    std::vector<std::vector<const st::Association*>> times_ = {};  ///< per action: those with a duration
+    std::vector<std::vector<const st::Association*>> times_ = {};  ///< per action: the associations with a duration
 };
 
 }  // namespace

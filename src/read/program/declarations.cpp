@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Declarations: types, units with their variables, and the configuration.
+// Reads declarations: types, units with their variables, and the configuration.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -185,7 +185,7 @@ void Reader::declare(std::size_t index) {
     declare_variables(id, from.variables, from.kind == st::UnitKind::Program);
     if (!from.networks.empty()) declare_chart(index);
     Unit& unit = program.units[id];
-    if (unit.size == 0) {  // an instance has a cell, which bounds their number
+    if (unit.size == 0) {  // every instance has at least one cell, which bounds the number of instances
         unit.size = 1;
         unit.variables.push_back({"_", Variable::Section::Local, bool_, 0, 0, false, false, false, 0, from.name.where});
     }
@@ -235,7 +235,7 @@ void Reader::declare(Id<Unit> id, const st::Variable& from, bool is_program) {
         return reject(from.name.where, "VAR_IN_OUT", "pass the value in and assign it back");
     const auto type = type_of(from.type, from.where);
     if (!type) return;
-    Unit& target = program.units[id];  // type_of may have added units' variables
+    Unit& target = program.units[id];  // read again, because type_of may have added units' variables
     Variable made;
     made.name = text(from.name.word);
     made.type = *type;
@@ -274,7 +274,7 @@ void Reader::declare(Id<Unit> id, const st::Variable& from, bool is_program) {
     last.variables.push_back(std::move(made));
 }
 
-/// Variables at one address share their value, which cells do not.
+/// Reports variables at one address: they share their value, but cells do not.
 void Reader::check_addresses(const std::vector<const st::Variable*>& located) {
     std::map<std::string, const st::Variable*> seen;
     for (const st::Variable* variable : located) {
@@ -287,7 +287,7 @@ void Reader::check_addresses(const std::vector<const st::Variable*>& located) {
             reject(variable->name.where, "a second variable at " + quoted(variable->address),
                    "use one variable for each address");
     }
-    // A bit lies in a word of the same area: only areas of equal sizes are known to be disjoint.
+    // A bit lies in a word of the same area. Only areas with elements of equal size are known to be disjoint.
     std::map<char, char> sizes;
     for (const st::Variable* variable : located) {
         const std::string address = st::capitals(variable->address);
@@ -363,7 +363,7 @@ void Reader::task_of(const st::Instance& instance) {
     diagnostics->add(messages::unknown(instance.task.where, "task", text(instance.task.word), ""));
 }
 
-/// No function calls itself, also indirectly.
+/// Checks that no function calls itself directly or indirectly.
 void Reader::check_calls() {
     enum class Mark { White, Grey, Black };
     std::vector<Mark> marks(program.units.size(), Mark::White);

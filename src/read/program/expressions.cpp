@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Expressions with their types. An integer literal adapts to the type that it meets; integers of different types meet
-// in the type that contains the other.
+// Reads expressions with their types. An integer literal adapts to the type of the other operands. Integers of
+// different types are converted to the type that contains the other.
 #include <algorithm>
 #include <string>
 
@@ -99,7 +99,7 @@ bool Reader::unify(std::vector<Typed>& operands, Span where) {
                                 contains(program.types[own], program.types[common])))
             common = own;
     }
-    if (!common.valid()) return true;  // literals only
+    if (!common.valid()) return true;  // all operands are literals
     for (Typed& operand : operands) {
         const auto node = converted(operand, common, where, "an operand");
         if (!node) return false;
@@ -202,7 +202,7 @@ Reader::MaybeTyped Reader::junction(Id<st::Expr> id) {
 Reader::MaybeTyped Reader::comparison(Id<st::Expr> id) {
     const st::Expr from = file_->exprs[id];
     const std::vector<Id<st::Expr>> parts = st::operands(*file_, id);
-    if (parts.size() != 2) return {};  // reported by the parser
+    if (parts.size() != 2) return {};  // the parser has reported this
     const auto [left, right] = compared(parts);
     if (!left || !right) return {};
     std::vector<Typed> both = {*left, *right};
@@ -237,7 +237,7 @@ Reader::MaybeTyped Reader::arithmetic(Id<st::Expr> id) {
     }
     const Op op = op_of(from.op);
     const bool literal = std::ranges::all_of(operands, &Typed::literal);
-    if (literal) {  // computed exactly
+    if (literal) {  // computed exactly, because it is a literal
         const std::int64_t a = *value_of(operands[0].node);
         const std::int64_t b = operands.size() > 1 ? *value_of(operands[1].node) : 0;
         std::int64_t value = 0;
@@ -274,7 +274,7 @@ Reader::MaybeTyped Reader::arithmetic(Id<st::Expr> id) {
 
 // -- calls ------------------------------------------------------------------------------------------------------------
 
-/// The arguments of a standard function, which are positional or named `IN`, `IN1`, ... in order.
+/// Returns the arguments of a standard function, which are positional or named `IN`, `IN1`, ... in order.
 std::vector<Reader::Typed> Reader::arguments(Id<st::Expr> call, std::size_t least, std::size_t most, bool& ok) {
     std::vector<Typed> values;
     const std::vector<Id<st::Expr>> parts = st::operands(*file_, call);
@@ -355,7 +355,7 @@ Reader::MaybeTyped Reader::standard_function(Id<st::Expr> id, const std::string&
     return Typed{add(known->op, result, std::move(nodes), where), false};
 }
 
-/// `INT_TO_DINT`, `BOOL_TO_INT`, `INT_TO_BOOL`.
+/// Resolves a conversion such as `INT_TO_DINT`, `BOOL_TO_INT` or `INT_TO_BOOL`.
 Reader::MaybeTyped Reader::conversion(Id<st::Expr> id, const std::string& name) {
     const Span where = file_->exprs[id].where;
     const std::size_t at = name.find("_TO_");

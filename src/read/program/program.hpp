@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// read_program: Structured Text of IEC 61131-3 (programs, function blocks, functions, types, a configuration) ->
-// Program. Names are resolved without regard to case, types are checked, and each construct that Program does not
+// read_program: reads Structured Text of IEC 61131-3 (programs, function blocks, functions, types, a configuration) to
+// a Program. Names are resolved without regard to case, and types are checked. A construct that Program does not
 // represent exactly is an error. All errors of a file are reported together.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace grafverif {
 
-/// A program with its names, in which expressions over its variables can be read.
+/// A program with its names. Expressions over its variables can be read in it.
 class ProgramText {
 public:
     ProgramText();
@@ -25,8 +25,8 @@ public:
     ~ProgramText();
 
     const Program& program() const;
-    /// A Boolean expression over the variables of the program, with the operators of Structured Text or of C. It is
-    /// added to the nodes of the program. Nothing after an error.
+    /// Reads a Boolean expression over the variables of the program, with the operators of Structured Text or of C. It
+    /// is added to the nodes of the program. The result is empty after an error.
     std::optional<Id<Program::Node>> condition(const st::Text& text, const Sources& sources, Diagnostics& diagnostics);
 
     struct Inside;
@@ -36,7 +36,7 @@ private:
     std::unique_ptr<Inside> inside_;
 };
 
-/// Empty after at least one error. The source of the standard function blocks is added to `sources`.
+/// Reads a program; empty after at least one error. The source of the standard function blocks is added to `sources`.
 std::optional<ProgramText> read_program(Id<Source> source, Sources& sources, Diagnostics& diagnostics);
 
 }  // namespace grafverif

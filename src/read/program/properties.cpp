@@ -168,7 +168,8 @@ private:
         made.text = "no " + word;
     }
 
-    /// Positions refer to the file if it contains the expression literally, otherwise to a source with the expression.
+    /// Positions refer to the property file if it contains the expression literally, otherwise to a source with the
+    /// expression.
     std::optional<Id<Program::Node>> condition(const YAML::Node& from) {
         const std::string expression = from.Scalar();
         Span place = where(from);

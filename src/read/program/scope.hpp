@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// program::Reader: name resolution and type checking of Structured Text and Sequential Function Charts, in four files:
-// declarations, expressions, statements and charts.
+// program::Reader: resolves names and checks types of Structured Text and Sequential Function Charts. Its functions are
+// in four files: declarations, expressions, statements and charts.
 #pragma once
 
 #include <array>
@@ -29,43 +29,43 @@ using Variable = Program::Variable;
 
 class Reader {
 public:
-    /// `charts`: one for each unit of the file.
+    /// `charts` contains one chart for each unit of the file.
     Reader(st::File& file, const Sources& sources, Diagnostics& diagnostics, std::vector<Chart> charts);
 
-    /// `user`: the number of units of the user, which precede the standard ones.
+    /// `user` is the number of units of the user, which precede the standard ones.
     void read(std::size_t user);
-    /// A Boolean expression over the variables of `main`, and of the instances in it.
+    /// Reads a Boolean expression over the variables of `main` and of its instances.
     std::optional<Id<Node>> condition(Id<st::Expr> root);
 
     Program program = {};
     Diagnostics* diagnostics;
 
 private:
-    /// A typed expression. `literal`: an integer without a type, which adapts to the type that it meets.
+    /// A typed expression. `literal` is true for an integer without a type, which adapts to the type of other operands.
     struct Typed {
         Id<Node> node = {};
         bool literal = false;
     };
     using MaybeTyped = std::optional<Typed>;
 
-    /// A variable with the cell that it names.
+    /// A variable together with the cell that it denotes.
     struct Found {
         Program::Place place = {};
         Id<Type> type = {};
-        Variable* variable = nullptr;  ///< in its unit
-        Variable* instance = nullptr;  ///< the block that contains it, if named through it
-        bool inside = false;           ///< named through an instance
+        Variable* variable = nullptr;  ///< variable of its unit
+        Variable* instance = nullptr;  ///< instance that contains it, if it was named through the instance
+        bool inside = false;           ///< true if it was named through an instance
     };
     struct Scope {
         std::unordered_map<std::uint32_t, std::uint32_t> variables =
             {};  ///< word -> index in the variables of the unit
         std::unordered_map<std::uint32_t, Span> externals = {};
-        /// Step or action, and member -> index in the variables: a variable may have the name of a step.
+        /// Step or action, and member -> index in the variables. A variable may have the name of a step.
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> members = {};
     };
     enum class State { New, Open, Done };
 
-    // declarations.cpp
+    // Defined in declarations.cpp:
     void declare_types();
     void declare_units(std::size_t user);
     void declare(std::size_t index);
@@ -79,7 +79,7 @@ private:
     void task_of(const st::Instance& instance);
     void check_calls();
 
-    // chart.cpp
+    // Defined in chart.cpp:
     void declare_chart(std::size_t index);
     Id<Type> step_type(bool initial);
     std::uint32_t add_cells(Id<Unit> unit, std::string shown, Id<Type> type, Span where,
@@ -99,7 +99,7 @@ private:
     std::array<MaybeTyped, 2> compared(const std::vector<Id<st::Expr>>& sides);
     void limit_step_time(const Found& read);
 
-    // expressions.cpp
+    // Defined in expressions.cpp:
     MaybeTyped expression(Id<st::Expr> id);
     MaybeTyped leaf(Id<st::Expr> id);
     MaybeTyped junction(Id<st::Expr> id);
@@ -111,7 +111,7 @@ private:
     MaybeTyped user_function(Id<st::Expr> id, std::size_t index);
     std::vector<Typed> arguments(Id<st::Expr> call, std::size_t least, std::size_t most, bool& ok);
     bool unify(std::vector<Typed>& operands, Span where);
-    /// `value` as a node of `type`; an error names `what`.
+    /// Returns `value` as a node of `type`. An error names `what`.
     std::optional<Id<Node>> converted(const Typed& value, Id<Type> type, Span where, std::string_view what);
     std::optional<Found> variable(Id<st::Expr> path);
     std::optional<Found> named(Id<st::Word> word, Span where);
@@ -122,7 +122,7 @@ private:
     const Type& type(const Typed& value) const { return program.types[program.nodes[value.node].type]; }
     std::string described(const Typed& value) const;
 
-    // statements.cpp
+    // Defined in statements.cpp:
     Program::Body block(const st::Block& statements);
     void statement(Id<st::Statement> id, Program::Body& body);
     void assign(const Found& target, const Typed& value, Span where, Program::Body& body);
@@ -140,20 +140,20 @@ private:
     st::File* file_;
     const Sources* sources_;
     std::unordered_map<std::uint32_t, std::size_t> units_ = {};  ///< word -> unit of the file
-    std::vector<Id<Unit>> declared_ = {};                        ///< per unit of the file
+    std::vector<Id<Unit>> declared_ = {};                        ///< unit of the program per unit of the file
     std::vector<State> states_ = {};
     std::unordered_map<std::uint32_t, Id<Type>> types_ = {};                  ///< word -> type
-    std::map<std::uint32_t, std::pair<Id<Type>, std::int64_t>> values_ = {};  ///< of enumerations, by word
-    std::vector<Scope> scopes_ = {};                                          ///< per unit of the program
-    std::vector<std::vector<std::uint32_t>> calls_ = {};                      ///< per unit: the functions that it calls
-    Id<Unit> unit_ = {};                                                      ///< the current one
-    bool any_member_ = false;  ///< local variables of instances can be read
+    std::map<std::uint32_t, std::pair<Id<Type>, std::int64_t>> values_ = {};  ///< values of enumerations, by word
+    std::vector<Scope> scopes_ = {};                                          ///< scope of each unit of the program
+    std::vector<std::vector<std::uint32_t>> calls_ = {};                      ///< functions that each unit calls
+    Id<Unit> unit_ = {};                                                      ///< the current unit
+    bool any_member_ = false;  ///< true if local variables of instances can be read
     int loops_ = 0;
-    std::vector<Chart> charts_;                       ///< per unit of the file
-    std::array<Id<Type>, 2> step_types_ = {};         ///< of steps, of initial steps
+    std::vector<Chart> charts_;                       ///< chart of each unit of the file
+    std::array<Id<Type>, 2> step_types_ = {};         ///< type of steps, type of initial steps
     std::set<std::uint32_t> chart_units_ = {};        ///< units of steps and action controls
-    bool action_ = false;                             ///< within the body of an action
-    std::optional<std::int64_t> compared_time_ = {};  ///< the current operand is compared with this duration
+    bool action_ = false;                             ///< true within the body of an action
+    std::optional<std::int64_t> compared_time_ = {};  ///< duration with which the current operand is compared
     Id<Type> bool_ = {}, int_ = {}, dint_ = {}, time_ = {};
 };
 

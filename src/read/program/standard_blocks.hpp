@@ -7,11 +7,12 @@
 
 namespace grafverif::program {
 
-/// Bodies of the standard. A variable ELAPSED advances between two scans while RUNNING is true, whether or not the
-/// block is called, and both are hidden from programs.
+/// The bodies are those of the standard. A variable ELAPSED advances between two scans while RUNNING is true, even if
+/// the block is not called. Programs cannot access these two variables.
 ///
-/// Readings on which the standard is open: counters stop at the limits of INT; the output of TON and TP for the preset
-/// time zero changes in the scan of the edge; a preset time that changes while Q is true has no effect on TON.
+/// Where the standard leaves a choice, the implementation is as follows. Counters stop at the limits of INT. With a
+/// preset time of zero, the output of TON and TP changes in the scan of the edge. If the preset time changes while Q is
+/// true, TON is not affected.
 inline constexpr std::string_view standard_blocks = R"(
 FUNCTION_BLOCK SR
 VAR_INPUT S1, R : BOOL; END_VAR VAR_OUTPUT Q1 : BOOL; END_VAR

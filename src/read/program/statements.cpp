@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Statements. A call of a function block becomes assignments to its inputs, the call, and assignments of its outputs.
+// Reads statements. A call of a function block becomes assignments to its inputs, the call, and assignments of its
+// outputs.
 #include <algorithm>
 #include <string>
 
@@ -63,7 +64,7 @@ void Reader::statement(Id<st::Statement> id, Program::Body& body) {
     body.push_back(program.statements.add(std::move(made)));
 }
 
-/// A variable that a statement may assign.
+/// Returns a variable that a statement may assign.
 std::optional<Reader::Found> Reader::target(Id<st::Expr> path) {
     const Span where = file_->exprs[path].where;
     const auto found = variable(path);

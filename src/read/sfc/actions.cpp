@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Converts action blocks (IEC 61131-3, 2.6.4) to actions of GRAFCET. Each block, in the order of steps, is converted
-// separately to a Made:
+// Converts action blocks (IEC 61131-3, 2.6.4) to actions of GRAFCET. Each block, in the order of steps, is separately
+// converted to a Made:
 //
 //   N            a continuous action                        S, R     stored actions on activation
 //   D, L         a continuous action with a delay or limit  DS       a stored action when the step has lasted
@@ -8,8 +8,9 @@
 //   SD, SL       the step sets a latch; in the additional partial chart the output is true after or until its time
 //   statements   stored actions for the assignments that bodies.cpp computes
 //
-// A latch is an internal variable, one for each output and qualifier, so blocks of several steps share it. The effect
-// of R depends on all blocks, because it ends the effects of others: it is completed last, from the list of all blocks.
+// A latch is an internal variable, one for each output and qualifier, so that blocks of several steps share it. The
+// effect of R depends on all blocks, because it ends the effects of other blocks. Therefore R is completed last, with
+// the list of all blocks.
 #include <algorithm>
 #include <iterator>
 
@@ -20,14 +21,14 @@ namespace grafverif {
 
 namespace {
 
-/// A Boolean variable with a qualifier.
+/// A Boolean variable with an action qualifier.
 struct Act {
     std::string step = {}, output = {}, qualifier = {};
     Span where = {};
-    std::int64_t milliseconds = 0;  ///< for qualifiers with a time
+    std::int64_t milliseconds = 0;  ///< duration of a qualifier with a time
 };
 
-/// The conversion of an action block.
+/// The result of converting an action block.
 struct Made {
     std::vector<tree::Action> of_step = {}, always = {};
 };
@@ -45,14 +46,14 @@ tree::StoredAction on_activation(Draft& draft, const std::string& target, bool v
     return stored(draft, target, draft.constant(value, where), tree::StoredWhen::Activation, where);
 }
 
-/// Assigns `value` to `target` when `condition` becomes true.
+/// Returns an action that assigns `value` to `target` when `condition` becomes true.
 tree::StoredAction on_rise(Draft& draft, const std::string& target, bool value, Id<tree::Expr> condition, Span where) {
     tree::StoredAction action = stored(draft, target, draft.constant(value, where), tree::StoredWhen::Event, where);
     action.event = draft.node(tree::Op::Rise, {condition}, where);
     return action;
 }
 
-/// `output` is true while `condition` holds.
+/// Returns an action that makes `output` true while `condition` holds.
 tree::ContinuousAction continuous(Draft& draft, const std::string& output, Id<tree::Expr> condition, Span where) {
     return {draft.name(output, where), condition, {}, {}, where};
 }
@@ -61,11 +62,11 @@ Id<tree::Expr> timed(Draft& draft, std::int64_t milliseconds, const std::string&
     return draft.node(tree::Op::Divide, {draft.duration(milliseconds, where), draft.variable(watched, where)}, where);
 }
 
-/// Detects differences in evaluation order: actions of one SFC scan run sequentially, whereas in GRAFCET all read the
-/// previous values. Each difference is reported once per variable.
+/// Detects differences in the order of evaluation: actions of one SFC scan run sequentially, but in GRAFCET all of them
+/// read the previous values. Each difference is reported once per variable.
 class Order {
 public:
-    /// Records an action at `where` that assigns `target` and reads `reads`; returns the new differences.
+    /// Records an action at `where` that assigns `target` and reads `reads`. Returns the new differences.
     std::vector<std::string> differences(Span where, const std::string& target, const std::set<std::string>& reads) {
         std::vector<std::string> found;
         if (elsewhere(target, where) && told_.insert(target).second)
@@ -116,7 +117,7 @@ public:
 private:
     void refuse(Span where, std::string_view what, std::string_view hint) { draft_.refuse(where, what, hint); }
 
-    /// Converts a block; a Boolean variable with a qualifier is also added to `acts`.
+    /// Converts a block. A Boolean variable with a qualifier is also added to `acts`.
     Made block(const std::string& step, const st::Association& one, std::vector<Act>& acts) {
         if (!one.action.valid()) return statements(one, one.body);
         const auto body = std::ranges::find(sfc_.unit.actions, one.action.word,
@@ -162,7 +163,7 @@ private:
         return act;
     }
 
-    /// The time of a qualifier that requires one.
+    /// Returns the time of a qualifier that requires one.
     std::optional<std::int64_t> time(const st::Association& one) {
         if (!one.time.valid()) {
             sfc_.diagnostics().add(
@@ -189,20 +190,20 @@ private:
             return {{on_rise(draft_, act.output, true, timed(draft_, act.milliseconds, 'X' + act.step, where), where)},
                     {}};
         }
-        if (q.empty()) return {};  // rejected
+        if (q.empty()) return {};  // the qualifier was rejected
         tree::ContinuousAction action = continuous(draft_, act.output, {}, where);
         (q == "D" ? action.delay : action.limit) = draft_.duration(act.milliseconds, where);
         return {{action}, {}};
     }
 
-    /// The latch of a qualifier with memory; true if it is new.
+    /// Returns the latch of a qualifier with memory, and true if it is new.
     std::pair<std::string, bool> latch(const std::string& output, std::string_view suffix) {
         const auto [known, fresh] = latch_of_.try_emplace(output + std::string(suffix));
         if (fresh) latches_.push_back(known->second = sfc_.names.invent(output + std::string(suffix)));
         return {known->second, fresh};
     }
 
-    /// True for one scan: set by the step, reset by the next evolution.
+    /// Converts P, P1 and P0. The variable is true for one scan: the step sets it, and the next evolution resets it.
     Made pulse(const Act& act) {
         const auto [state, fresh] = latch(act.output, "_pulse");
         const auto when = act.qualifier == "P0" ? tree::StoredWhen::Deactivation : tree::StoredWhen::Activation;
@@ -223,8 +224,8 @@ private:
                 {continuous(draft_, act.output, condition, act.where)}};
     }
 
-    /// R also ends SD and SL of its output: returns, per step, the actions that reset their latches. Reports other
-    /// actions on the output that R does not suppress here while its step is active.
+    /// Since R also ends SD and SL of its output, returns the actions that reset their latches, per step. Reports other
+    /// actions on the output that the conversion of R does not suppress while its step is active.
     std::vector<std::pair<std::string, tree::StoredAction>> ended_by_resets(const std::vector<Act>& acts) {
         std::unordered_set<std::string> driven;  // outputs on which other actions may act while the step of R is active
         const bool parallel = has_parallel_steps();
@@ -291,7 +292,7 @@ private:
         return node.op == tree::Op::True || node.op == tree::Op::False || node.op == tree::Op::Number || negative;
     }
 
-    /// Assignments repeated in every scan while the step is active.
+    /// Returns assignments that are repeated in every scan while the step is active.
     std::vector<tree::Action> every_scan(Span where, const std::string& target, const SfcEffect& effect,
                                          const SfcBody& body) {
         const bool boolean = !effect.value.valid();
@@ -336,8 +337,8 @@ private:
     Sfc& sfc_;
     Draft& draft_;
     Order order_ = {};
-    std::unordered_map<std::string, std::string> latch_of_ = {};  ///< by output and suffix
-    std::vector<std::string> latches_ = {};                       ///< in order of creation
+    std::unordered_map<std::string, std::string> latch_of_ = {};  ///< latch by output and suffix
+    std::vector<std::string> latches_ = {};                       ///< latches in the order of creation
 };
 
 }  // namespace

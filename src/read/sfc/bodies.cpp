@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Symbolic execution of statement lists: computes the assigned values as terms over the values before the list.
+// Executes statement lists symbolically: computes the assigned values as terms over the values before the list.
 #include <algorithm>
 
 #include "read/sfc/sfc.hpp"
@@ -9,14 +9,14 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t most_terms = 200'000;  ///< per body: limits the growth through IF
+constexpr std::size_t most_terms = 200'000;  ///< maximum number of terms per body, which may grow through IF
 constexpr int deepest_call = 20;
 
 class Execution {
 public:
     explicit Execution(Sfc& sfc) : sfc_(sfc), first_term_(sfc.draft.file().exprs.size()) {}
 
-    /// State after the statements, given the assignments `before` them; empty if a statement is rejected.
+    /// Returns the state after the statements, given the assignments `before` them; empty if a statement is rejected.
     std::optional<SfcEffects> run(const st::Block& block, SfcEffects before, int calls) {
         std::optional<SfcEffects> state = std::move(before);
         for (const Id<st::Statement> id : block)
@@ -95,15 +95,15 @@ private:
             return run(action.body, std::move(state), calls + 1);
         }
         refuse(statement.where, "a call of a function block", "replace it by Boolean and integer variables");
-        return left_out(std::move(state));  // its results are declared elsewhere and become inputs of the chart
+        return left_out(std::move(state));  // its results are declared elsewhere, and become inputs of the chart
     }
 
-    /// State after a rejected statement: empty, or unchanged with `lossy`.
+    /// Returns the state after a rejected statement: empty, or unchanged with `lossy`.
     std::optional<SfcEffects> left_out(SfcEffects state) const {
         return sfc_.draft.lossy() ? std::optional(std::move(state)) : std::nullopt;
     }
 
-    /// Disjunction of `selector = label` or `low <= selector AND selector <= high` over the labels.
+    /// Returns the disjunction of `selector = label` or `low <= selector AND selector <= high` over the labels.
     Id<tree::Expr> matches(const st::Statement& statement, const st::Branch& branch, const SfcEffects& state) {
         Id<tree::Expr> any = sfc_.draft.constant(false, branch.where);
         for (const Id<st::Expr> label : branch.conditions) {
@@ -124,10 +124,10 @@ private:
         return any;
     }
 
-    /// A branch is taken if its condition holds and no earlier branch is taken; the result merges the states of all
-    /// branches.
+    /// Executes the branches. A branch is taken if its condition holds and no earlier branch is taken. The result
+    /// merges the states of all branches.
     std::optional<SfcEffects> choose(const st::Statement& statement, const SfcEffects& before, int calls) {
-        Id<tree::Expr> open = sfc_.draft.constant(true, statement.where);  // no earlier branch is taken
+        Id<tree::Expr> open = sfc_.draft.constant(true, statement.where);  // condition that no earlier branch is taken
         std::vector<Taken> taken;
         for (const st::Branch& branch : statement.branches) {
             Id<tree::Expr> here = condition(statement, branch, before);
@@ -187,7 +187,8 @@ private:
         return result;
     }
 
-    /// Merges a Boolean variable: set if a branch that sets it is taken; kept if a branch that keeps it is taken.
+    /// Merges a Boolean variable. It is set if a branch that sets it is taken, and kept if a branch that keeps it is
+    /// taken.
     SfcEffect merged(const std::string& name, const std::vector<Taken>& taken, Span where) {
         SfcEffect result{sfc_.draft.constant(false, where), sfc_.draft.constant(false, where), {}};
         for (const Taken& branch : taken) {

@@ -12,7 +12,7 @@ namespace grafverif {
 
 namespace {
 
-/// The conjuncts of a condition as text.
+/// Returns the conjuncts of a condition as text.
 std::vector<std::string> conjuncts(const Draft& draft, Id<tree::Expr> condition) {
     if (draft[condition].op != tree::Op::And) return {formatted(draft.file(), condition)};
     std::vector<std::string> all;
@@ -22,7 +22,7 @@ std::vector<std::string> conjuncts(const Draft& draft, Id<tree::Expr> condition)
 
 std::string negated(const std::string& text) { return text.starts_with('!') ? text.substr(1) : '!' + text; }
 
-/// True if two conditions are syntactically exclusive: one has the conjunct `a`, the other `!a`.
+/// True if two conditions are syntactically exclusive: one has the conjunct `a`, and the other has `!a`.
 bool exclusive(const std::vector<std::string>& one, const std::vector<std::string>& other) {
     return std::ranges::any_of(one, [&](const std::string& text) {
         return text == "false" || std::ranges::find(other, negated(text)) != other.end();
@@ -51,7 +51,8 @@ void exclude_by_priority(Sfc& sfc, std::vector<SfcBranch>& branches) {
         std::vector<std::size_t>& list = behind[step];
         std::ranges::stable_sort(list, {}, [&](std::size_t i) {
             const std::int64_t priority = branches[i].written->priority;
-            return priority > 0 ? priority : std::int64_t{1} << 40U;  // without a priority: after those with one
+            // Transitions without a priority follow those with one.
+            return priority > 0 ? priority : std::int64_t{1} << 40U;
         });
         bool changed = false;
         for (std::size_t low = 1; low < list.size(); ++low) {

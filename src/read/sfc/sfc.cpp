@@ -30,12 +30,12 @@ void name_steps(Sfc& sfc) {
                 continue;
             }
             known->second = labels.make(sfc.file.text(step.name), step.name.where);
-            sfc.names.reserve('X' + known->second);  // its step variable
+            sfc.names.reserve('X' + known->second);  // name of its step variable
         }
     }
 }
 
-/// Replaces a condition that could not be imported by a new input, which is arbitrary at any time.
+/// Replaces a condition that could not be imported by a new input, whose value is arbitrary at any time.
 Id<tree::Expr> unknown_condition(Sfc& sfc, Span where) {
     SfcVariable variable;
     variable.name = sfc.names.invent("unknown_condition");
@@ -55,7 +55,8 @@ std::vector<SfcBranch> branches_of(Sfc& sfc, const st::Network& network) {
         if (written.condition.valid()) branch.condition = boolean_of(sfc, {written.from}, written.condition);
         if (!branch.condition.valid() && sfc.diagnostics().errors() == errors && sfc.draft.lossy())
             branch.condition = unknown_condition(sfc, written.where);
-        if (!branch.condition.valid()) branch.condition = sfc.draft.constant(false, written.where);  // already reported
+        // The error has already been reported.
+        if (!branch.condition.valid()) branch.condition = sfc.draft.constant(false, written.where);
         branches.push_back(branch);
     }
     exclude_by_priority(sfc, branches);
@@ -92,7 +93,7 @@ void mark_ends(Sfc& sfc, const st::Network& network, std::vector<tree::ChartItem
     }
 }
 
-/// If several steps have the same name, which has been reported, the first one gets the actions.
+/// Returns the steps. If several steps have the same name, which has been reported, the first one gets the actions.
 std::vector<tree::ChartItem> steps_of(Sfc& sfc, const st::Network& network, SfcActions& actions,
                                       const std::unordered_map<Id<st::Word>, std::string>& expansions) {
     std::vector<tree::ChartItem> items;
@@ -189,7 +190,7 @@ void add_ranges(Sfc& sfc, tree::Chart& chart) {
     }
 }
 
-/// Adds the step that is always active, with the actions that belong to no step.
+/// Adds the step that is always active, with the actions that do not belong to a step.
 void add_always(Sfc& sfc, SfcActions& actions, tree::Chart& chart) {
     for (const std::string& latch : actions.latches) {
         tree::Variable variable;

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Sequential Function Charts (IEC 61131-3) -> tree of a GRAFCET. The differences between SFC and GRAFCET are treated as
-// follows:
+// Converts Sequential Function Charts (IEC 61131-3) to the tree of a GRAFCET. The differences between SFC and GRAFCET
+// are treated as follows:
 //
-// - After a step SFC takes one branch, by priority: the conditions are made mutually exclusive.
-// - A Boolean variable under N, D, L is true while its step is active: a continuous action. S and R set and reset it
-//   when
-//   their step becomes active: stored actions. P, SD, SL and DS get a new variable each, and a partial chart with one
-//   step
-//   that is always active computes the output from it.
-// - Assignments under P1 and P0 are stored actions on activation and deactivation. Under N they are executed in every
-//   scan: constants once on activation, Boolean terms on activation and whenever their value changes.
-// - SFC makes one evolution per scan and runs the actions of a scan sequentially; GRAFCET by default makes evolutions
-//   until the situation is stable, and computes all new values from old ones.
+// - After a step, SFC takes one branch, by priority. Therefore the conditions are made mutually exclusive.
+// - A Boolean variable under N, D, L is true while its step is active. It becomes a continuous action. S and R set and
+//   reset a variable when their step becomes active. They become stored actions. P, SD, SL and DS get a new variable
+//   each, and a partial chart with one step that is always active computes the output from it.
+// - Assignments under P1 and P0 become stored actions on activation and deactivation. Under N they are executed in
+//   every scan. Constants are therefore stored once on activation, and Boolean terms on activation and whenever their
+//   value changes.
+// - SFC performs one evolution per scan and executes the actions of a scan sequentially. By default, GRAFCET performs
+//   evolutions until the situation is stable, and computes all new values from old ones.
 //
 // Inexact conversions are reported by warnings (`differs-from-sfc`); constructs that cannot be imported are rejected.
 #pragma once
@@ -30,7 +29,7 @@
 
 namespace grafverif {
 
-/// Declares a chart for each unit of `file` that has one.
+/// Declares a chart for each unit of `file` that contains one.
 void convert_charts(const st::File& file, Draft& draft);
 
 // -- one unit under conversion ------------------------------------------------------------------------------------------
@@ -45,57 +44,57 @@ struct SfcTerm {
 struct SfcVariable {
     std::string name = {};  ///< name in the input language
     Span where = {};
-    SfcKind kind = SfcKind::Boolean;  ///< Bad: of a type not supported in charts
+    SfcKind kind = SfcKind::Boolean;  ///< Bad: its type is not supported in charts
     tree::VariableKind role = tree::VariableKind::Input;
-    bool constant = false;  ///< replaced by `initial`
-    bool wide = false;      ///< its type exceeds the integers of the input language
-    bool narrow = false;    ///< has a declared range
+    bool constant = false;  ///< true if it is replaced by `initial`
+    bool wide = false;      ///< true if its type exceeds the integers of the input language
+    bool narrow = false;    ///< true if it has a declared range
     std::int64_t initial = 0, low = 0, high = 1;
     std::string comment = {};
     bool used = false;
 };
 
-/// Assignment of a body to a variable: `set || keep && variable` (Boolean) or `value` (Integer), over the values before
-/// it.
+/// Assignment of a body to a variable: `set || keep && variable` (Boolean) or `value` (Integer). The terms are over the
+/// values before the body.
 struct SfcEffect {
     Id<tree::Expr> set = {}, keep = {}, value = {};
 };
-using SfcEffects = std::map<std::string, SfcEffect>;  ///< by name in the input language
+using SfcEffects = std::map<std::string, SfcEffect>;  ///< effects by name in the input language
 
 struct Sfc {
     const st::File& file;
     const st::Unit& unit;
     Draft& draft;
     std::vector<SfcVariable> variables = {};
-    std::unordered_map<std::string, std::size_t> by_name = {};  ///< upper-case path as written -> variable
-    std::unordered_map<Id<st::Word>, std::string> steps = {};   ///< names in the input language
+    std::unordered_map<std::string, std::size_t> by_name = {};  ///< path in upper case -> variable
+    std::unordered_map<Id<st::Word>, std::string> steps = {};   ///< names of steps in the input language
     LegalNames names;
 
     Diagnostics& diagnostics() { return draft.diagnostics(); }
     void differs(Span where, std::string_view what);
 };
 
-/// `a.b` as written; empty for expressions other than a path of names.
+/// Returns `a.b` as in the source; empty for expressions other than a path of names.
 std::string path_of(const st::File& file, Id<st::Expr> expr);
 
 // -- variables.cpp
 void classify_variables(Sfc& sfc);
-/// The variable named `path`; an undeclared one becomes an input, or an output if it is `written`.
+/// Returns the variable named `path`. An undeclared variable becomes an input, or an output if it is `written`.
 SfcVariable& variable_of(Sfc& sfc, const std::string& path, Span where, SfcKind expected, bool written);
 std::vector<tree::ChartItem> declarations_of(Sfc& sfc);
 
 // -- terms.cpp
 /// Context that determines the meaning of names in an expression.
 struct SfcScope {
-    std::span<const st::Name> left = {};     ///< upstream steps of the transition, for which `S.T` is available
+    std::span<const st::Name> left = {};     ///< upstream steps of the transition; `S.T` is available for them
     const SfcEffects* assigned = nullptr;    ///< values assigned earlier in the body
     std::set<std::string>* reads = nullptr;  ///< receives the variables that are read
 };
-/// Bad after an error. `expected`: assumed type of undeclared variables.
+/// Translates an expression; the type is Bad after an error. `expected` is the assumed type of undeclared variables.
 SfcTerm term_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr, SfcKind expected);
-/// Requires a Boolean term; reports any other type.
+/// Translates an expression that must be Boolean; reports any other type.
 Id<tree::Expr> boolean_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr);
-/// A constant duration in milliseconds.
+/// Returns a constant duration in milliseconds.
 std::optional<std::int64_t> duration_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr);
 Id<tree::Expr> both(Draft& draft, Id<tree::Expr> left, Id<tree::Expr> right);    ///< `&&`, with constant folding
 Id<tree::Expr> either(Draft& draft, Id<tree::Expr> left, Id<tree::Expr> right);  ///< `||`
@@ -104,17 +103,17 @@ Id<tree::Expr> opposite(Draft& draft, Id<tree::Expr> term);                     
 // -- bodies.cpp
 struct SfcBody {
     SfcEffects effects = {};           ///< assignments of the statements
-    std::set<std::string> reads = {};  ///< variables that they read
+    std::set<std::string> reads = {};  ///< variables that the statements read
 };
-/// Empty after an error.
+/// Executes statements symbolically; empty after an error.
 std::optional<SfcBody> body_of(Sfc& sfc, const st::Block& block);
 
 // -- actions.cpp
-/// The actions of each step, by its name in the input language, and those that are independent of steps.
+/// The actions of each step, by its name in the input language, and those that do not depend on a step.
 struct SfcActions {
     std::unordered_map<std::string, std::vector<tree::Action>> of_steps = {};
     std::vector<tree::Action> always = {};
-    std::vector<std::string> latches = {};  ///< internal Boolean variables
+    std::vector<std::string> latches = {};  ///< names of internal Boolean variables
 };
 SfcActions actions_of(Sfc& sfc);
 

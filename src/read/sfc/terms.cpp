@@ -13,7 +13,7 @@ bool is_constant(const Draft& draft, Id<tree::Expr> term, bool value) {
     return draft[term].op == (value ? tree::Op::True : tree::Op::False);
 }
 
-/// Syntactic equality; the recursion depth is limited by that of expressions.
+/// True if two terms are syntactically equal. The recursion depth is limited by that of expressions.
 bool same(const Draft& draft, Id<tree::Expr> one, Id<tree::Expr> other) {
     const tree::Expr &a = draft[one], &b = draft[other];
     if (a.op != b.op || a.word != b.word || a.value != b.value) return false;
@@ -48,7 +48,7 @@ SfcTerm refused(Sfc& sfc, Span where, std::string_view what,
     return {};
 }
 
-/// Value of a variable: a constant, the value assigned earlier in the body, or the variable itself.
+/// Returns the value of a variable: a constant, the value assigned earlier in the body, or the variable itself.
 SfcTerm variable_term(Sfc& sfc, const SfcScope& scope, const std::string& path, Span where, SfcKind expected) {
     const SfcVariable& variable = variable_of(sfc, path, where, expected, false);
     if (variable.kind == SfcKind::Bad)
@@ -72,7 +72,7 @@ SfcTerm variable_term(Sfc& sfc, const SfcScope& scope, const std::string& path, 
             SfcKind::Boolean};
 }
 
-/// `S1.X`; empty for anything else.
+/// Translates `S1.X`; empty for any other expression.
 std::optional<SfcTerm> step_flag(Sfc& sfc, const st::Expr& node) {
     if (node.op != st::Op::Member) return {};
     const st::Expr& owner = sfc.file.exprs[node.first];
@@ -85,7 +85,7 @@ std::optional<SfcTerm> step_flag(Sfc& sfc, const st::Expr& node) {
     return {};
 }
 
-/// The step S1 in `S1.T`; invalid for anything else.
+/// Returns the step S1 in `S1.T`; invalid for any other expression.
 Id<st::Word> timed_step(const Sfc& sfc, Id<st::Expr> expr) {
     const st::Expr& node = sfc.file.exprs[expr];
     if (node.op != st::Op::Member) return {};
@@ -96,7 +96,8 @@ Id<st::Word> timed_step(const Sfc& sfc, Id<st::Expr> expr) {
                : Id<st::Word>{};
 }
 
-/// `S1.T >= T#5s` becomes `5s/X1`, for a step that the transition leaves: it is active whenever the condition matters.
+/// Translates `S1.T >= T#5s` to `5s/X1` for a step that the transition leaves. This step is active whenever the
+/// condition is relevant.
 std::optional<SfcTerm> step_time(Sfc& sfc, const SfcScope& scope, const st::Expr& node) {
     const Id<st::Word> left = timed_step(sfc, node.first), right = timed_step(sfc, node.last);
     if (!left.valid() && !right.valid()) return {};
@@ -138,7 +139,7 @@ SfcTerm comparison(Sfc& sfc, const SfcScope& scope, const st::Expr& node) {
     left = coerced(sfc, left, right.kind);
     right = coerced(sfc, right, left.kind);
     if (left.kind == SfcKind::Bad || right.kind == SfcKind::Bad) return {};
-    if (left.kind == SfcKind::Time && right.kind == SfcKind::Time) {  // both constant
+    if (left.kind == SfcKind::Time && right.kind == SfcKind::Time) {  // both are constant
         const std::int64_t one = sfc.draft[left.expr].value, other = sfc.draft[right.expr].value;
         const bool holds = node.op == st::Op::Less           ? one < other
                            : node.op == st::Op::LessEqual    ? one <= other

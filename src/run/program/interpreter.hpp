@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ProgramRun: executes a Program literally, scan by scan, on its memory cells. It is the second route to the meaning of
-// a program, next to the equations, and replays every run before it is shown.
+// ProgramRun: executes a Program literally, scan by scan, on its memory cells. It is an implementation of the semantics
+// that does not depend on the equations. It replays every run before the run is displayed.
 #pragma once
 
 #include <cstdint>
@@ -14,21 +14,21 @@ namespace grafverif {
 
 class ProgramRun {
 public:
-    /// `program` must outlive the object. Loops must end (see derive/program: scan_of).
+    /// `program` must outlive the object. Its loops must terminate (see derive/program: scan_of).
     explicit ProgramRun(const Program& program);
 
-    /// One scan. `inputs`: a value for each cell that is an input, in order; `elapsed_ms`: the time since the last
-    /// scan.
+    /// Executes one scan. `inputs` contains a value for each cell that is an input, in order. `elapsed_ms` is the time
+    /// since the previous scan.
     void scan(std::span<const std::int64_t> inputs, std::int64_t elapsed_ms);
 
     const ProgramLayout& layout() const { return layout_; }
-    /// The values of the cells of the layout.
+    /// Returns the values of the cells of the layout.
     std::span<const std::int64_t> cells() const { return {memory_.data(), layout_.cells.size()}; }
-    /// The division by zero that ended the run; its last scan is incomplete.
+    /// Returns the position of the division by zero that ended the run. Its last scan is incomplete.
     const std::optional<Span>& fault() const { return fault_; }
-    /// A result left the range of its type in the last scan, and was wrapped around.
+    /// True if a result left the range of its type in the last scan and was wrapped around.
     bool overflowed() const { return overflowed_; }
-    /// The value of an expression over the variables of `main`.
+    /// Returns the value of an expression over the variables of `main`.
     std::int64_t value(Id<Program::Node> node) { return evaluate(node, layout_.main); }
 
 private:
@@ -49,7 +49,7 @@ private:
 
     const Program* program_;
     ProgramLayout layout_;
-    std::vector<std::int64_t> memory_ = {};  ///< the cells, then the frames of active functions
+    std::vector<std::int64_t> memory_ = {};  ///< the cells, followed by the frames of active functions
     std::optional<Span> fault_ = {};
     bool overflowed_ = false;
 };
