@@ -60,10 +60,10 @@ std::string obstacle_text(const BddExhausted& exhausted, const AnalyseOptions& o
     return "memory limit of " + std::to_string(options.max_memory >> 20U) + " MiB reached";
 }
 
-/// Limit of the work on a part, in first slices, once only queries about absorbing regions are open.
+/// Limit of the work on a part, in multiples of the first slice, when only queries about absorbing regions are open.
 constexpr std::uint64_t most_for_ways = 16;
 
-/// Schedules the parts of a chart: each is searched in turns until no query is open or no part can continue.
+/// Schedules the parts of a chart. The parts are searched alternately until no query is open or no part can continue.
 class ConeSchedule {
 public:
     ConeSchedule(const Chart& chart, const Equations& equations, const AnalyseOptions& options, Analysis& result)
@@ -100,9 +100,9 @@ private:
     struct ConeSearch {
         Cone cone = {};
         AnalyseOptions options = {};
-        bool loosely = false;  ///< the over-approximating search was started
+        bool loosely = false;  ///< true if the over-approximating search was started
         bool complete = false, given_up = false, doubtful = false;
-        bool paths_known = false;  ///< the absorbing regions of the part were searched for
+        bool paths_known = false;  ///< true if the absorbing regions of the part were determined
     };
 
     bool counts_on() const {
@@ -113,7 +113,7 @@ private:
 
     bool is_last(const ConeSearch& part) const { return part.options.longest_count != options_.longest_count; }
 
-    /// One turn of each part; false if none can continue.
+    /// Continues the search of each part. Returns false if none can continue.
     bool turns(std::uint64_t slice) {
         bool any = false;
         for (std::size_t k = 0; k < parts_.size() && questions_.any_open(); ++k) {
@@ -129,8 +129,8 @@ private:
         return any && !stopped_;
     }
 
-    /// Decides the queries that follow once all parts are complete and together contain all of the chart: every
-    /// infinite evolution is infinite in one of them.
+    /// Decides the queries that can be decided when all parts are complete and together contain the complete chart. In
+    /// this case, every infinite evolution is infinite in one of the parts.
     void add_up() {
         for (const ConeSearch& part : parts_)
             if (!whole(part) && (!part.complete || part.doubtful)) return;
@@ -165,8 +165,8 @@ private:
                                    [](const Query& question) { return !question.decided && is_break(question.code); });
     }
 
-    /// Under stability search, begins with a cheaper over-approximation of the part: inputs change before every
-    /// evolution. What does not happen in it never happens.
+    /// Continues the search of part `k`. Under stability search, it starts with a less expensive over-approximation, in
+    /// which inputs change before every evolution. An event that does not occur in it never occurs.
     void turn(std::size_t k, std::uint64_t slice) {
         ConeSearch& part = parts_[k];
         if (options_.mode == ExecutionMode::StabilitySearch && !part.loosely && !is_last(part)) {
@@ -177,7 +177,7 @@ private:
         spend(part, slice, [&](BddSpace& space) { look_at(k, space); });
     }
 
-    /// True if `look` ran to completion.
+    /// Runs `look`; returns true if it ran to completion.
     template <class Look>
     bool spend(ConeSearch& part, std::uint64_t slice, const Look& look) {
         if (is_over()) {
@@ -230,7 +230,8 @@ private:
         if (is_contradictory(machine)) return;
         PathSearch search(machine, options_.mode);
         ChartAnalyzer analyzer(chart_, equations_, options_, machine, search, questions_, result_);
-        std::uint64_t searching = 0, looking = 0;  // work: deep searches of small sets are examined only occasionally
+        // Work spent on searching and on examining: deep searches of small sets are examined only occasionally.
+        std::uint64_t searching = 0, looking = 0;
         try {
             while (!search.done()) {
                 const std::uint64_t start = space.work();

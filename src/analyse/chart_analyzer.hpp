@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Chart analyzer: evaluates the open queries of an analysis on the points of one machine after each instant of the
-// search, so that findings are available immediately. That something can happen is decided by a run that the
-// interpreter confirms; that it never happens is decided when the search is complete. A query stays open if a cone
-// satisfies it and the chart does not confirm that.
+// search, so that findings are available immediately. An event is possible if the interpreter confirms a run that shows
+// it. It is impossible if the complete search has not found it. A query remains open if the event occurs in a cone but
+// the chart does not confirm it.
 #pragma once
 
 #include <cstddef>
@@ -23,26 +23,26 @@
 
 namespace grafverif::analysis {
 
-// Questions: the queries of an analysis, with the results so far.
+// The queries of an analysis, with the results so far.
 
-/// In place of a variable: the query concerns no single variable.
+/// Used in place of a variable if the query does not concern a single variable.
 inline constexpr std::size_t no_variable = static_cast<std::size_t>(-1);
 
 struct Query {
     std::string_view code = {};
-    std::size_t index = 0;  ///< of its subject, in the table that its code refers to
+    std::size_t index = 0;  ///< index of its subject, in the table to which its code refers
     std::string subject = {};
     bool decided = false;
-    bool seen_in_part = false;    ///< the event occurs in a part, but the chart did not confirm it
-    std::size_t instants = 0;     ///< while it is open: the number of instants searched without a result
-    std::int64_t evolutions = 0;  ///< of a counter: the number of evolutions in which it stays in its range
+    bool seen_in_part = false;    ///< the event occurs in a part, but the chart has not confirmed it
+    std::size_t instants = 0;     ///< for an open query: the number of instants searched without a result
+    std::int64_t evolutions = 0;  ///< for a counter: the number of evolutions in which it remains in its range
 };
 
 class Queries {
 public:
     Queries(const Chart& chart, const Equations& equations, const AnalyseOptions& options);
 
-    /// The query with this subject if it exists and is open, otherwise nothing.
+    /// Returns the query with this subject if it exists and is open, otherwise null.
     Query* open(std::string_view code, std::size_t index);
     bool any_open() const;
     /// True if a query about absorbing regions is open.
@@ -51,7 +51,7 @@ public:
     const std::vector<Query>& all() const { return all_; }
     /// Removes all queries.
     void drop() { all_.clear(), places_.clear(); }
-    /// Transfers results of parts to the chart: requires that no run of the chart aborts or is infinite within an
+    /// Transfers the results of parts to the chart. Requires that no run of the chart aborts or is infinite within an
     /// instant.
     void trust_parts();
     void decide(std::string_view code, std::size_t index = 0);
@@ -65,38 +65,39 @@ private:
 
 class ChartAnalyzer {
 public:
-    /// All arguments must outlive the analyst.
+    /// All arguments must outlive the analyzer.
     ChartAnalyzer(const Chart& chart, const Equations& equations, const AnalyseOptions& options, Machine& machine,
                   PathSearch& search, Queries& questions, Analysis& result);
 
     /// Examines the points that were found since the last call.
     void look();
-    /// Reports what never happens. Requires that the search is complete and every instant was examined.
+    /// Reports impossible events. Requires that the search is complete and every instant was examined.
     void conclude();
-    /// Reports what never happens again from some points on. Same requirements as conclude().
+    /// Reports events that are impossible after some points. The requirements are those of conclude().
     void find_traps();
-    /// Reports what never happens even if inputs change before every evolution. Requires a search of that kind,
-    /// although the chart is executed with stability search; the points found by it prove nothing beyond that.
+    /// Reports events that are impossible even if inputs change before every evolution. Requires a search of that type,
+    /// although the chart is executed with stability search. No other conclusion may be drawn from its points.
     void conclude_loosely();
     /// Examines the last instant of such a search.
     void search_loosely();
-    /// Records in each open query how far it was searched; never throws BddExhausted.
+    /// Records in each open query how far it was searched. Never throws BddExhausted.
     void leave() noexcept;
-    /// True if an instability of a part was not confirmed by the chart.
+    /// True if the chart did not confirm an instability of a part.
     bool doubtful() const;
 
 private:
     using Step = Id<Chart::Step>;
     using Transition = Id<Chart::Transition>;
 
-    /// An event that is a finding if it occurs in some points.
+    /// An event that is a finding if it occurs at some points.
     struct Event {
         Query* question = nullptr;
         Bdd goal = {};
         bool seen = false;
-        std::function<bool(const Bdd& seen)> record = {};  ///< true if shown; `seen`: the new points of the goal
+        /// Returns true if a run shows the event; `seen` contains the new points of the goal.
+        std::function<bool(const Bdd& seen)> record = {};
     };
-    /// An event whose absence is a finding. `goal` is over points, stable points, or points directly after an
+    /// An event whose absence is a finding. `goal` is a set of points, of stable points, or of points directly after an
     /// evolution.
     enum class PointSet { Points, Stable, Landings };
     struct Sign {
@@ -106,7 +107,7 @@ private:
         bool seen = false;
     };
 
-    // Events that can happen (analyst_events.cpp).
+    // Events that are possible (chart_analyzer_events.cpp).
     void expect_breaks();
     void expect_break(const Machine::FaultCondition& each);
     void expect(std::string_view code, std::size_t index, const Bdd& goal, std::function<bool(const Bdd&)> record);
@@ -119,7 +120,7 @@ private:
     bool report_fault(std::string_view code, const Machine::FaultCondition& each, const Bdd& points, const Bdd& early);
     bool report_reactivated(Step step, const Bdd& seen);
 
-    // Events that never happen (analyst_never.cpp).
+    // Events that are impossible (chart_analyzer_never.cpp).
     void watch_signs();
     void watch(std::string_view code, std::size_t index, PointSet among, const Bdd& goal);
     void watch_outputs();
@@ -136,17 +137,17 @@ private:
     void transient_steps();
     void silent_outputs();
 
-    // Events that never happen again (analyst_traps.cpp).
+    // Events that are impossible after some points (chart_analyzer_traps.cpp).
 
-    /// A recurring event: a step is active, a transition is cleared, a stored value changes.
+    /// A recurring event: a step is active, a transition is cleared, or a stored value changes.
     struct Passing {
         enum class Kind { Step, Transition, Value } kind = Kind::Step;
         Query* question = nullptr;
         Span origin = {};
         Bdd comes = {};                  ///< the points at which it occurs
-        Bdd gone = {};                   ///< the points from which it never occurs again, for all inputs
-        bool again = false;              ///< it can occur, cease and occur again
-        std::vector<bool> dead_in = {};  ///< per region: it never occurs there
+        Bdd gone = {};                   ///< the points after which it is impossible for all inputs
+        bool again = false;              ///< true if it can occur, cease and occur again
+        std::vector<bool> dead_in = {};  ///< per region: true if it never occurs in the region
     };
     std::vector<Passing> passing();
     bool find_gone(Passing& each, const TerminalRegions& ways, const Bdd& sound, const std::vector<Bdd>& regions) const;
@@ -159,13 +160,13 @@ private:
     void report_once(const std::vector<const Passing*>& once, const TerminalRegions& ways);
     void report_regions(const std::vector<Passing>& lost, const TerminalRegions& ways, const Bdd& sound,
                         const Bdd& known, std::size_t regions);
-    /// Reports it by a shortest path to `goal`; if that fails, the queries stay open.
+    /// Reports the finding with a shortest path to `goal`. If that fails, the queries remain open.
     void keep_trap(Finding made, const std::vector<const Passing*>& of, const TerminalRegions& ways, const Bdd& goal);
     std::string stays_active(const std::vector<const Passing*>& lost, const Bdd& goal);
 
     bool searching() const { return options_.mode == ExecutionMode::StabilitySearch; }
     bool seen(const Bdd& points) const { return !(search_.reached() & points).is_false(); }
-    /// True if the runs so far are certainly runs of the complete chart.
+    /// True if all runs found so far are runs of the complete chart.
     bool certain() const { return machine_.whole() && search_.evolutions() <= machine_.exact_evolutions(); }
     bool is_uncertain(const Query* question) const;
     bool ever_active(Step step) const;
@@ -178,18 +179,18 @@ private:
     const std::string& name(Transition transition) const { return chart_.transitions[transition].name; }
 
     Finding finding(std::string_view code, std::string subject, std::string message, Span origin) const;
-    /// Shows the finding by a path; false if the interpreter does not confirm it, which is an internal error if
+    /// Shows the finding by a path. Returns false if the interpreter does not confirm it, which is an internal error if
     /// `certain`.
     bool show(Finding& finding, const std::optional<Path>& path, const EvolutionRequirement& demand, std::string shows,
               bool certain);
     bool show(Finding& finding, const Bdd& goal, const EvolutionRequirement& demand, std::string shows) {
         return show(finding, search_.path_to(goal), demand, std::move(shows), certain());
     }
-    /// Those of `points` whose evolution does not abort; `points` itself if there are none.
+    /// Returns those of `points` whose evolution does not abort; `points` itself if there are none.
     Bdd rather_unbroken(const Bdd& points) const;
     bool keep(Finding finding);
 
-    /// The path to the first of `points`, continued along them.
+    /// Returns the path to the first of `points`, continued along them.
     std::optional<Path> path_along(const std::vector<Point>& points) const;
 
     const Chart& chart_;
@@ -202,10 +203,10 @@ private:
     WitnessTrace last_ = {};  ///< the run that showed the last finding
     std::vector<Event> events_ = {};
     std::vector<Sign> signs_ = {};
-    std::vector<Query*> uncertain_ = {};  ///< events that occurred but could not be shown
+    std::vector<Query*> uncertain_ = {};  ///< queries whose events occurred but could not be shown
     Bdd stable_ = {}, landings_seen_ = {};
     std::size_t looked_ = 0;
-    std::set<const Query*> unseen_ = {};  ///< when the search is complete: queries whose event did not occur
+    std::set<const Query*> unseen_ = {};  ///< when the search is complete: the queries whose event did not occur
 };
 
 }  // namespace grafverif::analysis

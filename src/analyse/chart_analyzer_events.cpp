@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Queries about events that can happen.
+// Queries about possible events.
 #include <algorithm>
 #include <utility>
 
@@ -21,7 +21,8 @@ void ChartAnalyzer::instability() {
     if (question == nullptr || is_uncertain(question)) return;
     const Bdd going_on = machine_.going_on(search_.fresh()), followed = machine_.followed(going_on);
     Bdd endless = search_.endless(followed);
-    const bool counting = endless.is_false() && !(followed == going_on);  // a counter's range may end it
+    // The end of a counter's range may end the instability.
+    const bool counting = endless.is_false() && !(followed == going_on);
     if (counting) endless = search_.endless(going_on);
     if (endless.is_false()) return;
     Finding made = finding("total-instability", "", "", chart_.origin);
@@ -42,8 +43,8 @@ void ChartAnalyzer::instability() {
 // ----------------------------------------------------------------
 
 void ChartAnalyzer::expect_breaks() {
-    // Decides queries without findings: every stored variable of the cone, and all conditions if the cone contains
-    // them.
+    // Decides queries without findings: those about every stored variable of the cone, and those about all conditions
+    // if the cone contains them.
     for (const Equations::Stored& stored : equations_.stored)
         if (machine_.covers(stored.variable))
             for (const char* code : {"action-race", "out-of-range", "no-value"})
@@ -122,8 +123,8 @@ void ChartAnalyzer::dead_value(const Equations::Stored& stored, bool value) {
         if (!is_constant(equations_.exprs[write.value].op)) continue;
         (is_true(equations_.exprs, write.value) == value ? stores : overwrites) |= machine_.holds(write.trigger);
     }
-    std::vector<Bdd> layers{
-        machine_.going_on(search_.fresh() & stores)};  // evolutions that store it, and the following ones
+    std::vector<Bdd> layers{// Evolutions that store the value, and the evolutions that follow.
+                            machine_.going_on(search_.fresh() & stores)};
     Bdd seen, hit;
     while (!layers.back().is_false() && hit.is_false()) {
         const Bdd next = machine_.going_on(machine_.evolved(layers.back()));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Queries about events that never happen: the search looks for an occurrence; none in all reachable points is a
-// finding.
+// Queries about impossible events. The search looks for an occurrence; if none of the reachable points shows one, this
+// is a finding.
 #include <algorithm>
 #include <ostream>
 
@@ -18,7 +18,7 @@ void ChartAnalyzer::watch(std::string_view code, std::size_t index, PointSet amo
 void ChartAnalyzer::watch_signs() {
     for (const Step step : chart_.steps.ids()) {
         if (!machine_.covers_step(step.index)) continue;
-        // A step that is initially active counts as active, even if no evolution follows.
+        // A step that is initially active is treated as active, even if no evolution follows.
         const bool initial = equations_.variables[equations_.steps[step.index].variable].initial != 0;
         if (initial) questions_.decide("step-never-active", step.index);
         watch("step-never-active", step.index, PointSet::Points, machine_.active(step.index));
@@ -76,8 +76,8 @@ bool ChartAnalyzer::sign_seen(const Sign& sign) {
     return false;
 }
 
-/// True if the chart, not only this cone, has a run to one of `points`. If no event times realize the run, it was not
-/// replayed.
+/// True if the chart, and not only this cone, has a run to one of `points`. If no event times realize the run, it was
+/// not replayed.
 bool ChartAnalyzer::confirmed(const Bdd& points) {
     const std::optional<Path> path = search_.path_to(points);
     if (!path) return false;
@@ -87,7 +87,7 @@ bool ChartAnalyzer::confirmed(const Bdd& points) {
     return true;
 }
 
-/// A run of the chart may show more events than the one it was searched for.
+/// A run of the chart may also show events for which it was not searched.
 void ChartAnalyzer::confirm_others(const Path& path) {
     for (const Sign& sign : signs_) {
         if (sign.question->decided || sign.among != PointSet::Points) continue;
@@ -128,8 +128,8 @@ void ChartAnalyzer::dead_transitions() {
     for (const Transition id : chart_.transitions.ids()) dead_transition(id);
 }
 
-/// The first part of the condition that is false whenever the transition is enabled; empty if there is none with a
-/// name.
+/// Returns the first conjunct of the condition that is false whenever the transition is enabled; empty if there is none
+/// with a name.
 std::string ChartAnalyzer::false_part(Transition id) {
     const Exprs& exprs = equations_.exprs;
     const Id<Expr> condition = equations_.firings[id.index].condition;
@@ -179,7 +179,7 @@ void ChartAnalyzer::dead_transition(Transition id) {
     questions_.decide("transition-never-fired", id.index);
 }
 
-/// Only for transitions that are cleared in some run.
+/// Reports transitions that are always cleared immediately, but only if some run clears them.
 void ChartAnalyzer::immediate_transitions() {
     for (const Transition id : chart_.transitions.ids()) {
         if (!unseen("transition-always-fired", id.index)) continue;

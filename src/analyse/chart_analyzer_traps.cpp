@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Queries about events that never happen again, by absorbing regions ("traps"). All points are known here, so an event
-// to which no path leads back never happens again. The graph of the points contains every run of the chart, and more:
-// timers may expire in orders that no times realize. So the result holds for all times. A region that is absorbing only
-// because of durations is not found.
+// Queries about events that are impossible after some points, based on absorbing regions ("traps"). All points are
+// known, so that an event to which no path leads back is impossible. The graph of the points contains every run of the
+// chart, and also other runs: timers may expire in orders that no times realize. Therefore the result holds for all
+// times. A region that is absorbing only because of durations is not found.
 //
-// The successors of an evolution that aborts, or of an instant that does not end, are unknown and may lead back.
-// Nothing is reported for points from which these can be reached.
+// If an evolution aborts or an instant does not end, the successors are unknown and may lead back. Therefore no finding
+// is reported for points from which such a point is reachable.
 //
-// A step, transition or value is dead in the absorbing regions that do not contain it. One region, or several in which
-// the same elements are dead, is one trap. It is reported by a path to a point from which none of these elements occurs
-// again. An element that is dead for a separate reason (of two elements, neither is always dead with the other) has a
-// separate path. An element that occurs only once in a run is part of a start-up or an end: a note.
+// A step, transition or value is dead in the absorbing regions that do not contain it. One region, or several regions
+// with the same dead elements, form one trap. It is reported with a path to a point after which all of these elements
+// are dead. If an element is dead for a separate reason (of two elements, neither is always dead with the other), it
+// has a separate path. If an element occurs only once in a run, it belongs to a start-up or an end, and the finding is
+// a note.
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -28,7 +29,7 @@ namespace {
 constexpr std::size_t most_regions = 16;
 constexpr std::size_t most_named = 8;
 
-/// `` `X1`, `X2` and `X3` ``; names beyond the eighth are counted.
+/// Returns `` `X1`, `X2` and `X3` ``. After the eighth name, only the number of further names is given.
 std::string listed(const std::vector<std::string>& names) {
     const std::size_t told = std::min(names.size(), most_named);
     std::string text;
@@ -80,13 +81,13 @@ void ChartAnalyzer::find_traps() {
     if (region != nullptr) report_regions(all, ways, sound, ways.reached() & ~unknown, regions.size());
 }
 
-/// A part in which the event recurs may have runs that the chart does not have: the complete chart decides, or the
-/// proof that there are no such runs.
+/// A part in which the event recurs may have runs that the chart does not have. The query is decided by the complete
+/// chart, or by the proof that no such runs exist.
 void ChartAnalyzer::not_dead(Query& question) const {
     (machine_.whole() ? question.decided : question.seen_in_part) = true;
 }
 
-/// True if there is a point from which the event never occurs again, although it occurs somewhere.
+/// True if there is a point after which the event is impossible, although it occurs somewhere.
 bool ChartAnalyzer::find_gone(Passing& each, const TerminalRegions& ways, const Bdd& sound,
                               const std::vector<Bdd>& regions) const {
     each.comes &= ways.reached();
@@ -101,7 +102,7 @@ bool ChartAnalyzer::find_gone(Passing& each, const TerminalRegions& ways, const 
     return !each.gone.is_false();
 }
 
-/// Regions with the same dead elements form one trap.
+/// Reports traps. Regions with the same dead elements form one trap.
 void ChartAnalyzer::report_never_again(const std::vector<Passing>& lost, const TerminalRegions& ways,
                                        const std::vector<Bdd>& regions) {
     std::map<std::vector<const Passing*>, Bdd> traps;
@@ -123,8 +124,8 @@ void ChartAnalyzer::report_never_again(const std::vector<Passing>& lost, const T
     if (!left.empty()) report_once(left, ways);
 }
 
-/// Reports the elements that are dead `within` a trap, in groups: elements that die with the first one or after it, and
-/// elements that are dead at the point shown.
+/// Reports the elements that are dead `within` a trap, in groups: elements that become dead with the first one or after
+/// it, and elements that are dead at the point shown.
 void ChartAnalyzer::report_trap(const std::vector<const Passing*>& lost, const Bdd& within, const TerminalRegions& ways,
                                 std::set<const Passing*>& told) {
     std::vector<const Passing*> left = lost;
@@ -145,7 +146,7 @@ void ChartAnalyzer::report_trap(const std::vector<const Passing*>& lost, const B
             for (const Passing* each : left) {
                 const Bdd both = first & each->gone;
                 const bool nested = both == first || both == (each->gone & within);
-                // An element that dies with the first one need not die with another such element.
+                // An element that becomes dead with the first one need not become dead with another such element.
                 if ((!shown && !nested) || (goal & each->gone).is_false()) continue;
                 goal &= each->gone;
                 group.insert(each);
@@ -176,7 +177,7 @@ void ChartAnalyzer::report_group(const std::vector<const Passing*>& group, const
     keep_trap(std::move(made), group, ways, goal);
 }
 
-/// `; X99 stays active`: the steps that are active in `goal` and that no transition deactivates from there on.
+/// Returns `; X99 stays active`: the steps that are active in `goal` and that no transition deactivates afterwards.
 std::string ChartAnalyzer::stays_active(const std::vector<const Passing*>& lost, const Bdd& goal) {
     const auto is_governed = [](const Chart::PartialChart& partial) { return partial.owner.valid(); };
     if (!chart_.forcing.empty() || std::ranges::any_of(chart_.partial_charts, is_governed)) return {};
@@ -227,7 +228,8 @@ void ChartAnalyzer::keep_trap(Finding made, const std::vector<const Passing*>& o
     if (shown) keep(std::move(made));
 }
 
-/// Reports regions without dead elements: several, or one if the chart can also run forever outside it.
+/// Reports regions without dead elements: several regions, or one region if the chart can also run forever outside of
+/// it.
 void ChartAnalyzer::report_regions(const std::vector<Passing>& lost, const TerminalRegions& ways, const Bdd& sound,
                                    const Bdd& known, std::size_t regions) {
     Query& question = *questions_.open("region-never-left", 0);

@@ -15,9 +15,10 @@ namespace {
 
 using Numbers = std::vector<std::uint32_t>;
 
-/// Cones with more variables in total than this multiple of the complete chart save nothing.
+/// Maximum total number of variables of all cones, as a multiple of those of the complete chart. Above it, cones do not
+/// save work.
 constexpr std::size_t most_wholes = 8;
-/// Variables visited for all cones together; beyond that only the complete chart is analysed.
+/// Maximum number of variables visited for all cones together. Above it, only the complete chart is analysed.
 constexpr std::size_t most_visits = 4'000'000;
 constexpr std::size_t most_cones = 1000;
 
@@ -27,7 +28,7 @@ void add_leaves(const Equations& equations, Id<Expr> term, Numbers& to) {
         to.push_back(static_cast<std::uint32_t>(equations.exprs[leaf].value));
 }
 
-/// Tarjan's strongly connected components, with an explicit stack: charts are deep.
+/// Tarjan's algorithm for strongly connected components, with an explicit stack because dependencies can be deep.
 class Components {
 public:
     explicit Components(const std::vector<Numbers>& edges)
@@ -78,7 +79,7 @@ private:
     std::uint32_t next_ = 0, components_ = 0;
 };
 
-/// The subject of each query, as variables.
+/// Returns the subject of each query, as variables.
 std::vector<Numbers> subjects(const Equations& equations) {
     std::vector<Numbers> all;
     for (const Equations::StepActivity& step : equations.steps) all.push_back({step.variable.index});
@@ -90,7 +91,7 @@ std::vector<Numbers> subjects(const Equations& equations) {
     return all;
 }
 
-/// Marks the dependencies of `open`; returns the number of variables marked.
+/// Marks the dependencies of `open`; returns the number of marked variables.
 std::size_t mark_cone(const Dependencies& reads, Numbers open, Cone& cone) {
     std::size_t marked = 0;
     while (!open.empty()) {
@@ -104,7 +105,7 @@ std::size_t mark_cone(const Dependencies& reads, Numbers open, Cone& cone) {
     return marked;
 }
 
-/// A cone, and its variables that evolutions keep, which determine its cost.
+/// A cone and those of its variables that evolutions keep, which determine its cost.
 struct Candidate {
     Cone cone = {};
     Numbers kept = {};
@@ -136,7 +137,7 @@ public:
     }
 
 private:
-    using Key = std::pair<std::size_t, Numbers>;  ///< by size, then by kept variables
+    using Key = std::pair<std::size_t, Numbers>;  ///< ordered by size, then by kept variables
 
     Candidate candidate(Cone cone) const {
         Numbers kept;
@@ -145,10 +146,11 @@ private:
         return {std::move(cone), std::move(kept)};
     }
 
-    /// False if there are too many.
+    /// Returns false if there are too many cones.
     bool find_all() {
         const Numbers component = reads_.components();
-        std::set<std::set<std::uint32_t>> known;  // all queries about one component have the same cone
+        // Sets of components; all queries about one component have the same cone.
+        std::set<std::set<std::uint32_t>> known;
         std::size_t visits = 0;
         for (const Numbers& subject : subjects(equations_)) {
             std::set<std::uint32_t> key;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Cones of influence: parts of equations that depend on nothing outside them but inputs. The behaviour of a cone does
-// not depend on the rest of the chart, provided that the rest does not abort a run or make an instant infinite. So
-// every run of the chart, restricted to the cone, is a run of the cone, and what never happens in a cone never happens
-// in the chart. A run of the cone is one of the chart if the chart, executed with the same inputs, confirms it.
+// Cones of influence: parts of equations that depend only on themselves and on inputs. The behaviour of a cone does not
+// depend on the rest of the chart, provided that the rest does not abort a run or make an instant infinite. Therefore
+// every run of the chart, restricted to the cone, is a run of the cone, and an event that is impossible in a cone is
+// impossible in the chart. A run of the cone is a run of the chart if the chart, executed with the same inputs,
+// confirms it.
 #pragma once
 
 #include <vector>
@@ -11,25 +12,27 @@
 
 namespace grafverif::analysis {
 
-/// Marks the variables of the equations that it contains.
+/// A cone: marks the variables of the equations that it contains.
 using Cone = std::vector<bool>;
 
-/// The variables that determine the next value of each variable: through firing conditions, timers and stored actions.
-/// For a firing condition the variables that it reads, for an output those that its value reads, for an input none.
+/// The variables that determine the next value of each variable, through firing conditions, timers and stored actions.
+/// For a firing condition, these are the variables that it reads; for an output, those that its value reads. An input
+/// has none.
 class Dependencies {
 public:
     explicit Dependencies(const Equations& equations);
 
     const std::vector<std::uint32_t>& of(std::uint32_t variable) const { return reads_[variable]; }
-    /// Per variable the number of its strongly connected component.
+    /// Returns the number of the strongly connected component of each variable.
     std::vector<std::uint32_t> components() const;
 
 private:
     std::vector<std::vector<std::uint32_t>> reads_ = {};
 };
 
-/// The cones of all steps, transitions, stored variables, outputs and conflicts of orders, the smallest first, and the
-/// complete chart last. Only the complete chart if the cones are so many, or overlap so much, that they save nothing.
+/// Returns the cones of all steps, transitions, stored variables, outputs and conflicts of forcing orders, the smallest
+/// first, followed by the complete chart. If there are many cones, or they overlap so much that they do not save work,
+/// only the complete chart is returned.
 std::vector<Cone> cones(const Equations& equations);
 
 }  // namespace grafverif::analysis

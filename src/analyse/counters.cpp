@@ -14,8 +14,8 @@ using Variable = Equations::Variable;
 
 constexpr std::int64_t endless = std::numeric_limits<std::int64_t>::max();
 
-/// Tests if one variable is a counter, in one pass over all terms. Terms that are values of the variable, or the
-/// variable plus a constant, may occur only where just their order relative to constants matters.
+/// Tests, in one pass over all terms, if one variable is a counter. Terms that are values of the variable, or the
+/// variable plus a constant, may occur only where their order relative to constants is the only relevant information.
 class Reader {
 public:
     Reader(const Equations& equations, const Equations::Stored& stored)
@@ -90,7 +90,7 @@ private:
         else good_ = good_ && of_it_[term.index];
     }
 
-    /// Its values are used nowhere else.
+    /// Checks that its values are not used in any other place.
     void look_elsewhere() {
         const auto refuse = [&](Id<Expr> term) { good_ = good_ && !(term.valid() && of_it_[term.index]); };
         for (const Equations::Output& output : equations_.outputs) refuse(output.value);
@@ -105,8 +105,8 @@ private:
     const Equations& equations_;
     const Exprs& exprs_;
     const Equations::Stored& stored_;
-    std::vector<bool> of_it_;          ///< per term: a value of the variable, or that plus a constant
-    std::vector<std::int64_t> added_;  ///< upper bound of that constant
+    std::vector<bool> of_it_;  ///< per term: true if it is a value of the variable, or this value plus a constant
+    std::vector<std::int64_t> added_;  ///< upper bound of this constant
     std::int64_t least_ = 0, greatest_ = 0, most_ = 0;
     bool met_ = false, good_ = true;
 };
@@ -114,7 +114,7 @@ private:
 }  // namespace
 
 std::vector<std::optional<Counter>> counters(const Equations& equations) {
-    constexpr std::size_t most_terms = 20'000'000;  // visited in total
+    constexpr std::size_t most_terms = 20'000'000;  // maximum number of terms visited in total
     std::vector<std::optional<Counter>> result(equations.variables.size());
     if (equations.stored.size() * equations.exprs.size() > most_terms) return result;
     for (const Equations::Stored& stored : equations.stored)

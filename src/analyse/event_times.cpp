@@ -8,13 +8,14 @@ namespace grafverif::analysis {
 
 namespace {
 
-/// time[later] - time[earlier] >= least, which may be negative.
+/// The constraint time[later] - time[earlier] >= least; `least` may be negative.
 struct DifferenceConstraint {
     std::size_t earlier = 0, later = 0;
     std::int64_t least = 0;
 };
 
-/// The constraints of one clock on the event times: the age of its watched level when inputs are sampled.
+/// Returns the constraints of one clock on the event times, which concern the age of its watched level when inputs are
+/// sampled.
 std::vector<DifferenceConstraint> constraints_of(const Equations::Timer& clock, const Machine& machine,
                                                  const Path& path) {
     std::vector<DifferenceConstraint> result;
@@ -32,7 +33,7 @@ std::vector<DifferenceConstraint> constraints_of(const Equations::Timer& clock, 
         else result.push_back({now, since, 1 - duration});
     };
     for (std::size_t instant = 0; instant < path.instants.size(); ++instant) {
-        if (instant > 0) {  // the first point has the level of the end of the previous instant
+        if (instant > 0) {  // the first point has the level at the end of the previous instant
             const Point& sampled = path.instants[instant].front();
             const bool ended = machine.value(sampled, clock.end) != 0;
             see(instant - 1, sampled);

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = Chart::VariableKind;
 
-/// Maximum number of evolutions printed of a loop.
+/// Maximum number of printed evolutions of a loop.
 constexpr std::size_t reported_of_loop = 60;
 
 std::string fault_text(RunFault::Kind kind) {
@@ -110,7 +110,8 @@ private:
         if (demand.settles && !settles_) fail(instant, "the instant does not end or has a model error");
     }
 
-    /// The complete instant or, if it never ends or aborts later, its evolutions up to the end of the path.
+    /// Reports the complete instant. If it never ends or aborts later, reports its evolutions up to the end of the
+    /// path.
     void report_rest(const State& at_start, const Evolution& shown, const Fired& fired) {
         Cycle done = cycle(chart_, at_start, inputs_, mode_);
         const bool ends = problem(done).empty();
@@ -119,7 +120,7 @@ private:
         ends ? add_row("", done.fired) : add_row("in this instant", fired);
     }
 
-    /// The path ends on the loop.
+    /// Reports the loop on which the path ends.
     void report_loop(std::size_t instant, const Fired& fired) {
         result_.endless = cycle(chart_, state_, inputs_, mode_).endless;
         if (result_.endless.empty()) return fail(instant, "the instant ends");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Witness traces: a path as a run of the chart, replayed by the interpreter according to IEC 60848.
+// Witness traces: converts a path to a run of the chart that the interpreter replays according to IEC 60848.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,11 @@ namespace grafverif::analysis {
 /// Required properties of the evolution at the end of a path.
 struct EvolutionRequirement {
     std::vector<Id<Chart::Transition>> fired = {};
-    Id<Chart::Variable> race = {};  ///< two actions store different values in it
-    bool fault = false;             ///< a value is undefined or out of range
-    bool endless = false;           ///< the instant never ends
-    bool settles = false;           ///< the instant ends, and nothing aborts it
-    bool ends = true;               ///< print the instant to its end; otherwise to the end of the path
+    Id<Chart::Variable> race = {};  ///< two actions must store different values in this variable
+    bool fault = false;             ///< a value must be undefined or out of range
+    bool endless = false;           ///< the instant must never end
+    bool settles = false;           ///< the instant must end without being aborted
+    bool ends = true;               ///< print the instant to its end; false: only to the end of the path
 };
 
 struct WitnessTrace {
@@ -27,8 +27,8 @@ struct WitnessTrace {
     Finding::Timing timing = Finding::Timing::Untimed;
     std::vector<Id<Chart::StoredAction>> racing = {};  ///< the two actions of a race
     std::vector<std::vector<bool>> endless = {};       ///< the situations that repeat forever
-    Span fault = {};                                   ///< location of a value that is undefined or out of range
-    std::string failure = {};                          ///< the reason why the interpreter does not confirm it
+    Span fault = {};                                   ///< position of a value that is undefined or out of range
+    std::string failure = {};                          ///< reason why the interpreter does not confirm the run
 };
 
 WitnessTrace evidence(const Chart& chart, const Equations& equations, const Machine& machine, ExecutionMode mode,

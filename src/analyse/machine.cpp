@@ -16,7 +16,7 @@ using Variable = Equations::Variable;
 
 Bdd falsehood() { return Bdd::constant(false); }
 
-/// The points at which `term` has a value outside `type`; without those at which it is undefined.
+/// Returns the points at which `term` has a value outside `type`. Points at which it is undefined are not included.
 Bdd outside(const BddTerm& term, Type type) {
     return type.boolean ? falsehood() : ~within(term, type.low, type.high) & ~term.undefined;
 }
@@ -25,10 +25,10 @@ BddTerm constant_term(Type type, std::int64_t value) {
     return type.boolean ? bdd_boolean(Bdd::constant(value != 0)) : bdd_integer(value);
 }
 
-/// The points at which `term` has a value other than `value`.
+/// Returns the points at which `term` has a value other than `value`.
 Bdd unequal(const BddTerm& term, std::int64_t value) { return ~equals(term, value) & ~term.undefined; }
 
-/// The minimum of `term` and `most`.
+/// Returns the minimum of `term` and `most`.
 BddTerm at_most(const BddTerm& term, std::int64_t most) {
     const Bdd more = ~within(term, std::numeric_limits<std::int64_t>::min(), most) & ~term.undefined;
     return conditional(bdd_boolean(more), bdd_integer(most), term);
@@ -62,7 +62,7 @@ Machine::Machine(const Equations& equations, const AnalyseOptions& options, cons
 
 // -- the cone ---------------------------------------------------------------------------------------------------------
 
-/// Firing conditions read no firing condition, so two passes suffice.
+/// Two passes are sufficient, because firing conditions do not read firing conditions.
 void Machine::search_inside() {
     std::vector<bool> known(cone_);
     for (const Equations::Firing& firing : equations_.firings) known[firing.variable.index] = false;
@@ -116,7 +116,7 @@ void Machine::add_words(const AnalyseOptions& options) {
     inputs_ = variable_set(space_, input_bits_);
 }
 
-/// Interleaves their bits, so that bits that are compared or added are neighbours.
+/// Adds the bits of several variables in interleaved order, so that bits that are compared or added are neighbours.
 void Machine::add_word_bits(const std::vector<Id<Variable>>& together) {
     std::size_t most = 0;
     for (const Id<Variable> id : together) {
@@ -143,7 +143,7 @@ BddTerm Machine::before(const Expr& leaf) const {
     return word_term(id);
 }
 
-/// Value in the first evolution: no transition is cleared, no timer has expired.
+/// Returns the value of a leaf in the first evolution: no transition is cleared, and no timer has expired.
 BddTerm Machine::initially(const Expr& leaf) const {
     const Id<Variable> id{static_cast<std::uint32_t>(leaf.value)};
     const Variable& variable = equations_.variables[id];
@@ -221,7 +221,8 @@ void Machine::add_stored() {
     }
 }
 
-/// If two orders conflict (not `obeyed`), the evolution is undefined, and nothing further is reported about it.
+/// Returns the conditions for faults. If two forcing orders conflict (not `obeyed`), the evolution is undefined, and no
+/// further fault is reported for it.
 Machine::FaultCondition Machine::break_of(const Equations::Stored& stored, const Bdd& obeyed) {
     const Type type = equations_.variables[stored.variable].type;
     const std::optional<Counter>& counter = counters_[stored.variable.index];
@@ -248,7 +249,7 @@ Machine::FaultCondition Machine::break_of(const Equations::Stored& stored, const
     return found;
 }
 
-/// Variables that are not written keep their values.
+/// Adds the variables that are never written, which keep their values.
 void Machine::add_unwritten() {
     for (const Id<Variable> id : equations_.variables.ids()) {
         const Variable& variable = equations_.variables[id];
@@ -259,7 +260,7 @@ void Machine::add_unwritten() {
     }
 }
 
-/// Values remembered after an evolution depend on the new values of steps and stored variables.
+/// Adds the remembered values, which depend on the new values of steps and stored variables.
 void Machine::add_remembered() {
     std::vector<const Next*> next(equations_.variables.size());
     const auto after = [&](bool first) {
@@ -286,8 +287,8 @@ void Machine::add_remembered() {
     for (Next& each : found) keep(std::move(each));
 }
 
-/// No time passes within an evolution. A timer output stays true while its watched level lasts or, with a fall time,
-/// even after it; without a rise time it becomes true immediately.
+/// No time passes during an evolution. A timer output remains true while its watched level is true; with a fall time,
+/// it may remain true longer. Without a rise time, it becomes true immediately.
 void Machine::add_timers() {
     for (const Equations::Timer& clock : clocks_) {
         if (!matters_[clock.end.index]) continue;
@@ -301,7 +302,7 @@ void Machine::add_timers() {
     }
 }
 
-/// As in derive: no transition is cleared, and the values remembered for edges are unchanged.
+/// Stability is defined as in derive: no transition is cleared, and the values remembered for edges are unchanged.
 void Machine::add_stability() {
     for (std::size_t k = 0; k < fires_.size(); ++k)
         if (!fires_[k].is_false()) calm_.push_back(~fires_[k]);
@@ -370,7 +371,7 @@ Bdd Machine::with_inputs_of(const Bdd& points, const Point& other) const {
 
 // -- time -------------------------------------------------------------------------------------------------------------
 
-/// Among clocks without fall time on one watched variable, shorter ones expire first.
+/// Among clocks without a fall time that watch the same variable, shorter ones expire first.
 Bdd Machine::allowed_ends(const Bdd& points) const {
     Bdd result = points;
     for (const Equations::Timer& longer : clocks_)
@@ -383,8 +384,9 @@ Bdd Machine::allowed_ends(const Bdd& points) const {
     return result;
 }
 
-/// While time passes, the variable that a clock watches is constant: the output becomes true only if it is true, and
-/// false only if it is false. With both a rise and a fall time, an old output may end while a new one is not yet due.
+/// While time passes, the variable that a clock watches is constant. The output becomes true only if the variable is
+/// true, and false only if it is false. With both a rise time and a fall time, an old output may end before a new one
+/// is due.
 Bdd Machine::sampled(const Bdd& rest) const {
     Bdd result = rest;
     for (const Equations::Timer& clock : clocks_) {

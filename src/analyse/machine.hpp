@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Machine: the evolutions of equations as Boolean functions. A point is an assignment to the variables that matter:
-// those that an evolution keeps (steps, stored variables, remembered values, timer outputs) and the inputs, which it
-// reads. A set of points is a Bdd over the bits `before` an evolution; a rest is a set over the kept variables alone.
+// Machine: the evolutions of equations as Boolean functions. A point is an assignment to the relevant variables: those
+// that an evolution keeps (steps, stored variables, remembered values, timer outputs) and the inputs, which it reads. A
+// set of points is a Bdd over the bits `before` an evolution. A rest is a set over the kept variables only.
 //
-// A machine represents one cone (see cones.hpp); its functions are undefined for elements outside the cone. A counter
-// may be represented up to its thresholds only (see counters.hpp).
+// A machine represents one cone (see cones.hpp). Its functions are undefined for elements outside of the cone. A
+// counter may be represented only up to its thresholds (see counters.hpp).
 #pragma once
 
 #include <cstdint>
@@ -34,49 +34,50 @@ public:
     bool covers(Id<Expr> term) const { return !term.valid() || inside_[term.index]; }
     bool covers_step(std::size_t step) const { return covers(equations_.steps[step].variable); }
     bool covers_firing(std::size_t firing) const { return covers(equations_.firings[firing].condition); }
-    /// True if the cone is the complete chart.
+    /// True if the cone contains the complete chart.
     bool whole() const { return whole_; }
-    /// In runs with at most this number of evolutions, counters are exact.
+    /// Returns the maximum number of evolutions of a run for which counters are exact.
     std::int64_t exact_evolutions() const { return exact_evolutions_; }
 
     // -- sets of points --
 
-    /// Points after the first evolution, with its inputs; without those at which it aborts.
+    /// Returns the points after the first evolution, with its inputs, without those at which it aborts.
     const Bdd& started() const { return started_; }
-    /// The inputs with which the first evolution aborts.
+    /// Returns the inputs with which the first evolution aborts.
     const Bdd& breaks_at_first() const { return breaks_at_first_; }
-    /// The possible inputs.
+    /// Returns the possible inputs.
     const Bdd& possible() const { return possible_; }
-    /// Those of `points` whose evolution changes at most levels that timers watch.
+    /// Returns those of `points` whose evolution changes only levels that timers watch, or nothing.
     Bdd stable(const Bdd& points) const;
-    /// Those whose evolution does not abort: no race, no value that is undefined or out of range.
+    /// Returns those of `points` whose evolution does not abort: it has no race, and no value that is undefined or out
+    /// of range.
     Bdd unbroken(const Bdd& points) const;
-    /// Those that are sound and not stable.
+    /// Returns those of `points` that are not stable and whose evolution does not abort.
     Bdd going_on(const Bdd& points) const;
-    /// Those at which no counter exceeds its represented values, so that the abstraction is exact there.
+    /// Returns those of `points` at which no counter exceeds its represented values, so that the abstraction is exact.
     Bdd followed(const Bdd& points) const;
-    /// The rests of `points`, which must be stable and sound, at the end of their instant: watched levels have their
-    /// final values.
+    /// Returns the rests of `points` at the end of their instant, when watched levels have their final values. Requires
+    /// that the points are stable and that their evolutions do not abort.
     Bdd settled(const Bdd& points) const { return watches_ ? rest(evolved(points)) : rest(points); }
     bool watches() const { return watches_; }
 
-    /// The successors of `points` by one evolution, with their inputs. Requires that none of them aborts.
+    /// Returns the successors of `points` by one evolution, with their inputs. Requires that no evolution aborts.
     Bdd evolved(const Bdd& points) const;
-    /// The rests of these successors: rest(evolved(points)), at lower cost.
+    /// Returns rest(evolved(points)) at lower cost.
     Bdd evolved_rest(const Bdd& points) const;
-    /// Those of `points` whose evolution leads to the rest of `next`.
+    /// Returns those of `points` whose evolution leads to the rest of `next`.
     Bdd origins(const Bdd& points, const Point& next) const;
-    /// All points whose evolution leads to one of `points`, with the same inputs; if `points` is a rest, to a point
-    /// with it.
+    /// Returns all points whose evolution leads to a point of `points` with the same inputs. If `points` is a rest,
+    /// they lead to a point with this rest.
     Bdd origins(const Bdd& points) const { return relation_->preimage(points); }
     Bdd with_inputs_of(const Bdd& points, const Point& other) const;
-    /// `points` without their inputs.
+    /// Returns `points` without their inputs.
     Bdd rest(const Bdd& points) const { return exists(points, inputs_); }
-    /// The points that a rest can become after some time, with newly sampled inputs.
+    /// Returns the points that a rest can become after some time, with newly sampled inputs.
     Bdd sampled(const Bdd& rest) const;
-    /// The rests that can become one of `points` after some time, with newly sampled inputs.
+    /// Returns the rests that can become one of `points` after some time, with newly sampled inputs.
     Bdd before_time(const Bdd& points) const;
-    /// The states of `rest` that can become `next` after some time.
+    /// Returns the states of `rest` that can become `next` after some time.
     Bdd origins_in_time(const Bdd& rest, const Point& next) const;
 
     // -- conditions on points, over the variables before their evolution --
@@ -85,22 +86,24 @@ public:
     const Bdd& active(std::size_t step) const { return value_of_step_[step]; }
     const Bdd& fires(std::size_t firing) const { return fires_[firing]; }
     struct FaultCondition {
-        Id<Equations::Variable> variable = {};  ///< not valid for conditions
+        Id<Equations::Variable> variable = {};  ///< invalid for faults in conditions
         Bdd race = {}, out_of_range = {}, no_value = {};
-        Bdd first_race = {}, first_out_of_range = {}, first_no_value = {};  ///< for the first evolution, over inputs
+        /// Faults in the first evolution, as sets of inputs.
+        Bdd first_race = {}, first_out_of_range = {}, first_no_value = {};
         Bdd beyond = {};        ///< the points at which a counter exceeds its represented values
-        std::int64_t safe = 0;  ///< number of evolutions in which it stays in its range nevertheless
+        std::int64_t safe = 0;  ///< number of evolutions for which it remains in its range nevertheless
     };
     const std::vector<FaultCondition>& all_breaks() const { return all_breaks_; }
-    /// Per Equations::conflicts: the points at which it aborts the evolution.
+    /// Returns, per Equations::conflicts, the points at which it aborts the evolution.
     const std::vector<Bdd>& conflicts() const { return conflicts_; }
-    /// `points` with arbitrary timer outputs.
+    /// Returns `points` with arbitrary timer outputs.
     Bdd without_ends(const Bdd& points) const;
-    /// The points at which the evolution changes the variable, including a counter that exceeds its represented values.
+    /// Returns the points at which the evolution changes the variable. A counter that exceeds its represented values
+    /// also changes.
     Bdd changes(Id<Equations::Variable> variable) const;
     /// True if the variable is part of points.
     bool matters(Id<Equations::Variable> variable) const { return matters_[variable.index]; }
-    /// The points after an evolution at which a term over the variables has a value other than `value`.
+    /// Returns the points after an evolution at which a term over the variables has a value other than `value`.
     Bdd differs(Id<Expr> term, std::int64_t value);
     Bdd differs_at_first(Id<Expr> term, std::int64_t value);
 
@@ -114,7 +117,8 @@ public:
 private:
     struct KeptBit {
         std::uint32_t before = 0;
-        Bdd next = {}, first = {};  ///< the bit after an evolution; after the first one, over inputs
+        /// The bit after an evolution, and after the first evolution as a function of inputs.
+        Bdd next = {}, first = {};
     };
     /// The next value of a kept variable.
     struct Next {
@@ -153,21 +157,23 @@ private:
     std::vector<bool> matters_ = {};
     std::vector<std::optional<Counter>> counters_ = {};
     std::int64_t exact_evolutions_ = 0;
-    std::vector<BddWord> words_ = {};                         ///< per variable that matters
-    std::vector<std::optional<std::size_t>> firing_of_ = {};  ///< per variable: index of the firing condition
+    std::vector<BddWord> words_ = {};                         ///< bits of each variable that is part of points
+    std::vector<std::optional<std::size_t>> firing_of_ = {};  ///< index of the firing condition of each variable
     std::vector<Bdd> fires_ = {}, value_of_step_ = {};
     std::vector<Next> nexts_ = {};
     std::vector<KeptBit> kept_ = {};
     std::optional<bdd::Relation> relation_ = {};
-    bdd::Relation::Quantified kept_gone_ = {}, all_gone_ = {};  ///< kept variables, or these and the inputs
+    /// Variables to quantify: the kept variables; the kept variables and the inputs.
+    bdd::Relation::Quantified kept_gone_ = {}, all_gone_ = {};
     std::vector<FaultCondition> all_breaks_ = {};
     std::vector<Bdd> conflicts_ = {};
-    std::vector<Bdd> calm_ = {}, sound_ = {};  ///< conjuncts of stability, and of not aborting
+    /// Conjuncts of stability, and conjuncts of the condition that an evolution does not abort.
+    std::vector<Bdd> calm_ = {}, sound_ = {};
     std::vector<std::uint32_t> input_bits_ = {}, kept_bits_ = {};
-    Bdd inputs_ = {};  ///< a set of variables
+    Bdd inputs_ = {};  ///< set of the inputs
     Bdd possible_ = {}, started_ = {}, breaks_at_first_ = {};
     std::optional<BddTerms> terms_ = {};
-    std::optional<BddTerms> first_terms_ = {};  ///< over initial values: for the first evolution
+    std::optional<BddTerms> first_terms_ = {};  ///< terms over initial values, for the first evolution
 };
 
 }  // namespace grafverif::analysis

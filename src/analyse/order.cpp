@@ -56,7 +56,7 @@ private:
     const Equations& equations_;
     Reads reads_;
     std::vector<bool> open_;
-    std::vector<std::vector<Id<Variable>>> written_;  ///< per variable: the stored ones that its change may write
+    std::vector<std::vector<Id<Variable>>> written_;  ///< per variable: the stored variables that its change may write
     std::vector<Id<Variable>> order_ = {};
 };
 
@@ -96,13 +96,15 @@ private:
     const std::vector<Equations::Timer>& timers_;
     Reads reads_;
     std::vector<bool> marks_;
-    std::vector<Id<Expr>> values_;  ///< per variable: its next value, if that is a term
+    std::vector<Id<Expr>> values_;  ///< per variable: its next value if it is a term, otherwise invalid
     std::vector<std::uint32_t> pending_ = {};
 };
 
-/// Shortens `order` (FORCE): each variable with all variables that its next value reads is a hyperedge.
+/// Shortens the distances in `order` (FORCE). Each variable, together with all variables that its next value reads, is
+/// a hyperedge.
 std::vector<Id<Variable>> drawn_together(const Equations& equations, const std::vector<Id<Variable>>& order) {
-    constexpr std::size_t most_variables = 5000;  // above this, ordering takes longer than any search could last
+    // Maximum number of variables; above it, computing the order takes longer than any search can take.
+    constexpr std::size_t most_variables = 5000;
     if (order.size() > most_variables) return order;
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     const Dependencies reads(equations);
@@ -137,7 +139,7 @@ std::vector<std::uint32_t> integer_groups(const Equations& equations) {
         while (first[variable] != variable) variable = first[variable] = first[first[variable]];
         return variable;
     };
-    // Per term: some integer variable on which its value depends.
+    // Per term: an integer variable on which its value depends, or none.
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> made_of(equations.exprs.size(), none);
     for (std::uint32_t term = 0; term < equations.exprs.size(); ++term) {
@@ -177,7 +179,7 @@ std::vector<bool> variables_that_matter(const Equations& equations) {
     for (const Fault& fault : faults(equations))
         for (const Id<Expr> condition : {fault.condition, fault.first})
             if (condition.valid()) marks.mark(condition);
-    // A stored value may be out of range or undefined; a Boolean constant is neither.
+    // A stored value may be out of range or undefined, unless it is a Boolean constant.
     for (const Equations::Stored& stored : equations.stored)
         for (const Equations::Write& write : stored.writes)
             if (!is_constant(equations.exprs[write.value].op)) marks.mark(write.value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Static variable order for decision diagrams: places variables that are read together next to each other.
+// Static variable order for decision diagrams, in which variables that are read together are adjacent.
 #pragma once
 
 #include <vector>
@@ -8,18 +8,19 @@
 
 namespace grafverif::analysis {
 
-/// The variables that `wanted` marks, each once, the topmost first. The initial order follows the transitions as
-/// written in the chart, with each variable at its first read or write. It is then improved with the dependencies of
-/// the next values (FORCE: Aloul, Markov, Sakallah 2003), if that shortens the total distance of related variables.
-/// Integers that one term reads are neighbours, so that their bits can be interleaved.
+/// Returns the variables that `wanted` marks, each once, the topmost first. The initial order is that of the
+/// transitions in the chart, with each variable at its first read or write. It is then improved with the dependencies
+/// of the next values (FORCE: Aloul, Markov, Sakallah 2003), if that shortens the total distance of related variables.
+/// Integers that one term reads are adjacent, so that their bits can be interleaved.
 std::vector<Id<Equations::Variable>> variable_order(const Equations& equations, const std::vector<bool>& wanted);
 
-/// Groups of integers that are compared or computed with each other: per variable the first of its group, possibly
-/// itself.
+/// Returns groups of integers that are compared or combined with each other: for each variable, the first variable of
+/// its group, which may be the variable itself.
 std::vector<std::uint32_t> integer_groups(const Equations& equations);
 
-/// Marks the variables on which evolutions depend: those read by firing conditions, stability, races, faults and
-/// outputs, and transitively by the values of stored variables among them. Steps are always marked.
+/// Marks the variables on which evolutions depend. These are the variables that firing conditions, stability, races,
+/// faults and outputs read, and transitively those that the values of stored variables among them read. Steps are
+/// always marked.
 std::vector<bool> variables_that_matter(const Equations& equations);
 
 }  // namespace grafverif::analysis

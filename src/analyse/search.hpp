@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Breadth-first search of all points, instant by instant, and shortest paths to them.
+// Breadth-first search of all points, instant by instant, and of shortest paths to them.
 #pragma once
 
 #include <cstddef>
@@ -13,69 +13,71 @@
 
 namespace grafverif::analysis {
 
-/// One instant of all runs together: the new points, in rings by the number of evolutions before them, and the new
-/// rests at its end. In the first instant of every_cycle mode there are no points: it is only the first evolution.
+/// One instant of all runs together. It consists of the new points, in rings by the number of evolutions before them,
+/// and of the new rests at its end. In every_cycle mode the first instant has no points: it is only the first
+/// evolution.
 struct Instant {
     std::size_t first = 0, end = 0;  ///< its rings are the range [first, end)
     Bdd rest = {};
 };
 
-/// A set between `fresh` and `fresh | known` with a small diagram: for operations to which known points may be added.
+/// Returns a set between `fresh` and `fresh | known` with a small diagram, for operations that allow known points to be
+/// added.
 Bdd widened(const Bdd& fresh, const Bdd& known);
 
 /// A run to a point.
 struct Path {
-    /// Per instant its points, each before an evolution; the last is the end of the path. In the first instant, the
-    /// first evolution comes before its points; in every_cycle mode it is the complete first instant, whose point
-    /// contains only the inputs.
+    /// Points of each instant, each before an evolution; the last is the end of the path. In the first instant, the
+    /// first evolution comes before its points. In every_cycle mode, the first evolution is the complete first instant,
+    /// whose point contains only the inputs.
     std::vector<std::vector<Point>> instants = {};
-    bool at_first = false;  ///< the path ends before the first evolution: its only point contains the inputs
+    bool at_first = false;  ///< true if the path ends before the first evolution: its only point contains the inputs
 };
 
 class PathSearch {
 public:
-    /// `landings`: true to collect the points directly after evolutions.
+    /// If `landings` is true, the points directly after evolutions are collected.
     PathSearch(const Machine& machine, ExecutionMode mode, bool landings = true)
         : machine_(machine), mode_(mode), lands_(landings) {}
 
     /// True if all points are found.
     bool done() const { return !instants_.empty() && instants_.back().rest.is_false(); }
-    /// Finds the points of one more instant. May throw BddExhausted, which keeps the points found so far.
+    /// Finds the points of one more instant. May throw BddExhausted; the points found so far are kept.
     void next();
 
     const std::vector<Instant>& instants() const { return instants_; }
-    /// The points found since the last call of forget_fresh().
+    /// Returns the points found since the last call of forget_fresh().
     const Bdd& fresh() const { return fresh_; }
     void forget_fresh() { fresh_ = {}; }
-    /// Those of `within`, new points that are not stable, from which an instant continues in it forever; for stability
-    /// search.
+    /// For stability search: returns those of `within` from which an instant continues forever in `within`. `within`
+    /// consists of new points that are not stable.
     Bdd endless(const Bdd& within) const;
-    /// Upper bound of the number of evolutions of a run to the end of the last instant.
+    /// Returns an upper bound of the number of evolutions in a run to the end of the last instant.
     std::int64_t evolutions() const { return evolutions_; }
-    /// All points; in every_cycle mode all points directly after an evolution, with its inputs.
+    /// Returns all points; in every_cycle mode, all points directly after an evolution, with its inputs.
     const Bdd& reached() const { return rings_.reached; }
     const Bdd& landings() const { return landings_; }
-    /// All points, by distance.
+    /// Returns all points, grouped by distance.
     const std::vector<Bdd>& rings() const { return rings_.each; }
-    /// The points of the first instant.
+    /// Returns the points of the first instant.
     Bdd first() const;
-    /// Those of `goal` with the least distance: a shortest path leads to one of them.
+    /// Returns those of `goal` with the smallest distance. A shortest path leads to one of them.
     Bdd nearest(const Bdd& goal) const;
-    /// A shortest path to a point of `goal`; empty if there is none.
+    /// Returns a shortest path to a point of `goal`; empty if there is none.
     std::optional<Path> path_to(const Bdd& goal) const;
 
 private:
     void first_instant();
     void make_instant(Bdd points);
     std::vector<Point> back_through(const Instant& instant, std::size_t ring, const Point& last) const;
-    /// The last point of `instant`, with its ring, from which the instant ends in the state of `next`.
+    /// Returns the last point of `instant`, with its ring, from which the instant ends in the state of `next`.
     std::optional<std::pair<std::size_t, Point>> end_of(const Instant& instant, const Point& next) const;
 
     const Machine& machine_;
     ExecutionMode mode_;
     bool lands_ = true;
     std::vector<Instant> instants_ = {};
-    bdd::Rings rings_ = {};  ///< of all instants, including an incomplete one
+    bdd::Rings rings_ = {};  ///< rings of all instants, including an incomplete one
     Bdd landings_ = {}, rested_ = {}, fresh_ = {};
     std::int64_t evolutions_ = 0;
 };

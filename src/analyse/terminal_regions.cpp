@@ -31,7 +31,8 @@ Bdd TerminalRegions::before(const Bdd& points) const {
     return (going_on_ & machine_.origins(points)) | (ends_ & (machine_.watches() ? machine_.origins(rest) : rest));
 }
 
-/// Adds to `all` the points that `step` within an instant reaches from `fresh`: instant by instant the sets stay small.
+/// Adds to `all` the points that `step` reaches from `fresh` within an instant. The sets remain small, because they are
+/// computed instant by instant.
 template <class Step>
 Bdd TerminalRegions::instant_of(Bdd fresh, Bdd& all, const Step& step) const {
     if (mode_ == ExecutionMode::EveryCycle) return fresh;
@@ -69,8 +70,9 @@ std::vector<Bdd> TerminalRegions::rings_from(const Bdd& points) const {
     return rings;
 }
 
-/// Most charts return to their start. If each rest of the first instant leads to each other one, and all points lead to
-/// one of them, then all points after that instant form one region; this needs no forward search.
+/// Most charts return to their initial situation. Suppose that each rest of the first instant leads to every other one,
+/// and that all points lead to one of them. Then all points after that instant form one region, and no forward search
+/// is necessary.
 std::optional<Bdd> TerminalRegions::home(const Bdd& among) const {
     Bdd starts = first_ & ends_;
     if (mode_ == ExecutionMode::EveryCycle || starts.is_false()) return {};
@@ -89,8 +91,9 @@ std::optional<Bdd> TerminalRegions::home(const Bdd& among) const {
     return all;
 }
 
-/// Terminal regions contain points that were found late. Continues from such a point: if some of its successors do not
-/// lead back to it, these are nearer to a terminal region, the last found of them most likely in one.
+/// Terminal regions contain points that were found late. The search continues from such a point. If some of its
+/// successors do not lead back to it, they are nearer to a terminal region; the successor found last is most likely in
+/// one.
 std::vector<Bdd> TerminalRegions::regions(Bdd among, std::size_t most) const {
     if (among == reached_)
         if (const auto only = home(among)) return {*only};

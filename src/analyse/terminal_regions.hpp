@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Forward and backward reachability between sets of points, over all points that a search has found, and terminal
-// regions: sets of points that no run leaves, in which each point is reachable from each other one.
+// regions. A terminal region is a set of points that no run leaves and in which each point is reachable from every
+// other one.
 //
-// An evolution that aborts has no successor, so its point would be a separate region: regions are searched among the
-// points from which no run aborts.
+// An evolution that aborts has no successor, so that its point would be a separate region. Therefore regions are
+// determined among the points from which no run aborts.
 #pragma once
 
 #include <cstddef>
@@ -20,28 +21,30 @@ public:
     TerminalRegions(const Machine& machine, ExecutionMode mode, const PathSearch& search);
 
     const Bdd& reached() const { return reached_; }
-    /// The points at which an instant ends: stable, or all in every_cycle mode; without those whose evolution aborts.
+    /// Returns the points at which an instant ends: stable points, or all points in every_cycle mode, without those
+    /// whose evolution aborts.
     const Bdd& ends() const { return ends_; }
-    /// The successors of `points` by one evolution, or by time and new inputs after it.
+    /// Returns the successors of `points` by one evolution, or by time and new inputs after it.
     Bdd after(const Bdd& points) const;
-    /// The predecessors of `points`.
+    /// Returns the predecessors of `points`.
     Bdd before(const Bdd& points) const;
-    /// The points reachable from `points`, including these.
+    /// Returns the points that are reachable from `points`, including `points`.
     Bdd from(const Bdd& points) const { return rings_from(points).back(); }
-    /// The points from which `points` is reachable, including these.
+    /// Returns the points from which `points` is reachable, including `points`.
     Bdd to(const Bdd& points) const;
-    /// At most `most` terminal regions of runs from `among`, which no run leaves. If there are fewer, these are all.
+    /// Returns at most `most` terminal regions of runs from `among`. No run may leave `among`. If the result has fewer
+    /// than `most`, these are all.
     std::vector<Bdd> regions(Bdd among, std::size_t most) const;
-    /// Those of `within` from which a run stays in it and visits `often` infinitely often. No run may enter `within`
-    /// again.
+    /// Returns those of `within` from which a run stays in `within` and visits `often` infinitely often. No run may
+    /// enter `within` again after leaving it.
     Bdd recurring(Bdd within, const Bdd& often) const;
 
 private:
-    /// The only terminal region of runs from `among`, if it contains all points after the first instant.
+    /// Returns the only terminal region of runs from `among`, if it contains all points after the first instant.
     std::optional<Bdd> home(const Bdd& among) const;
     template <class Step>
     Bdd instant_of(Bdd fresh, Bdd& all, const Step& step) const;
-    /// The new points of each instant, and all of them together.
+    /// Returns the new points of each instant, followed by the set of all of them.
     std::vector<Bdd> rings_from(const Bdd& points) const;
 
     const Machine& machine_;

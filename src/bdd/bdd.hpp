@@ -6,13 +6,14 @@
 // added at the bottom of the order and keep their positions unless reordering is requested. The caller therefore
 // determines the order, and the order determines the cost.
 //
-// A Bdd is a handle: equal functions are equal handles, and copies are cheap. A handle knows its space; constants
-// belong to no space and can be combined with handles of every space. Handles and renamings must be destroyed before
-// their space.
+// A Bdd is a handle: equal functions are equal handles, and copies are cheap. A handle refers to its space. Constants
+// do not belong to a space and can be combined with handles of every space. Handles and renamings must be destroyed
+// before their space.
 //
 // Every operation may throw BddExhausted: the memory limit is reached, the system refuses memory, or the stop flag is
-// set, which is noticed within milliseconds. It is the only exception that crosses module boundaries. The function that
-// created the space catches it and returns `unknown`. Afterwards all handles still denote the same functions.
+// set, which is detected within milliseconds. This is the only exception that crosses module boundaries. The function
+// that created the space catches it and returns an unknown result. Afterwards all handles still denote the same
+// functions.
 #pragma once
 
 #include <atomic>
@@ -32,11 +33,12 @@
 namespace grafverif {
 
 struct BddLimits {
-    std::uint64_t memory = std::uint64_t{2} << 30U;  ///< bytes, for nodes, tables and cache
+    std::uint64_t memory = std::uint64_t{2} << 30U;  ///< memory limit for nodes, tables and cache, in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;                         ///< cancellation flag, set by another thread
-    std::uint64_t work = std::numeric_limits<std::uint64_t>::max();  ///< operation steps: a deterministic deadline
-    std::atomic<std::uint64_t>* worked = nullptr;                    ///< operation steps are added to it periodically
+    const std::atomic<bool>* stop = nullptr;  ///< cancellation flag, which another thread may set
+    /// Maximum number of operation steps: a deterministic deadline.
+    std::uint64_t work = std::numeric_limits<std::uint64_t>::max();
+    std::atomic<std::uint64_t>* worked = nullptr;  ///< the number of operation steps is periodically added to it
 };
 
 class BddExhausted : public std::exception {
@@ -57,7 +59,7 @@ struct Kernel;
 
 class Bdd {
 public:
-    Bdd() = default;  ///< false
+    Bdd() = default;  ///< the constant false
     Bdd(const Bdd& other) : kernel_(other.kernel_), edge_(other.edge_) { hold(); }
     Bdd(Bdd&& other) noexcept : kernel_(std::exchange(other.kernel_, nullptr)), edge_(std::exchange(other.edge_, 0)) {}
     Bdd& operator=(const Bdd& other) {
@@ -83,18 +85,18 @@ public:
     bool is_true() const { return edge_ == 1; }
     bool is_false() const { return edge_ == 0; }
     bool is_constant() const { return edge_ < 2; }
-    /// True if both are the same function.
+    /// True if both handles denote the same function.
     bool operator==(const Bdd& other) const = default;
 
-    /// The topmost variable that the function depends on, and the cofactors for this variable being false or true.
-    /// Requires a function that is not constant.
+    /// Return the topmost variable on which the function depends, and its cofactors for the values false and true of
+    /// this variable. Requires a function that is not constant.
     std::uint32_t top() const;
     Bdd low() const;
     Bdd high() const;
 
     std::size_t hash() const { return std::size_t{edge_} * 0x9E3779B97F4A7C15U; }
 
-    /// For the implementation: the function in its space. The kernel is null for a constant.
+    /// Only for the implementation: creates the handle of a function. The kernel is null for a constant.
     Bdd(bdd::Kernel& kernel, std::uint32_t edge);
     bdd::Kernel* kernel() const { return kernel_; }
     std::uint32_t edge() const { return edge_; }
@@ -114,36 +116,36 @@ public:
     BddSpace& operator=(const BddSpace&) = delete;
     ~BddSpace();
 
-    /// Adds `count` variables below all others and returns the index of the first.
+    /// Adds `count` variables below all others. Returns the index of the first.
     std::uint32_t add_variables(std::size_t count);
     std::size_t variables() const;
     Bdd variable(std::uint32_t index) const;
 
-    std::uint64_t nodes() const;  ///< nodes in use, garbage included
-    std::uint64_t bytes() const;  ///< memory held for nodes, tables and cache
-    std::uint64_t work() const;   ///< operation steps so far, a measure independent of time
+    std::uint64_t nodes() const;  ///< nodes in use, including garbage
+    std::uint64_t bytes() const;  ///< memory allocated for nodes, tables and cache
+    std::uint64_t work() const;   ///< operation steps so far, a measure of work that does not depend on time
 
-    /// Frees unused nodes; called automatically when memory is needed.
+    /// Frees unused nodes. It is called automatically when memory is needed.
     void collect_garbage();
 
-    /// Variables in their order, topmost first.
+    /// Returns the variables in their order, topmost first.
     std::vector<std::uint32_t> order() const;
-    /// Makes a group of the `count` adjacent variables from `first` on: reordering moves them together.
+    /// Makes a group of `count` adjacent variables, starting with `first`. Reordering moves them together.
     void keep_together(std::uint32_t first, std::size_t count);
     /// Searches for an order with fewer nodes, as far as the memory limit allows. All handles keep their functions.
     void reorder();
-    /// Enables automatic reordering before an operation if more than `nodes` nodes are in use, and later whenever they
-    /// have doubled. 0 (default) disables it.
+    /// Enables automatic reordering before an operation if more than `nodes` nodes are in use, and again whenever their
+    /// number has doubled. 0 (the default) disables it.
     void reorder_above(std::uint64_t nodes);
 
-    /// For the implementation.
+    /// Only for the implementation.
     bdd::Kernel& kernel() const { return *kernel_; }
 
 private:
     std::unique_ptr<bdd::Kernel> kernel_;
 };
 
-/// Violated invariants of the space; empty unless there is an internal error.
+/// Returns the violated invariants of the space; empty unless there is an internal error.
 std::vector<std::string> verify(const BddSpace& space);
 
 Bdd operator~(const Bdd& f);
@@ -163,55 +165,56 @@ struct BddLiteral {
     bool operator==(const BddLiteral&) const = default;
 };
 
-/// Conjunction of the literals; true if there are none.
+/// Returns the conjunction of the literals; true if there are none.
 Bdd cube(const BddSpace& space, std::span<const BddLiteral> literals);
-/// Conjunction of the variables: the form in which quantifiers take a set of variables.
+/// Returns the conjunction of the variables. Quantifiers use this form of a set of variables.
 Bdd variable_set(const BddSpace& space, std::span<const std::uint32_t> variables);
 
 Bdd exists(const Bdd& f, const Bdd& variables);
-/// exists(f & g, variables) without building f & g: the relational product.
+/// Returns exists(f & g, variables) without computing f & g: the relational product.
 Bdd and_exists(const Bdd& f, const Bdd& g, const Bdd& variables);
-/// f under the literals of the cube; the result does not depend on their variables.
+/// Returns the cofactor of f for the literals of the cube. The result does not depend on their variables.
 Bdd cofactor(const Bdd& f, const Bdd& cube);
-/// A function, small if possible, that equals f wherever `care` holds (Coudert and Madre 1990). Requires that `care` is
-/// not false.
+/// Returns a function, small if possible, that equals f for all assignments that satisfy `care` (Coudert and Madre
+/// 1990). Requires that `care` is not false.
 Bdd simplify(const Bdd& f, const Bdd& care);
 
 /// Simultaneous renaming of variables.
 class BddRenaming {
 public:
-    /// Maps the first variable of each pair to the second; the second variables are distinct.
+    /// Maps the first variable of each pair to the second. The second variables must be distinct.
     explicit BddRenaming(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
     BddRenaming(const BddRenaming&) = delete;
     BddRenaming& operator=(const BddRenaming&) = delete;
     ~BddRenaming();
 
-    /// f renamed. Requires that an unrenamed variable of f is not the new name of another one.
+    /// Returns f with renamed variables. Requires that no variable of f which is not renamed is the new name of another
+    /// variable.
     Bdd operator()(const Bdd& f) const;
 
-    struct Map;  ///< for the implementation
+    struct Map;  ///< only for the implementation
 
 private:
     std::unique_ptr<Map> map_;
 };
 
-/// The variables that f depends on, increasing.
+/// Returns the variables on which f depends, increasing.
 std::vector<std::uint32_t> support(const Bdd& f);
-/// Number of nodes of f without constants.
+/// Returns the number of nodes of f without constants.
 std::size_t size(const Bdd& f);
-/// f under the assignment values[i] to variable i; `values` covers all variables that f depends on.
+/// Returns f under the assignment of values[i] to variable i. `values` contains all variables on which f depends.
 bool evaluate(const Bdd& f, const std::vector<bool>& values);
 
-/// Literals, in increasing order of their variables, that make f true; empty optional if f is false.
+/// Returns literals, in increasing order of their variables, that make f true; empty if f is false.
 std::optional<std::vector<BddLiteral>> one_cube(const Bdd& f);
-/// Enumerates disjoint cubes whose disjunction is f, false branches first, until `visit` returns false. Their number
-/// can be exponential in the size of f.
+/// Enumerates disjoint cubes whose disjunction is f, false branches first, until `visit` returns false. The number of
+/// cubes can be exponential in the size of f.
 void for_each_cube(const Bdd& f, const std::function<bool(std::span<const BddLiteral>)>& visit);
 
-/// Exact number of assignments to `variables` that make f true, in decimal. `variables` is increasing and contains
-/// every variable that f depends on.
+/// Returns the exact number of assignments to `variables` that make f true, in decimal. `variables` is increasing and
+/// contains every variable on which f depends.
 std::string count(const Bdd& f, std::span<const std::uint32_t> variables);
-/// The same, if it fits into 64 bits.
+/// Returns the number if it fits into 64 bits.
 std::optional<std::uint64_t> small_count(const Bdd& f, std::span<const std::uint32_t> variables);
 
 }  // namespace grafverif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Block: array in memory that is counted against a limit and may be refused. All memory that grows with the diagrams is
-// kept in Blocks, so the limit is exact. If growing a block would exceed the limit or the system refuses, the block is
-// unchanged and an error is returned.
+// Block: an array in memory that is counted against a limit and whose growth may fail. All memory that grows with the
+// diagrams is in Blocks, so that the limit is exact. If growing a block would exceed the limit, or if the system
+// refuses memory, the block is unchanged and an error is returned.
 //
-// A block is resized in place or moved as a whole; for large blocks this needs no second copy, because pages are
+// A block is resized in place or moved as a unit. For large blocks this requires no second copy, because pages are
 // remapped.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace grafverif::bdd {
 
-/// Memory limit and use in bytes.
+/// Memory limit and memory use, in bytes.
 struct Budget {
     std::uint64_t limit = 0, used = 0;
 
@@ -50,8 +50,8 @@ public:
     T* data() { return data_; }
     std::size_t size() const { return size_; }
 
-    /// Resizes to `size` > 0 elements; new elements are uninitialized. Returns false, with the block unchanged, if
-    /// memory is refused.
+    /// Resizes to `size` > 0 elements. New elements are uninitialized. If memory is refused, returns false and leaves
+    /// the block unchanged.
     [[nodiscard]] bool resize(std::size_t size) {
         if (size > size_ && !budget_.charge((size - size_) * sizeof(T))) return false;
         void* const moved = std::realloc(data_, size * sizeof(T));

@@ -22,7 +22,7 @@ bool Cache::grow(InterruptPoll& watch) {
             clear(watch);
             return true;
         }
-        for (std::size_t i = before; i-- > 0;) {  // backwards: entry i moves to 2i or 2i + 1
+        for (std::size_t i = before; i-- > 0;) {  // backwards, because entry i moves to 2i or 2i + 1
             watch.step();
             const Entry moved = entries_[i];
             entries_[2 * i] = entries_[2 * i + 1] = {};

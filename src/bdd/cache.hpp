@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Cache of operation results: maps an operation and its operands to the resulting edge. Lossy: a new result replaces an
-// old one in the same slot. All operations share one table, which grows with the number of nodes.
+// Cache of operation results: maps an operation and its operands to the resulting edge. The cache is lossy: a new
+// result replaces an old one in the same slot. All operations share one table, which grows with the number of nodes.
 //
-// Entries survive a garbage collection if all their nodes do. The operation is encoded in the two unused bits of each
-// operand edge. An all-zero entry is empty: no operation is looked up with constant operands.
+// An entry survives a garbage collection if all its nodes do. The operation is encoded in the two unused bits of each
+// operand edge. An entry with all bits zero is empty, because operations with constant operands are never looked up.
 #pragma once
 
 #include <cstdint>
@@ -41,13 +41,13 @@ public:
         entries_[slot(entry)] = entry;
     }
 
-    /// Doubles the size, keeping all entries; unchanged if memory is refused. The first call allocates the initial
-    /// entries.
+    /// Doubles the size and keeps all entries. If memory is refused, the cache is unchanged. The first call allocates
+    /// the initial entries.
     bool grow(InterruptPoll& watch);
     std::size_t size() const { return size_; }
     /// Removes all entries.
     void clear(InterruptPoll& watch);
-    /// Removes entries that refer to an unmarked node.
+    /// Removes entries that refer to unmarked nodes.
     void keep_marked(const NodeTable& table, InterruptPoll& watch);
 
     struct CachedResult {
@@ -56,7 +56,7 @@ public:
         std::uint32_t h = 0;
         Edge result = 0;
     };
-    /// The entry of a slot; empty if f is 0.
+    /// Returns the entry of a slot; it is empty if f is 0.
     CachedResult known(std::size_t slot) const;
 
 private:

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Garbage collection: marks the nodes reachable from handles, frames and the spared edges, removes cache entries of
-// unmarked nodes, and frees unmarked nodes. The nodes to be marked form a list through `next`, so marking needs neither
-// a stack nor memory; the sweep rebuilds the hash chains.
+// Garbage collection: marks the nodes that are reachable from handles, frames and the spared edges, removes cache
+// entries of unmarked nodes, and frees unmarked nodes. The nodes to mark form a list through `next`, so that marking
+// needs neither a stack nor memory. The sweep rebuilds the hash chains.
 //
-// It can be interrupted anywhere. Before the sweep this is harmless: garbage nodes are valid nodes. An interrupted
-// sweep is completed by the next operation from the marks, which are kept until then.
+// It can be interrupted at any time. Before the sweep this has no effect, because garbage nodes are valid nodes. The
+// next operation completes an interrupted sweep with the marks, which are kept until then.
 #include <algorithm>
 
 #include "bdd/kernel.hpp"
@@ -57,8 +57,8 @@ void relink(Kernel& kernel) {
         table.buckets[bucket] = 0;
     }
     table.free = 0;
-    std::uint32_t in_use = 1;                       // the constant
-    for (std::uint32_t n = table.used; n-- > 1;) {  // backwards, so that free nodes with low indices are reused first
+    std::uint32_t in_use = 1;                       // starts with the constant
+    for (std::uint32_t n = table.used; n-- > 1;) {  // backwards, so that free nodes with small indices are reused first
         kernel.watch.step();
         Node& node = table.nodes[n];
         if (node.level == free_level || (table.sweeping && !table.marked(n))) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// And, exclusive or, and if-then-else. Complement edges provide the others: a disjunction is a complemented conjunction
-// of complements, an equivalence is a complemented exclusive or, and they share cache entries. Calls are normalized
-// first, so that equivalent calls have one cache entry.
+// And, exclusive or, and if-then-else. Complement edges provide all other connectives: a disjunction is a complemented
+// conjunction of complements, and an equivalence is a complemented exclusive or. They share cache entries. Calls are
+// normalized first, so that equivalent calls have one cache entry.
 #include <algorithm>
 #include <utility>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exact counting of satisfying assignments, bottom-up. The numbers have up to one bit per variable, so they are charged
-// to the memory of the space; each is dropped after its last use.
+// Exact counting of satisfying assignments, bottom-up. The numbers have up to one bit per variable; therefore they are
+// charged to the memory of the space. Each is freed after its last use.
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cassert>
@@ -20,7 +20,7 @@ using bdd::Kernel;
 
 class Counter {
 public:
-    /// The place of a node is the position of its variable among `variables`, in the order of the space; constants are
+    /// The position of a node is the index of its variable in `variables`, in the order of the space. Constants are
     /// below all variables.
     Counter(Kernel& kernel, std::span<const std::uint32_t> variables)
         : kernel_(kernel), places_(variables.size()), place_of_(kernel.order.size(), 0) {
@@ -38,7 +38,7 @@ public:
         const std::vector<std::uint32_t> nodes = bdd::nodes_of(kernel_, root);
         counts_.reserve(nodes.size());
         for (const std::uint32_t n : nodes) {
-            ++counts_[n].parents;  // one more than needed for the root, so that its number is kept
+            ++counts_[n].parents;  // one more than necessary for the root, so that its number is kept
             meet(kernel_.table.nodes[n].low);
             meet(kernel_.table.nodes[n].high);
         }
@@ -80,14 +80,14 @@ private:
     void drop(Edge edge) {
         if (bdd::is_constant(edge)) return;
         Count& count = counts_[bdd::index_of(edge)];
-        if (--count.parents != 1) return;  // not yet down to the extra one
+        if (--count.parents != 1) return;  // the number is still needed
         const std::uint64_t less = bytes(count.number);
         kernel_.budget.used -= less;
         charged_ -= less;
         count.number = Number();
     }
 
-    /// Number of assignments to the variables from place `from` on.
+    /// Returns the number of assignments to the variables from position `from` on.
     Number below(Edge edge, std::size_t from) {
         Number number = bdd::is_constant(edge) ? Number(0) : counts_[bdd::index_of(edge)].number;
         if (bdd::complement_bit(edge) != 0) number = (Number(1) << (places_ - place(edge))) - number;

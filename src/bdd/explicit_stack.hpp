@@ -54,7 +54,7 @@ Edge run(Kernel& kernel, const Rule& rule, Call call) {
             }
         }
         result ^= static_cast<Edge>(flip);
-        for (;;) {  // return to the first frame with a pending branch
+        for (;;) {  // returns to the first frame with a pending branch
             if (kernel.frames.size() == base) return result;
             Frame& waiting = kernel.frames.top();
             if (!waiting.has_low && !rule.enough(kernel, waiting, result)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Public operations. Terminal cases are handled first, so constants need no space.
+// Public operations. Terminal cases are handled first, so that constants need no space.
 #include <algorithm>
 #include <cassert>
 
@@ -12,7 +12,7 @@ namespace {
 using bdd::Edge;
 using bdd::Kernel;
 
-/// The space of the operands; null if all are constants.
+/// Returns the space of the operands; null if all are constants.
 Kernel* kernel_of(std::initializer_list<const Bdd*> operands) {
     Kernel* kernel = nullptr;
     for (const Bdd* operand : operands) {
@@ -22,7 +22,7 @@ Kernel* kernel_of(std::initializer_list<const Bdd*> operands) {
     return kernel;
 }
 
-/// The result of `operation`, which creates nodes.
+/// Returns the result of `operation`, which creates nodes.
 template <class Work>
 Bdd result_of(Kernel* kernel, const Work& work) {
     assert(kernel != nullptr);
@@ -68,14 +68,15 @@ Bdd cube(const BddSpace& space, std::span<const BddLiteral> literals) {
         assert(literal.variable < order.size());
         sorted.emplace_back(order.level_of[literal.variable], literal.value);
     }
-    std::ranges::sort(sorted, std::ranges::greater{});  // bottom-up: each literal adds one node
+    std::ranges::sort(sorted, std::ranges::greater{});  // bottom-up, so that each literal adds one node
     sorted.erase(std::ranges::unique(sorted).begin(), sorted.end());
     if (sorted.empty()) return Bdd::constant(true);
     return result_of(&space.kernel(), [&](Kernel& k) {
         Edge result = bdd::true_edge;
         for (std::size_t i = 0; i < sorted.size(); ++i) {
             const auto [level, value] = sorted[i];
-            if (i > 0 && sorted[i - 1].first == level) return bdd::false_edge;  // both literals of one variable
+            // False if both literals of one variable are present.
+            if (i > 0 && sorted[i - 1].first == level) return bdd::false_edge;
             result =
                 value ? bdd::make(k, level, bdd::false_edge, result) : bdd::make(k, level, result, bdd::false_edge);
         }

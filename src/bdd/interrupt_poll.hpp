@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Polls the stop flag, the deadline and the work limit every N operations, at negligible cost and with short delay: one
-// operation step takes well below a microsecond.
+// Polls the stop flag, the deadline and the work limit every N operations. The cost is negligible and the delay is
+// short, because one operation step takes far less than a microsecond.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ private:
     void look();
 
     BddLimits limits_ = {};
-    std::uint64_t done_ = 0;  ///< at the last poll
+    std::uint64_t done_ = 0;  ///< number of steps at the last poll
     std::int64_t left_ = steps_per_poll;
 };
 

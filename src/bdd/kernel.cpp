@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Allocation of nodes. A small table doubles when it is full, because collecting would only delay that. A larger table
-// is collected first, and doubles if more than half of its nodes are alive. If neither the limit nor the system allows
-// growth, the collection must free at least a sixteenth of the nodes; otherwise collections would repeat without
+// Allocation of nodes. When a small table is full, it doubles, because a collection would only delay this. A larger
+// table is collected first, and doubles if more than half of its nodes are alive. If neither the limit nor the system
+// allows growth, the collection must free at least a sixteenth of the nodes; otherwise collections would repeat without
 // progress.
 #include "bdd/kernel.hpp"
 
@@ -77,7 +77,7 @@ bool grow(Kernel& kernel) {
     add_buckets(kernel);
     if (table.buckets.size() == 0) return false;
     if (table.stale) relink(kernel);
-    // Larger caches have slightly more hits, but exceed the processor cache.
+    // Larger caches have slightly more hits, but do not fit into the processor cache.
     while (kernel.cache.size() < table.capacity / 2 && kernel.cache.grow(kernel.watch)) {
     }
     return kernel.cache.size() != 0;

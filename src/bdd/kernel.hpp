@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Kernel: all data of a space, that is its order, nodes, cache and the frames of the running operation. Its operations
-// are functions, one file per topic: kernel.cpp (allocation), collect.cpp, connectives.cpp, quantify.cpp, restrict.cpp,
-// compose.cpp, reorder.cpp, verify.cpp; walks.cpp and count.cpp are read-only.
+// Kernel: all data of a space, which are its order, nodes, cache, and the frames of the running operation. Its
+// operations are functions, one file per topic: kernel.cpp (allocation), collect.cpp, connectives.cpp, quantify.cpp,
+// restrict.cpp, compose.cpp, reorder.cpp, verify.cpp; walks.cpp and count.cpp are read-only.
 //
-// An operation that creates nodes may collect garbage or end early at every node it creates. Edges that it still needs
-// must be in its frames or arguments of `make`; its operands are protected by handles.
+// Whenever an operation creates a node, it may collect garbage or end early. Edges that it still needs must be in its
+// frames or arguments of `make`; its operands are protected by handles.
 #pragma once
 
 #include <initializer_list>
@@ -18,10 +18,10 @@ namespace grafverif::bdd {
 
 /// A pending call of an operation; operands and results are edges, so that collection can mark them.
 struct Frame {
-    Edge f = 0, g = 0, h = 0;            ///< its operands
+    Edge f = 0, g = 0, h = 0;            ///< operands of the call
     Edge low = 0;                        ///< result of the low branch, valid if `has_low`
     std::uint32_t level = 0;             ///< branching level
-    bool has_low = false, flip = false;  ///< flip: complement the result
+    bool has_low = false, flip = false;  ///< `flip`: the result must be complemented
 };
 
 /// The stack of frames.
@@ -46,7 +46,7 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Mapping between variables and levels, with the groups of variables.
+/// Mapping between variables and levels, and the groups of variables.
 class Order {
 public:
     explicit Order(Budget& budget) : level_of(budget), variable_at(budget), group_of(budget) {}
@@ -56,7 +56,7 @@ public:
     bool add(std::uint32_t count);
 
     Block<std::uint32_t> level_of, variable_at;
-    Block<std::uint32_t> group_of;  ///< per variable the first of its group; a group is contiguous
+    Block<std::uint32_t> group_of;  ///< per variable: the first variable of its group; a group is contiguous
     std::uint64_t version = 0;      ///< increased by every change of the order
 
 private:
@@ -73,7 +73,7 @@ struct Kernel {
     std::uint32_t level(Edge edge) const { return node(edge).level; }
     Edge low(Edge edge) const { return node(edge).low ^ complement_bit(edge); }
     Edge high(Edge edge) const { return node(edge).high ^ complement_bit(edge); }
-    /// The same; the edge itself if it does not branch at `level`.
+    /// Return the branches of an edge; the edge itself if it does not branch at `level`.
     Edge low(Edge edge, std::uint32_t level) const { return node(edge).level == level ? low(edge) : edge; }
     Edge high(Edge edge, std::uint32_t level) const { return node(edge).level == level ? high(edge) : edge; }
 
@@ -88,16 +88,17 @@ struct Kernel {
     std::uint64_t reorder_above = 0;  ///< threshold in nodes; 0 disables automatic reordering
 };
 
-/// Makes space for a node by growth or by collection, which keeps `low` and `high`. Throws BddExhausted if this fails.
+/// Obtains memory for a node by growth or by a collection, which keeps `low` and `high`. Throws BddExhausted if this
+/// fails.
 void free_memory(Kernel& kernel, Edge low, Edge high);
-/// Rebuilds the chains and the free list, and completes a sweep.
+/// Rebuilds the chains and the free list, and completes an interrupted sweep.
 void relink(Kernel& kernel);
 /// Frees unreachable nodes.
 void collect(Kernel& kernel, std::initializer_list<Edge> spared);
-/// Doubles the number of nodes, or grows as far as the limit allows. Returns true if the gain is substantial.
+/// Doubles the number of nodes, or grows as far as the limit permits. Returns true if the gain is substantial.
 bool grow(Kernel& kernel);
 
-/// The function "if the variable of `level` then high else low"; both operands are below that level.
+/// Returns the function "if the variable of `level` then high else low". Both operands must be below that level.
 inline Edge make(Kernel& kernel, std::uint32_t level, Edge low, Edge high) {
     if (low == high) return low;
     const Edge flip = complement_bit(low);
@@ -119,7 +120,7 @@ inline Edge make(Kernel& kernel, std::uint32_t level, Edge low, Edge high) {
     return n << 1U | flip;
 }
 
-/// Scope of one public operation: completes interrupted work before it, and drops its frames after it.
+/// Scope of one public operation. Completes interrupted work before it, and removes its frames after it.
 class Session {
 public:
     explicit Session(Kernel& kernel);
@@ -140,10 +141,10 @@ Edge product_quantified(Kernel& kernel, Edge f, Edge g, Edge cube);
 Edge restricted(Kernel& kernel, Edge f, Edge cube);
 Edge simplified(Kernel& kernel, Edge f, Edge care);
 
-/// Improves the order by sifting; groups stay together.
+/// Improves the order by sifting. Groups remain together.
 void reorder(Kernel& kernel);
 
-/// The nodes of a function without the constant, children before parents. All marks are cleared.
+/// Returns the nodes of a function without the constant, children before parents. All marks are cleared.
 std::vector<std::uint32_t> nodes_of(Kernel& kernel, Edge root);
 
 }  // namespace grafverif::bdd

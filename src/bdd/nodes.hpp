@@ -3,12 +3,12 @@
 //
 // An edge is the doubled index of a node, plus one if the function is the complement of the node's function (Brace,
 // Rudell and Bryant 1990). Node 0 is the constant: edge 0 is false, edge 1 is true. A node means "if my variable then
-// high else low". Its low edge is never complemented, which makes nodes canonical: of a function and its complement,
-// only the one that is false under the all-false assignment is stored.
+// high else low". Its low edge is never complemented, which makes nodes canonical: of each function and its complement,
+// only the one that is false if all variables are false is stored.
 //
-// A node stores its level, the position of its variable in the order; deeper levels are larger, and the constant has
-// the largest. One hash table, with chains through the nodes, maps a triple (level, low, high) to its node. No node is
-// stored twice, so equal functions are equal edges.
+// A node stores its level, which is the position of its variable in the order. Deeper levels are larger, and the
+// constant has the largest level. One hash table, with chains through the nodes, maps a triple (level, low, high) to
+// its node. No node is stored twice, so that equal functions are equal edges.
 //
 // Nodes have no reference counts for edges; handles are counted per node (`refs`). Nodes that are unreachable from
 // handles, frames of a running operation and live nodes are garbage. They stay in the table, and can be found again,
@@ -32,16 +32,16 @@ constexpr bool is_constant(Edge edge) { return edge < 2; }
 constexpr Edge complement_bit(Edge edge) { return edge & 1U; }
 constexpr std::uint32_t index_of(Edge edge) { return edge >> 1U; }
 
-/// Not a level; `free_level` marks an unused node.
+/// Level of the constant, which has no variable. `free_level` marks an unused node.
 constexpr std::uint32_t constant_level = std::numeric_limits<std::uint32_t>::max() - 1, free_level = constant_level + 1;
 
-/// Edges have 30 bits, because the cache stores the operation in the other two.
+/// Edges have 30 bits, because the cache stores the operation in the other two bits.
 constexpr std::uint64_t most_nodes = std::uint64_t{1} << 29U;
 
 struct Node {
     std::uint32_t level = free_level;
     Edge low = 0, high = 0;
-    std::uint32_t next = 0;  ///< in the chain, in the free list or in the list of nodes to mark; 0 ends it
+    std::uint32_t next = 0;  ///< next node in the chain, the free list or the list of nodes to mark; 0 ends the list
 };
 
 class NodeTable {
@@ -53,7 +53,7 @@ public:
         return static_cast<std::uint32_t>(((pair ^ pair >> 32U) + level) * 0xD6E8FEB86659FD93U >> shift);
     }
 
-    /// The node of the triple; 0 if it does not exist.
+    /// Returns the node of the triple; 0 if it does not exist.
     std::uint32_t find(std::uint32_t level, Edge low, Edge high) const {
         for (std::uint32_t n = buckets[bucket(level, low, high)]; n != 0; n = nodes[n].next)
             if (const Node& node = nodes[n]; node.low == low && node.high == high && node.level == level) return n;
@@ -63,7 +63,7 @@ public:
     bool has_room() const { return free != 0 || used < capacity; }
     std::uint64_t room() const { return capacity - in_use; }
 
-    /// Creates the node of a triple that has none. Requires a free node.
+    /// Creates the node of a triple that does not have one. Requires a free node.
     std::uint32_t add(std::uint32_t level, Edge low, Edge high) {
         const std::uint32_t n = take();
         nodes[n] = {level, low, high, 0};
@@ -80,7 +80,7 @@ public:
         return n;
     }
 
-    /// Requires that the node is not in a chain.
+    /// Frees a node, which must not be in a chain.
     void release(std::uint32_t n) {
         nodes[n] = {free_level, 0, 0, free};
         free = n;
@@ -104,16 +104,16 @@ public:
     void unmark(std::uint32_t n) { marks[n >> 6U] &= ~(std::uint64_t{1} << (n & 63U)); }
 
     Block<Node> nodes;
-    Block<std::uint32_t> refs;     ///< handles per node; 0 for free nodes
+    Block<std::uint32_t> refs;     ///< number of handles per node; 0 for free nodes
     Block<std::uint64_t> marks;    ///< one bit per node, 0 except during a walk or a collection
-    Block<std::uint32_t> buckets;  ///< size is a power of two; the first node of each chain
+    Block<std::uint32_t> buckets;  ///< first node of each chain; the size is a power of two
     unsigned shift = 63;           ///< maps a hash to a bucket
-    std::uint32_t capacity = 0;    ///< usable nodes; the blocks may be larger
+    std::uint32_t capacity = 0;    ///< number of usable nodes; the blocks may be larger
     std::uint32_t used = 0;        ///< nodes from this index on were never used
-    std::uint32_t in_use = 0;      ///< includes garbage
+    std::uint32_t in_use = 0;      ///< number of nodes in use, including garbage
     std::uint32_t free = 0;        ///< list of unused nodes below `used`
-    bool stale = false;            ///< chains and free list must be rebuilt,
-    bool sweeping = false;         ///< and unmarked nodes are freed by that
+    bool stale = false;            ///< true if chains and the free list must be rebuilt,
+    bool sweeping = false;         ///< and if unmarked nodes must be freed at the same time
 };
 
 }  // namespace grafverif::bdd

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Quantification, and the relational product, which quantifies during the conjunction (Burch, Clarke and Long 1990).
-// The variables are a cube: its levels above the operands are skipped, and when no variable is left the operands are
+// The variables form a cube. Its levels above the operands are skipped, and when no variable remains, the operands are
 // returned. If the first branch of a quantified variable is already true, the other branch is skipped.
 #include <algorithm>
 #include <utility>
@@ -11,7 +11,7 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// The cube without the variables above `level`.
+/// Returns the cube without the variables above `level`.
 Edge below(const Kernel& kernel, Edge cube, std::uint32_t level) {
     while (kernel.level(cube) < level) cube = kernel.high(cube);
     return cube;

@@ -12,9 +12,10 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// Size up to which parts are conjoined: larger ones cost more to build than they save in use.
+/// Size up to which parts are conjoined. The conjunction of larger parts costs more than it saves.
 constexpr std::size_t part_size = 600;
-/// If there are more parts, they keep the order of their bits: the search for a better one is quadratic.
+/// Maximum number of parts that are arranged. More parts keep the order of their bits, because the search for a better
+/// order is quadratic.
 constexpr std::size_t most_arranged = 2000;
 
 std::vector<NextBit> sorted(std::vector<NextBit> bits) {
@@ -48,7 +49,7 @@ Relation::Relation(const BddSpace& space, std::vector<NextBit> bits, std::vector
     end_after();
 }
 
-/// Conjoins all parts that read a choice and quantifies the choice, if the result is small.
+/// If the result is small, conjoins all parts that read a choice, and quantifies the choice.
 void Relation::free_of_choices() {
     std::vector<std::uint32_t> left;
     for (const std::uint32_t choice : choices_) {
@@ -67,7 +68,7 @@ void Relation::free_of_choices() {
     choices_ = std::move(left);
 }
 
-/// Greedy order: the next part is one that allows many of its variables to be quantified and introduces few new ones.
+/// Orders the parts greedily. The next part permits many of its variables to be quantified and introduces few new ones.
 void Relation::arrange() {
     if (parts_.size() > most_arranged) return;
     std::unordered_set<std::uint32_t> after;
@@ -108,8 +109,8 @@ void Relation::join() {
     parts_ = std::move(joined);
 }
 
-/// Assigns each variable after a step, and each choice, to the first part that reads it, because preimages process the
-/// parts from last to first.
+/// Assigns each variable after a step, and each choice, to the first part that reads it. Preimages process the parts
+/// from last to first.
 void Relation::end_after() {
     std::vector<std::uint32_t> gone = choices_;
     for (const NextBit& bit : bits_) gone.push_back(bit.after());
@@ -125,7 +126,7 @@ void Relation::end_after() {
 }
 
 Relation::Quantified Relation::quantified(std::span<const std::uint32_t> variables) const {
-    std::map<std::uint32_t, std::size_t> last;  // per variable the last part that reads it
+    std::map<std::uint32_t, std::size_t> last;  // per variable: the last part that reads it
     for (std::size_t part = 0; part < parts_.size(); ++part)
         for (const std::uint32_t variable : parts_[part].reads) last[variable] = part;
     std::vector<std::uint32_t> unread;

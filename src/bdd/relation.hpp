@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Transition relation: the next value of each bit of a state, with image and preimage of sets of states.
 //
-// A bit has a variable before a step and, directly below it in the order, one after the step. The relation is
-// partitioned into conjuncts ("parts") and never built as one diagram. An image quantifies a variable together with the
-// last part that reads it (Burch, Clarke and Long 1991). Parts that read one choice are conjoined and the choice is
-// quantified if the result is small. The other parts are ordered so that variables can be quantified early and are
-// introduced late (Ranjan, Aziz, Brayton, Plessier, Pixley 1995).
+// A bit has a variable for its value before a step and, directly below it in the order, a variable for its value after
+// the step. The relation is partitioned into conjuncts ("parts") and never represented by one diagram. An image
+// quantifies a variable together with the last part that reads it (Burch, Clarke and Long 1991). If the result is
+// small, parts that read the same choice are conjoined, and the choice is quantified. The other parts are ordered so
+// that variables can be quantified early and are introduced late (Ranjan, Aziz, Brayton, Plessier, Pixley 1995).
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace grafverif::bdd {
 
-/// A bit of a state: its variable before a step, and its next value.
+/// A bit of a state: its variable before a step and its next value.
 struct NextBit {
     std::uint32_t before = 0;
     Bdd value = {};
@@ -25,35 +25,35 @@ struct NextBit {
 
 class Relation {
 public:
-    /// The relation of the steps of all `bits`; other variables are unchanged. `conditions`: further constraints on the
-    /// variables before a step; `choices`: variables among them that are local to a step.
+    /// Represents the steps of all `bits`; other variables are unchanged. `conditions` are further constraints on the
+    /// variables before a step. `choices` are variables among them that are local to a step.
     Relation(const BddSpace& space, std::vector<NextBit> bits, std::vector<Bdd> conditions = {},
              std::vector<std::uint32_t> choices = {});
 
-    /// Variables quantified by an image.
+    /// Variables that an image quantifies.
     struct Quantified {
-        Bdd unread = {};              ///< read by no part
-        std::vector<Bdd> ended = {};  ///< per part: read by no later part
+        Bdd unread = {};              ///< variables that no part reads
+        std::vector<Bdd> ended = {};  ///< per part: variables that it reads and no later part reads
     };
-    /// Distributes `variables` and the choices.
+    /// Distributes `variables` and the choices over the parts.
     Quantified quantified(std::span<const std::uint32_t> variables) const;
 
-    /// Successors of `from`; the result does not constrain the quantified variables, among them all bits. The next
-    /// values are expressed in the variables before a step.
+    /// Returns the successors of `from`. The result does not constrain the quantified variables, which include all
+    /// bits. The next values are expressed in the variables before a step.
     Bdd image(const Bdd& from, const Quantified& variables) const;
-    /// Predecessors of `to` under any choice.
+    /// Returns the predecessors of `to` under any choice.
     Bdd preimage(const Bdd& to) const;
 
-    /// In increasing order.
+    /// Returns the bits in increasing order.
     const std::vector<NextBit>& bits() const { return bits_; }
-    /// The variables before or after a step that the relation reads or writes, increasing.
+    /// Returns the variables before or after a step that the relation reads or writes, increasing.
     std::vector<std::uint32_t> variables() const;
 
 private:
     struct Conjunct {
         Bdd relation = {};
-        std::vector<std::uint32_t> reads = {};  ///< variables that it depends on, increasing
-        Bdd after = {};                         ///< variables that a preimage quantifies with it
+        std::vector<std::uint32_t> reads = {};  ///< variables on which it depends, increasing
+        Bdd after = {};                         ///< variables that a preimage quantifies together with it
     };
 
     static Conjunct part(Bdd relation) { return {relation, support(relation), {}}; }
@@ -66,7 +66,7 @@ private:
     std::vector<NextBit> bits_ = {};
     std::vector<std::uint32_t> choices_ = {};
     std::vector<Conjunct> parts_ = {};
-    Bdd unread_after_ = {};  ///< variables after a step that no part reads; they are unconstrained
+    Bdd unread_after_ = {};  ///< variables after a step that no part reads and that are therefore unconstrained
     BddRenaming to_before_, to_after_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Simultaneous renaming of variables. Both branches are renamed first. If the new variable is above all variables of
-// the results, they are combined by a node, otherwise by if-then-else.
+// the results, a node combines them; otherwise if-then-else does.
 //
 // The map is indexed by level; it is computed at the first use and after each change of the order. The cache identifies
 // it by a number.
@@ -12,13 +12,13 @@
 
 namespace grafverif {
 
-/// Pairs of variables, with the map by level of the last use.
+/// Pairs of variables, and the map by level that was used last.
 struct BddRenaming::Map {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs = {};
-    bdd::Kernel* kernel = nullptr;       ///< kernel that the following members belong to
-    std::uint64_t version = 0;           ///< version of its order
-    std::uint32_t number = 0;            ///< its number in the cache
-    std::vector<std::uint32_t> to = {};  ///< new variable per level, down to the last level that is renamed
+    bdd::Kernel* kernel = nullptr;       ///< kernel to which the following members belong
+    std::uint64_t version = 0;           ///< version of the order for which the map was computed
+    std::uint32_t number = 0;            ///< number of the map in the cache
+    std::vector<std::uint32_t> to = {};  ///< new variable per level, up to the deepest level that is renamed
 };
 
 namespace bdd {
@@ -46,13 +46,13 @@ struct Renamed : Branching {
     Edge join(Kernel& kernel, Frame at, Edge high) const {
         const std::uint32_t level = map.to[at.level];
         if (level < kernel.level(at.low) && level < kernel.level(high)) return make(kernel, level, at.low, high);
-        kernel.frames.top().h = high;  // the frame protects it while the variable is created
+        kernel.frames.top().h = high;  // the frame protects `high` while the variable is created
         return if_then_else(kernel, make(kernel, level, false_edge, true_edge), high, at.low);
     }
 };
 
 std::uint32_t new_number(Kernel& kernel) {
-    if (++kernel.numbers == 0) {  // all numbers used: discard cached results of old ones
+    if (++kernel.numbers == 0) {  // all numbers are used: cached results of old ones are discarded
         kernel.cache.clear(kernel.watch);
         kernel.numbers = 1;
     }

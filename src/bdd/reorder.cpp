@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Variable reordering by sifting (Rudell 1993) with groups (Panda and Somenzi 1995): each group in turn is moved
-// through all positions by exchanges of adjacent levels, and placed where the number of nodes was smallest. The largest
-// groups are moved first; a direction is abandoned if the diagrams grow by a fifth.
+// Variable reordering by sifting (Rudell 1993) with groups (Panda and Somenzi 1995): each group is moved through all
+// positions by exchanges of adjacent levels, and placed at the position with the smallest number of nodes. The largest
+// groups are moved first. A direction is abandoned if the diagrams grow by a fifth.
 //
-// An exchange rewrites the nodes of two levels in place: a node denotes the same function before and after, so handles
-// stay valid. Between exchanges the space is consistent, so reordering can be interrupted there with the order reached
-// so far; if the memory limit does not allow an exchange, reordering ends. Groups that were split by an interruption
-// are reassembled at the start of the next reordering. During reordering there is no garbage, and edges to nodes are
-// counted.
+// An exchange rewrites the nodes of two levels in place. A node denotes the same function before and after it, so that
+// handles remain valid. Between exchanges the space is consistent, so that reordering can be interrupted with the order
+// reached so far. If the memory limit does not permit an exchange, reordering ends. Groups that were split by an
+// interruption are reassembled at the start of the next reordering. During reordering there is no garbage, and edges to
+// nodes are counted.
 #include <algorithm>
 #include <new>
 #include <numeric>
@@ -18,7 +18,7 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// Larger levels are not exchanged, because an exchange cannot be interrupted.
+/// Maximum number of nodes in an exchanged level, because an exchange cannot be interrupted.
 constexpr std::size_t longest_exchange = 1U << 18U;
 
 struct NoMemory {};
@@ -55,7 +55,7 @@ private:
         return kernel_.order.group_of[kernel_.order.variable_at[level]];
     }
 
-    /// The group at `level`. Requires that groups are contiguous.
+    /// Returns the group at `level`. Requires that groups are contiguous.
     Span span_at(std::uint32_t level) const {
         Span span{level, 1};
         const std::uint32_t group = group_at(level);
@@ -64,7 +64,7 @@ private:
         return span;
     }
 
-    /// Makes groups contiguous, each at the position of its topmost variable.
+    /// Makes groups contiguous. Each is placed at the position of its topmost variable.
     void gather() {
         for (std::uint32_t level = 0; level < at_.size();) {
             const std::uint32_t group = group_at(level);
@@ -138,7 +138,7 @@ private:
         while (here.first > best_first) up();
     }
 
-    /// Exchanges a level with the next.
+    /// Exchanges a level with the next one.
     void exchange(std::uint32_t level) {
         const std::size_t nodes = at_[level].size() + at_[level + 1].size();
         kernel_.watch.step(static_cast<std::uint32_t>(4 * nodes + 1));
@@ -150,7 +150,7 @@ private:
         lower.reserve(nodes + 2 * at_[level].size());
         upper.reserve(nodes);
         rewritten.reserve(at_[level].size());
-        // Nothing can fail from here on.
+        // After this point, no operation can fail.
         for (const std::uint32_t n : at_[level]) table_.unlink(n);
         for (const std::uint32_t n : at_[level + 1]) table_.unlink(n);
         for (const std::uint32_t n : at_[level]) {
@@ -187,7 +187,7 @@ private:
         ++order.version;
     }
 
-    /// Rewrites a node of the upper variable that depends on the lower one: the lower variable becomes its top
+    /// Rewrites a node of the upper variable that depends on the lower one, so that the lower variable becomes its top
     /// variable.
     void rewrite(std::uint32_t n, std::uint32_t level, std::vector<std::uint32_t>& lower, std::size_t) {
         const Edge low = table_.nodes[n].low, high = table_.nodes[n].high;
@@ -217,11 +217,11 @@ private:
 
     Kernel& kernel_;
     NodeTable& table_;
-    std::vector<std::uint32_t> uses_;             ///< edges and handles to each node
-    std::vector<std::vector<std::uint32_t>> at_;  ///< nodes by level
+    std::vector<std::uint32_t> uses_;             ///< number of edges and handles to each node
+    std::vector<std::vector<std::uint32_t>> at_;  ///< nodes of each level
 };
 
-/// Charges memory to the budget during its lifetime.
+/// Charges memory to the budget for as long as the object exists.
 struct Charge {
     Charge(Budget& all, std::uint64_t wanted) : budget(all), bytes(all.charge(wanted) ? wanted : 0) {}
     Charge(const Charge&) = delete;
@@ -240,7 +240,7 @@ void reorder(Kernel& kernel) {
     kernel.cache.clear(kernel.watch);
     const Charge charge(kernel.budget,
                         16 * std::uint64_t{kernel.table.capacity} + 64 * std::uint64_t{kernel.order.size()});
-    if (charge.bytes == 0) return;  // the memory is left for nodes
+    if (charge.bytes == 0) return;  // the remaining memory is reserved for nodes
     try {
         Sifter(kernel).sift();
     } catch (const NoMemory&) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Simplification under an assumption: `restricted` by literals (exact cofactor), and `simplified` by a care set,
-// outside of which the result is arbitrary (restrict of Coudert and Madre, 1990). Variables that only the care set
-// depends on are quantified in it, and a branch without care takes the function of the other branch.
+// Simplification under an assumption. `restricted` applies literals (exact cofactor). `simplified` applies a care set,
+// outside of which the result is arbitrary (restrict of Coudert and Madre, 1990). Variables on which only the care set
+// depends are quantified in it. If the care set is false in one branch, the function of the other branch is used.
 #include <algorithm>
 
 #include "bdd/explicit_stack.hpp"
@@ -10,7 +10,7 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// Removes the complement bit before caching: complement commutes with both operations.
+/// Removes the complement bit before the cache is accessed, because complement commutes with both operations.
 bool made_regular(Edge& f) {
     const bool flip = complement_bit(f) != 0;
     f &= ~1U;

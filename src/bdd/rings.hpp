@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rings: layers of a breadth-first search with sets of states. Each ring contains the successors of the previous ring
-// that are in no earlier one. The first ring that contains a goal state has the nearest ones, and a shortest path leads
-// back through the rings.
+// that are not in any earlier ring. The first ring with a goal state contains the nearest goal states, and a shortest
+// path leads back through the rings.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct Rings {
     std::vector<Bdd> each = {};
     Bdd reached = {};  ///< union of all rings
 
-    /// Adds the new states of `states` as a ring; false if there are none.
+    /// Adds the new states of `states` as a ring. Returns false if there are none.
     bool add(const Bdd& states) {
         const Bdd ring = states & ~reached;
         if (ring.is_false()) return false;
@@ -27,7 +27,7 @@ struct Rings {
         return true;
     }
 
-    /// The first ring with a state of `goal`; empty if there is none.
+    /// Returns the first ring with a state of `goal`; empty if there is none.
     std::optional<std::size_t> nearest(const Bdd& goal) const {
         if ((reached & goal).is_false()) return {};
         for (std::size_t ring = 0; ring < each.size(); ++ring)
@@ -36,7 +36,8 @@ struct Rings {
     }
 };
 
-/// A path to `last` over `steps` rings; `before(k, state)` returns a state of ring k with `state` as a successor.
+/// Returns a path to `last` over `steps` rings. `before(k, state)` returns a state of ring k with `state` as a
+/// successor.
 template <class State, class Before>
 std::vector<State> path_back(std::size_t steps, State last, const Before& before) {
     std::vector<State> path{std::move(last)};

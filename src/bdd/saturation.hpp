@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Saturation (Ciardo, Luettgen, Siminiscu 2001): reachable states of a disjunctively partitioned transition relation
-// whose clusters read and write few variables each.
-// A diagram is closed bottom-up: first each subdiagram under the steps that concern only lower variables, then the
-// complete diagram under the steps whose topmost variable is its own, repeated to a fixed point. Results for
-// subdiagrams are cached and reused, and no diagram of a breadth-first layer is built.
+// Saturation (Ciardo, Luettgen, Siminiscu 2001): computes the reachable states of a disjunctively partitioned
+// transition relation whose clusters read and write few variables each. A diagram is closed bottom-up. First each
+// subdiagram is closed under the steps that concern only lower variables. Then the complete diagram is closed under the
+// steps whose topmost variable is its top variable. This is repeated up to a fixed point. Results for subdiagrams are
+// cached and reused, and no diagram of a breadth-first layer is computed.
 #pragma once
 
 #include <cstdint>
@@ -26,13 +26,13 @@ struct ClusterSteps {
 
 class Saturation {
 public:
-    /// Requires that the clusters outlive this object and that the order does not change in this time.
+    /// The clusters must outlive this object, and the order must not change while it exists.
     Saturation(const BddSpace& space, const std::deque<ClusterSteps>& kinds);
     Saturation(const Saturation&) = delete;
     Saturation& operator=(const Saturation&) = delete;
     ~Saturation() { forget(); }
 
-    /// The states reachable from `from` by any number of steps.
+    /// Returns the states that are reachable from `from` by any number of steps.
     Bdd closure(const Bdd& from) { return closed(from, 0); }
 
 private:
@@ -55,7 +55,7 @@ private:
     void forget();
 
     const BddSpace& space_;
-    std::vector<Level> levels_ = {};  ///< topmost first
+    std::vector<Level> levels_ = {};  ///< levels, topmost first
     std::unordered_map<CacheKey, Bdd, Hash> known_ = {};
 };
 

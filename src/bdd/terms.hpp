@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Terms as Boolean functions: the bits of an Expr of any IR as functions of the variables of a BddSpace. See
-// ir/bit_terms.hpp.
+// Terms as Boolean functions: the bits of an Expr of any IR as functions of the variables of a BddSpace (see
+// ir/bit_terms.hpp).
 #pragma once
 
 #include <cstdint>
@@ -19,25 +19,25 @@ inline BddTerm bdd_boolean(const Bdd& value) { return boolean_term(value); }
 inline BddTerm bdd_integer(std::int64_t value) { return integer_term<Bdd>(value); }
 
 /// A variable of `type` as bits of a space: the unsigned value - type.low, least significant bit first, with as many
-/// bits as the range needs (none for a single value). A Boolean is one bit.
+/// bits as the range requires (none for a single value). A Boolean has one bit.
 struct BddWord {
     Type type = {};
     std::vector<std::uint32_t> bits = {};
 };
 
-/// The word as a term. Outside `in_range` the value exceeds type.high.
+/// Returns the word as a term. For assignments outside `in_range`, the value exceeds type.high.
 BddTerm term_of(const BddSpace& space, const BddWord& word);
-/// True where the word has a value of its type.
+/// True for assignments for which the word has a value of its type.
 Bdd in_range(const BddSpace& space, const BddWord& word);
-/// True where the word has the value `value`, which must be one of its type.
+/// True for assignments for which the word has the value `value`, which must be in the range of its type.
 Bdd equals(const BddSpace& space, const BddWord& word, std::int64_t value);
-/// Value of the word under an assignment to all its bits; Booleans are 0 and 1.
+/// Returns the value of the word under an assignment to all its bits; Booleans are 0 and 1.
 std::int64_t value_of(const BddWord& word, const std::vector<bool>& assignment);
 
-/// The bits of a word of `type` with the value of the term, which must be in the range of the type.
+/// Returns the bits of a word of `type` with the value of the term, which must be in the range of the type.
 std::vector<Bdd> word_bits(const BddTerm& term, Type type);
 
-/// Value of a term under an assignment to all variables that it depends on. Requires that it has one.
+/// Returns the value of a term under an assignment to all variables on which it depends. Requires that it has a value.
 std::int64_t value_of(const BddTerm& term, const std::vector<bool>& assignment);
 
 extern template class BitTerms<Bdd>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks the invariants of a space between operations from scratch.
+// Checks the invariants of a space between operations, independently of stored results.
 #include <string>
 #include <unordered_set>
 
@@ -29,7 +29,7 @@ private:
         if (!holds) faults_.push_back(std::string(what) + " " + std::to_string(where));
     }
 
-    /// After an interrupted sweep, garbage counts as free.
+    /// True if the node is in use. After an interrupted sweep, garbage is treated as free.
     bool in_use(std::uint32_t n) const {
         return n < table_.used && table_.nodes[n].level != free_level &&
                (!table_.sweeping || n == 0 || table_.marked(n));
@@ -87,7 +87,7 @@ private:
         return edge == true_edge;
     }
 
-    /// Pseudo-random assignment to all levels.
+    /// Returns a value of a level in a pseudo-random assignment.
     static bool assigned(std::uint64_t level, std::uint64_t seed) {
         const std::uint64_t mixed = (level + seed * 1000003U + 1) * 0x9E3779B97F4A7C15U;
         return ((mixed ^ mixed >> 29U) * 0xD6E8FEB86659FD93U >> 63U) != 0;
@@ -114,7 +114,7 @@ private:
                 case Operation::AndExists: demand(r || !(f && g), "a false product in slot", slot); break;
                 case Operation::Cofactor: demand(r == f || !g, "a false cofactor in slot", slot); break;
                 case Operation::Simplify: demand(r == f || !g, "a false simplification in slot", slot); break;
-                case Operation::Rename: break;  // its third operand is a number
+                case Operation::Rename: break;  // its third operand is a number, not an edge
                 }
             }
         }
@@ -123,7 +123,7 @@ private:
     Kernel& kernel_;
     NodeTable& table_;
     std::vector<std::string> faults_ = {};
-    std::int64_t steps_ = 5'000'000;  ///< budget for recomputing cache entries
+    std::int64_t steps_ = 5'000'000;  ///< maximum number of steps for recomputing cache entries
 };
 
 }  // namespace

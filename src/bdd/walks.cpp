@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Traversals of the nodes of one function. They create no nodes; visited nodes are marked, and unmarked at the end.
+// Traversals of the nodes of one function. They do not create nodes. Visited nodes are marked, and unmarked at the end.
 #include <algorithm>
 #include <cassert>
 #include <new>
@@ -12,7 +12,7 @@ namespace bdd {
 
 namespace {
 
-/// Visited nodes of a traversal.
+/// The visited nodes of a traversal.
 struct VisitedNodes {
     explicit VisitedNodes(NodeTable& all) : table(all) {}
     VisitedNodes(const VisitedNodes&) = delete;
@@ -29,7 +29,7 @@ struct VisitedNodes {
 
 std::vector<std::uint32_t> nodes_of(Kernel& kernel, Edge root) {
     NodeTable& table = kernel.table;
-    if (table.sweeping) relink(kernel);  // the marks are in use
+    if (table.sweeping) relink(kernel);  // an interrupted sweep still uses the marks
     VisitedNodes met(table);
     const auto meet = [&](Edge edge) {
         const std::uint32_t n = index_of(edge);

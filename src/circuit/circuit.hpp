@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Circuit: bit-level form of a TransitionSystem and its properties. Latches start false and take the value of a
-// function in each step; inputs have any value in each step. It is the common form for all bit-level back ends: AIGER,
-// the programs that read it, and the PDR engine.
+// Circuit: bit-level form of a TransitionSystem and its properties. Latches are initially false and get the value of a
+// function in each step; inputs have any value in each step. AIGER, the programs that read it, and the PDR engine use
+// this form.
 //
 // Coding: a Boolean is one bit. An integer is its binary value, its two's complement if the range includes negative
-// numbers, or its offset from the least value if that needs fewer bits. A bit that starts true is stored inverted in
-// its latch. If the first value is not constant, the latch `started` selects between that value and the latch of the
+// numbers, or its offset from the least value if that needs fewer bits. A bit that is initially true is stored inverted
+// in its latch. If the first value is not constant, the latch `started` selects between this value and the latch of the
 // bit.
 //
 // Invariants, constraints on steps and the ranges of free variables are folded into the latch `broken`, which is true
-// from the first violating step on. Targets concern only states where it is false and the invariants hold; after that,
-// the values of the bits are meaningless.
+// from the first step on that violates them. Targets concern only states in which it is false and the invariants hold.
+// After that, the values of the bits have no meaning.
 //
 // Invariants of the circuit (see verify): gates come after their operands; words, latches and targets name existing
 // nodes; inputs and the nodes of latches are sources, each exactly once, and there are no other sources.
@@ -31,17 +31,17 @@ struct Circuit {
 
     struct Input {
         std::uint32_t node = 0;
-        std::string name = {};  ///< `START`, `n[2]`; for a free first value: `n[2] at first`
+        std::string name = {};  ///< name such as `START` or `n[2]`; for a free first value: `n[2] at first`
         bool operator==(const Input&) const = default;
     };
     struct Latch {
         std::uint32_t node = 0;
         Literal next = Gates::no;
-        std::string name = {};  ///< `n[2]`; if stored inverted: `!n[2]`
+        std::string name = {};  ///< name such as `n[2]`; `!n[2]` if it is stored inverted
         bool operator==(const Latch&) const = default;
     };
-    /// A value as literals, least significant bit first: base plus their number; the last bit is a two's complement
-    /// sign if `with_sign`.
+    /// A value as literals, least significant bit first: `base` plus the number that they represent. If `with_sign`,
+    /// the last bit is a two's complement sign.
     struct Word {
         Type type = {};
         std::int64_t base = 0;
@@ -49,18 +49,19 @@ struct Circuit {
         std::vector<Literal> bits = {};
         bool operator==(const Word&) const = default;
     };
-    /// One property to decide. State property: reachability of a state with `bad`, which violates it, or is the witness
-    /// of a `reachable`. Property of runs: existence of a run on which each literal of `justice` holds infinitely
-    /// often, which violates it; `bad` is then `no`.
+    /// One property to decide. A state property is the reachability of a state with `bad`, which violates it or, for
+    /// `reachable`, is the witness. A property of runs is the existence of a run on which each literal of `justice`
+    /// holds infinitely often, which violates it; `bad` is then `no`.
     struct Target {
         Id<Property> about = {};
         Literal bad = Gates::no;
         std::vector<Literal> justice = {};
-        /// States where the property has no value; if one is reachable, the property is undefined.
+        /// States in which the property has no value. If one of them is reachable, the property is undefined.
         Literal undefined = Gates::no;
         bool operator==(const Target&) const = default;
     };
-    /// A step that gives a variable no value or one outside its range; if it is reachable, no verdict is valid.
+    /// A step that assigns a variable an undefined value or a value outside its range. If such a step is reachable, no
+    /// verdict is valid.
     struct Leak {
         Id<FlatSystem::Variable> variable = {};
         Literal bad = Gates::no;
@@ -70,18 +71,18 @@ struct Circuit {
     Gates gates = {};
     std::vector<Input> inputs = {};
     std::vector<Latch> latches = {};
-    std::vector<Word> words = {};    ///< per variable of the flat system: its value in the current state or step
-    std::vector<Word> symbols = {};  ///< per symbol of the system's main: its value
-    Literal possible = Gates::yes;   ///< the current state satisfies the system's invariants
-    Literal settled = Gates::no;     ///< ... and is quiescent, if the system has this symbol
-    Literal in_range = Gates::yes;   ///< every variable has a value of its type
+    std::vector<Word> words = {};    ///< value of each variable of the flat system in the current state or step
+    std::vector<Word> symbols = {};  ///< value of each symbol of the system's main module
+    Literal possible = Gates::yes;   ///< true if the current state satisfies the system's invariants
+    Literal settled = Gates::no;     ///< true if it also is quiescent, provided that the system has this symbol
+    Literal in_range = Gates::yes;   ///< true if every variable has a value of its type
     std::vector<Target> targets = {};
     std::vector<Leak> leaks = {};
 
     bool operator==(const Circuit&) const = default;
 };
 
-/// A property that is omitted from the targets, with the reason.
+/// A property that is not among the targets, with the reason.
 struct NotInCircuit {
     Id<Property> about = {};
     std::string reason = {};
@@ -91,14 +92,14 @@ struct CircuitOf {
     Circuit circuit = {};
     std::vector<NotInCircuit> omitted = {};
 };
-/// `flat`: flattened(system), which gains terms. Requires verify(system).empty().
+/// Translates the system. `flat` is flattened(system); terms are added to it. Requires verify(system).empty().
 CircuitOf circuit_of(const TransitionSystem& system, FlatSystem& flat);
 
 std::vector<std::string> verify(const Circuit& circuit);
 
 /// One bit per node of a circuit.
 using NodeValues = std::vector<bool>;
-/// Computes all gates from the latches and inputs, which `values` contains already.
+/// Computes all gates from the latches and inputs, which `values` already contains.
 void evaluate_gates(const Circuit& circuit, NodeValues& values);
 inline bool value_of(const NodeValues& values, Gates::Literal literal) {
     return values[node_of(literal)] != is_inverted(literal);
@@ -109,7 +110,8 @@ std::int64_t value_of(const NodeValues& values, const Circuit::Word& word);
 void run_through(const Circuit& circuit, const std::vector<std::vector<bool>>& inputs,
                  const std::function<void(const NodeValues&)>& look);
 
-/// The states of a run, given the input values of each step: a value for each variable of the flat system.
+/// Returns the states of a run, given the input values of each step. A state has one value for each variable of the
+/// flat system.
 std::vector<std::vector<std::int64_t>> states_of(const Circuit& circuit, const std::vector<std::vector<bool>>& inputs);
 
 }  // namespace grafverif

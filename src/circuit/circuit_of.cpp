@@ -13,10 +13,10 @@ namespace {
 using Term = BitTerm<Gate>;
 using Variable = FlatSystem::Variable;
 
-/// Number of bits of the two's complement of a value, sign included.
+/// Returns the number of bits of a value in two's complement, including the sign.
 std::size_t signed_width(std::int64_t value) { return bits::constant<Gate>(value).size(); }
 
-/// The coding of `type`, without bits.
+/// Returns the coding of `type`, without bits.
 Circuit::Word coding(Type type) {
     if (type.boolean || bit_count(type) == 0) return {type, type.boolean ? 0 : type.low, false, {}};
     const std::size_t least = bit_count(type);
@@ -63,7 +63,7 @@ private:
         circuit().inputs.push_back({node_of(literal), std::move(name)});
         return {&circuit().gates, literal};
     }
-    /// The next value of the latch is set later.
+    /// Adds a latch, whose next value is set later.
     Gate add_latch(std::string name) {
         const Literal literal = circuit().gates.source();
         circuit().latches.push_back({node_of(literal), Gates::no, std::move(name)});
@@ -88,7 +88,7 @@ private:
         if (!word.coding.with_sign) number.emplace_back();
         return {false, bits::sum(number, bits::constant<Gate>(word.coding.base)), {}};
     }
-    /// The bits of the term, whose value must be one of the coding's type.
+    /// Returns the bits of the term, whose value must be in the range of the coding's type.
     static std::vector<Gate> bits_of(const Term& term, const Circuit::Word& coding) {
         if (coding.type.boolean) return term.bits;
         bits::Integer<Gate> number = bits::difference(term.bits, bits::constant<Gate>(coding.base));
@@ -100,7 +100,7 @@ private:
 
     // -- current values ----------------------------------------------------------------------------------------------
 
-    /// The first value of a variable as a term; an input if the variable is free.
+    /// Returns the first value of a variable as a term; an input if the variable is free.
     const Term& first_value(Id<Variable> id) {
         if (const auto known = firsts_.find(id.index); known != firsts_.end()) return known->second;
         const Variable& variable = flat_.variables[id];
@@ -126,7 +126,7 @@ private:
         return bits;
     }
 
-    /// Selects `later` (latch or input) from the second state on, and `first` in the first.
+    /// Selects `first` in the first state, and `later` (latch or input) from the second state on.
     Gate after_first(const Gate& later, const Gate& first) {
         if (started_.is_false()) started_ = add_latch("started");
         return ite(started_, later, first);
@@ -254,9 +254,9 @@ private:
         return one;
     }
 
-    /// Justice conditions: they and those of the system all hold infinitely often on a run exactly if the run has a
-    /// state with `from` (default: its first state) with no `goal` then or later. A free input selects the state of
-    /// `from`.
+    /// Returns justice conditions for a run that has a state with `from` (default: its first state), but no state with
+    /// `goal` at that time or later. Such a run exists exactly if these conditions and those of the system can all hold
+    /// infinitely often. A free input selects the state with `from`.
     std::vector<Literal> never_again(const Gate& goal, const std::optional<Gate>& from) {
         const std::string number = std::to_string(circuit().targets.size());
         Gate waits = yes();
@@ -288,10 +288,10 @@ private:
     FlatSystem& flat_;
     CircuitOf result_ = {};
     std::vector<Circuit::Word> codings_ = {};
-    std::vector<GateWord> words_ = {};  ///< per variable
+    std::vector<GateWord> words_ = {};  ///< bits of each variable
     BitTerms<Gate> now_, first_;
     std::unordered_map<std::uint32_t, Term> firsts_ = {};
-    Gate first_kept_ = Gate::constant(true);  ///< first values are in their ranges
+    Gate first_kept_ = Gate::constant(true);  ///< true if first values are in their ranges
     std::vector<std::vector<Gate>> nexts_ = {};
     std::vector<LatchOf> latches_of_ = {};
     Term settled_ = {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Gates: Boolean functions as an and-inverter graph (Kuehlmann, Paruthi, Krohm and Ganai 2002). Gates are hash-consed
-// and simplified with one level of lookahead; equal functions may still be different gates.
+// and simplified with one level of lookahead. Nevertheless, equal functions may be different gates.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@ namespace grafverif {
 
 class Gates {
 public:
-    /// 2 * node, plus 1 for its complement; node 0 is false.
+    /// Literal: 2 * node, plus 1 for its complement. Node 0 is the constant false.
     using Literal = std::uint32_t;
     static constexpr Literal no = 0, yes = 1;
 
-    /// An and-gate of two literals of earlier nodes; or a source, whose value is given: both literals are `no`.
+    /// An and-gate of two literals of earlier nodes, or a source with a given value, both of whose literals are `no`.
     struct Node {
         Literal left = no, right = no;
         bool operator==(const Node&) const = default;
@@ -27,7 +27,7 @@ public:
     Literal either(Literal left, Literal right) { return both(left ^ 1U, right ^ 1U) ^ 1U; }
     Literal choice(Literal condition, Literal then, Literal otherwise);
 
-    /// Number of nodes, including the constant.
+    /// Returns the number of nodes, including the constant.
     std::size_t size() const { return nodes_.size(); }
     const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
     bool is_gate(std::uint32_t node) const { return nodes_[node].left != no; }
@@ -42,10 +42,10 @@ private:
 inline std::uint32_t node_of(Gates::Literal literal) { return literal >> 1U; }
 inline bool is_inverted(Gates::Literal literal) { return (literal & 1U) != 0; }
 
-/// The nodes that `roots` depend on, including the roots, in increasing order; never the constant.
+/// Returns the nodes on which `roots` depend, including the roots, in increasing order. The constant is never included.
 std::vector<std::uint32_t> cone(const Gates& gates, const std::vector<Gates::Literal>& roots);
 
-/// A function in the form that ir/bit_terms.hpp requires. Constants belong to no graph.
+/// A function in the form that ir/bit_terms.hpp requires. Constants do not belong to a graph.
 struct Gate {
     Gates* gates = nullptr;
     Gates::Literal literal = Gates::no;

@@ -18,7 +18,7 @@ Network::Template& automaton_of(Network& network, Id<Network::Process> process) 
     return network.templates[network.processes[process].automaton];
 }
 
-/// The variables that an instance writes, with the flags that it sets with them.
+/// The variables that an instance writes, each with the flags that it sets together with the variable.
 using WrittenVariables = std::map<std::uint32_t, std::vector<Network::Assignment>>;
 
 WrittenVariables written_by(const Network& network, const Network::Template& automaton) {
@@ -47,7 +47,7 @@ void silence_clocks(Network::Template& automaton) {
     }
 }
 
-/// The component of the instance, after making it separate from that of other instances.
+/// Returns the component of the instance, after separating it from that of other instances.
 Component& own_component(Model& model, Id<ClosedLoop> loop, Id<ClosedLoop::Instance> instance) {
     ClosedLoop::Instance& of = model.loops[loop].instances[instance];
     Component own = model.components[of.component];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ablation: removes one element from a model, to test whether a proof needs it.
+// Ablation: removes one element from a model, to test if a proof needs it.
 //
 //   a transition          is never cleared
 //   a step                has no effect: its continuous and stored actions and its forcing orders are removed
@@ -9,9 +9,9 @@
 //   a timing              the clocks of an instance or timer are ignored: each delay is arbitrary, possibly infinite
 //   an instance           may be in any location and write any output value at any time
 //
-// Removing a guard, a timing or an instance over-approximates the loop: all reachable states stay reachable, up to the
-// locations and clocks of a removed instance. So if a property of all states still holds, it does not need the element.
-// Removing any other element gives a model that is not comparable.
+// Removing a guard, a timing or an instance over-approximates the loop: all reachable states remain reachable, apart
+// from the locations and clocks of a removed instance. Therefore, if a property of all states still holds, it does not
+// need the element. Removing any other element gives a model that is not comparable.
 #pragma once
 
 #include <cstdint>
@@ -22,51 +22,54 @@
 
 namespace grafverif {
 
-/// Makes its condition false.
+/// Disables a transition by making its condition false.
 void drop_transition(Chart& chart, Id<Chart::Transition> transition);
 
-/// Removes its continuous actions and forcing orders, and disables its stored actions; actions on the clearing of a
-/// transition do not belong to a step. False, without a change, if it has none.
+/// Removes the continuous actions and forcing orders of a step, and disables its stored actions. Actions on the
+/// clearing of a transition do not belong to a step. If the step has none, returns false and changes nothing.
 bool drop_actions(Chart& chart, Id<Chart::Step> step);
 
-/// The location of a term in a chart.
+/// The position of a term in a chart.
 struct TermPlace {
-    enum class Of { Transition, Action, Event };  ///< a condition; of a continuous action; the event of a stored action
+    /// Condition of a transition; of a continuous action; event of a stored action.
+    enum class Of { Transition, Action, Event };
     Of of = Of::Transition;
-    std::uint32_t index = 0;               ///< in Chart::transitions, continuous, stored
-    std::vector<std::uint32_t> path = {};  ///< operands, from the complete condition down to the term
+    std::uint32_t index = 0;               ///< index in Chart::transitions, continuous or stored
+    std::vector<std::uint32_t> path = {};  ///< operand indices, from the complete condition down to the term
     bool operator==(const TermPlace&) const = default;
 };
-/// In the order of transitions, continuous actions, events; outer terms first. A term is an operand of an `and` or
-/// `or`, at any depth below these and `not`, or a condition that is neither of them nor a constant. Of events only
-/// operands without an edge: an event must keep one.
+/// Returns the terms of a chart in the order of transitions, continuous actions, events; outer terms precede inner
+/// ones. A term is an operand of an `and` or `or`, at any depth below these operators and `not`, or a condition that is
+/// neither of them nor a constant. In events, only operands without an edge are included, because an event must keep an
+/// edge.
 std::vector<TermPlace> terms_of(const Chart& chart);
 Id<Expr> term_at(const Chart& chart, const TermPlace& place);
 void remove_term(Chart& chart, const TermPlace& place);
 
-/// True if removing the edge may add behaviour: the edge is forced, or its source location is.
+/// True if removing the edge may add behaviour: the edge is forced, or its source location must be left.
 bool is_forced(const Component& component, Id<Component::Edge> edge);
 
 /// Gives the instance a separate component in the model, without the edge and without the invariant of its source
 /// location.
 void drop_edge(Model& model, Id<ClosedLoop> loop, Id<ClosedLoop::Instance> instance, Id<Component::Edge> edge);
 
-/// True if there is a guard to remove: it is not constantly true, or it makes the edge urgent.
+/// True if there is a guard to remove: the guard is not constantly true, or it makes the edge urgent.
 bool is_guarded(const Component& component, Id<Component::Edge> edge);
 
-/// Gives the instance a separate component without the guard; the edge need not be taken then.
+/// Gives the instance a separate component without the guard. After that, the edge need not be taken.
 void drop_guard(Model& model, Id<ClosedLoop> loop, Id<ClosedLoop::Instance> instance, Id<Component::Edge> edge);
 
-/// Instances of one component share value ranges that are wide enough for all; a separate component would have others.
-/// So `changed`, the network of a loop without an edge or a guard, is expanded and given the ranges of `network`, its
-/// original.
+/// Returns `changed`, the network of a loop without an edge or a guard, expanded and with the value ranges of
+/// `network`, the original. This is necessary because instances of one component share ranges that are wide enough for
+/// all of them, and a separate component would have others.
 Network with_ranges_of(const Network& network, const Network& changed);
 
-/// Requires that `network` is expanded, as below. True if the process used clocks.
+/// Ignores the clocks of a process. Returns true if the process used clocks. This function and the next one require
+/// that `network` is expanded.
 bool drop_timing(Network& network, Id<Network::Process> process);
 
-/// Removes an instance. `roams`: its location is read (by a property, or by `settled`); otherwise it stays at its first
-/// location. False, without a change, if it has too many output values, or calls procedures.
+/// Removes an instance. `roams` is true if its location is read (by a property, or by `settled`); otherwise it remains
+/// in its first location. If it has too many output values, or calls procedures, returns false and changes nothing.
 bool drop_instance(Network& network, Id<Network::Process> process, bool roams = true);
 
 }  // namespace grafverif

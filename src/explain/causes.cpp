@@ -11,21 +11,21 @@ namespace {
 
 using Terms = std::vector<Id<Expr>>;
 
-/// A run as terms see it: its distinct states, and the value of a term in each.
+/// A run in the form that terms require: its distinct states, and the value of a term in each state.
 struct States {
     const Exprs& exprs;
     Id<Expr> settled = {};
     std::size_t count = 0;
-    std::optional<std::size_t> loop = {};  ///< state that follows the last one
+    std::optional<std::size_t> loop = {};  ///< the state that follows the last one
     std::function<std::optional<std::int64_t>(std::size_t state, Id<Expr> term)> value = {};
 };
 
-/// The term that must hold in one state of a run; its failure is explained.
+/// The term that must hold in one state of a run, and whose failure is explained.
 class RequiredTerm {
 public:
     RequiredTerm(const Exprs& exprs, Id<Expr> formula) : exprs_(exprs), formula_(formula) { collect(formula, true); }
 
-    /// The terms that cause it to fail in `state`; false if a value is undefined, or if it does not fail.
+    /// Finds the terms that cause it to fail in `state`. Returns false if a value is undefined, or if it does not fail.
     bool explain(const States& states, std::size_t state, std::size_t most, Terms& found, bool& exact) {
         values_.clear();
         for (const Id<Expr> term : terms_) {
@@ -79,8 +79,8 @@ private:
         return values_[places_.at(term.index)];
     }
 
-    /// The rule of the paper for a `term` whose value is not `wanted`: of a conjunction wanted true the false operands,
-    /// of a disjunction all.
+    /// Applies the rule of the paper to a `term` whose value is not `wanted`. For a conjunction that should be true,
+    /// the causes are the false operands; for a disjunction, all operands.
     void by_rule(Id<Expr> term, bool wanted, std::vector<bool>& causes) const {
         const Op op = exprs_[term].op;
         if (op == Op::Not) return by_rule(exprs_.operands(term)[0], !wanted, causes);
@@ -114,7 +114,7 @@ private:
     std::vector<bool> positive_ = {}, negative_ = {}, twice_ = {}, values_ = {};
 };
 
-/// The term that a property about single states requires of every state.
+/// Returns the term that a property about single states requires of every state.
 Id<Expr> safe(const Property& property, Exprs& exprs) {
     const Terms& p = property.operands;
     if (property.pattern == Pattern::Always) return p[0];
@@ -128,7 +128,7 @@ Id<Expr> safe(const Property& property, Exprs& exprs) {
     return exprs.conjunction(all);
 }
 
-/// The states that the run visits from `state` on, including `state`.
+/// Returns the states that the run visits from `state` on, including `state`.
 std::vector<std::size_t> states_from(std::size_t state, std::size_t count, std::optional<std::size_t> loop) {
     std::vector<std::size_t> list;
     for (std::size_t k = loop ? std::min(state, *loop) : state; k < count; ++k) list.push_back(k);
@@ -206,8 +206,8 @@ std::optional<Causes> causes_of(const Network& network, const Property& property
                                 std::size_t most) {
     const States seen{.exprs = network.exprs,
                       .settled = network.settled,
-                      .count = loop ? states.size() - 1 : states.size(),  // the last state is the first of the loop
-                                                                          // again
+                      // The last state equals the first state of the loop.
+                      .count = loop ? states.size() - 1 : states.size(),
                       .loop = loop,
                       .value = [&](std::size_t state, Id<Expr> term) { return value(network, states[state], term); }};
     return CauseSearch(property, seen, most).causes();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Causes: the values, with their times, that make a property fail on a run. Source: Beer, Ben-David, Chockler, Orni and
 // Trefler (Explaining counterexamples using causality, CAV 2009), after Halpern and Pearl.
-// docs/reference/trace-format.md has the details.
+// docs/reference/trace-format.md explains the details.
 //
-// A pair consists of a term of the property that is not a conjunction, disjunction or negation, and a state of the run.
-// It is bottom-valued if some occurrence of the term, with the property in negation normal form, is false there. A pair
-// is a cause if there is a set of other bottom-valued pairs with this effect: if the values of the set are changed, the
-// property still fails on the run; if the value of the pair is changed too, it does not. The quiescent states are not
-// changed by this.
+// A pair consists of a state of the run and a term of the property that is not a conjunction, disjunction or negation.
+// It is bottom-valued if some occurrence of the term, with the property in negation normal form, is false in the state.
+// A pair is a cause if there is a set of other bottom-valued pairs with this effect: if the values of the set are
+// changed, the property still fails on the run; if the value of the pair is also changed, the property does not fail.
+// These changes do not affect which states are quiescent.
 //
 // For `always`, `never` and `exactly one of`, the first failing state is explained, by its own values. For `leads to`,
 // the first state that satisfies the premise without a response is explained, by its values and those of all later
@@ -29,36 +29,40 @@ namespace grafverif {
 struct Causes {
     /// The value of `term` in state `state`.
     struct Pair {
-        Id<Expr> term = {};  ///< of the network or the system
+        Id<Expr> term = {};  ///< term of the network or the system
         std::size_t state = 0;
         bool operator==(const Pair&) const = default;
     };
-    std::vector<Pair> pairs = {};  ///< by state, then in the order of the property
-    bool exact = true;  ///< false: a state has too many terms, some of them repeated, so the rule of the paper was used
+    std::vector<Pair> pairs = {};  ///< ordered by state, then as in the property
+    /// false: a state has too many terms, some of them repeated, so that the rule of the paper was used.
+    bool exact = true;
 
     bool operator==(const Causes&) const = default;
 };
 
-/// For a state with more terms the rule of the paper is used, which is exact if no term is repeated.
+/// Maximum number of terms of a state. For a state with more terms, the rule of the paper is used, which is exact if no
+/// term is repeated.
 inline constexpr std::size_t most_terms = 10;
 
-/// `states`: those of a run (see replay) that violates `property`; `loop`: the state to which the last one is equal.
-/// Nothing for other properties, if some term is undefined, or if the run does not show the violation.
+/// Returns the causes. `states` are the states of a run (see replay) that violates `property`; `loop` is the state that
+/// equals the last one. The result is empty for other properties, if some term is undefined, or if the run does not
+/// show the violation.
 std::optional<Causes> causes_of(const Network& network, const Property& property,
                                 const std::vector<NetworkState>& states, std::optional<std::size_t> loop,
                                 std::size_t most = most_terms);
 
-/// Causes in a run of an untimed model. `loop` is that of the run: no state of it is repeated.
+/// Returns the causes in a run of an untimed model. `loop` is the loop of the run, in which no state is repeated.
 std::optional<Causes> causes_of(const TransitionSystem& system, const Property& property, const SystemRun& run,
                                 std::size_t most = most_terms);
 
-/// Marks the values that the terms read in `run`, which is the projection of the same run (`states`, `shown`). A value
-/// without a name in the loop (the choice of the scheduler, the time of a longer term) is not marked, and the causes
-/// are then not exact.
+/// Marks the values that the terms read in `run`, which is the projection of the same run (`states`, `shown`). If a
+/// value has no name in the loop (the choice of the scheduler, the time of a longer term), it is not marked, and the
+/// causes are not exact.
 void mark(const Network& network, const std::vector<NetworkState>& states, const Causes& causes, ChartRun& run);
 void mark(const TransitionSystem& system, const SystemRun& shown, const Causes& causes, ChartRun& run);
 
-/// Per state of the run of an untimed model that `run` is the projection of: the event after which it holds.
+/// Returns, for each state of a run of an untimed model, the event after which it holds. `run` is the projection of
+/// that run.
 std::vector<std::size_t> events_of_states(const ChartRun& run);
 
 }  // namespace grafverif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The shortest change: the smallest set of free moves of a run without which a property about single states holds along
-// it.
+// The shortest change: a smallest set of free moves of a run such that a property about single states holds along the
+// run without them.
 //
-// A move is free if nothing forces it: an edge of the plant or its environment that is not urgent and leaves a location
-// without invariant. To omit a set of free moves, the run is re-executed from power-on:
+// A move is free if nothing forces it: an edge of the plant or its environment that is not urgent and whose source
+// location has no invariant. To omit a set of free moves, the run is re-executed from power-on:
 //   free moves and delays   are kept in the same order, each after the same time; if one is impossible, the remaining
 //                           moves are not a run, and the set is not a change
 //   all other moves         are kept if they are possible, and omitted otherwise
@@ -22,24 +22,25 @@
 
 namespace grafverif {
 
-/// The run without some of its free moves.
+/// A run without some of its free moves.
 struct Change {
-    std::vector<std::size_t> left_out = {};  ///< moves of the run, increasing
+    std::vector<std::size_t> left_out = {};  ///< indices of the omitted moves, increasing
     Run run = {};                            ///< the run of the remaining moves
 };
 
 struct ShortestChange {
-    std::optional<Change> found = {};  ///< the first of the smallest changes
+    std::optional<Change> found = {};  ///< the first of the smallest changes; empty if none was found
     std::size_t free_moves = 0;        ///< number of free moves in the run
-    std::size_t tried = 0;             ///< number of sets
-    bool exhausted = false;            ///< the effort is used up before all sets were tried
+    std::size_t tried = 0;             ///< number of sets that were tried
+    bool exhausted = false;            ///< true if the effort was used up before all sets were tried
 };
 
-/// Requires that `run` replays and violates `property`. Finds nothing for properties that are not about single states.
-/// `effort`: maximum number of moves executed in total.
+/// Searches for the shortest change. Requires that `run` replays and violates `property`. Finds none for properties
+/// that do not concern single states. `effort` is the maximum number of moves executed in total.
 ShortestChange shortest_change(const Network& network, const Property& property, const Run& run,
                                std::size_t effort = 5000, const StopRequested& stopped = {});
-/// For a run of `network` without clocks (explain/moves.hpp); `timed`, with clocks, determines which moves are free.
+/// Does the same for a run of `network` without clocks (explain/moves.hpp). `timed`, with clocks, determines which
+/// moves are free.
 ShortestChange shortest_change(const Network& network, const Network& timed, const Property& property, const Run& run,
                                std::size_t effort = 5000, const StopRequested& stopped = {});
 

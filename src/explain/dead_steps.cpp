@@ -65,17 +65,18 @@ private:
         made.push_back({transition_, never, fmt::format("`{}` is never {}: {}", name, state, why)});
     }
 
-    /// A term of the model that is true in every state in which `term` is; empty if there is none.
+    /// Returns a term of the model that is true in every state in which `term` is true; empty if there is none.
     std::optional<Id<Expr>> bound_of(Id<Expr> term) {
         if (chart_.exprs[term].op != Op::Timed) return copy_of(term);
-        // The timer's output is necessary for `t1/v`, not for `v/t2`.
+        // `t1/v` requires the timer's output; `v/t2` does not.
         const auto index = static_cast<std::uint32_t>(chart_.exprs[term].value);
         const auto& end = leaves_.ends[index];
         if (!end || chart_.time_conditions[{index}].fall_ms != 0) return {};
         return exprs_.leaf(Op::Variable, *end);
     }
 
-    /// Empty if the term contains an edge, a time condition or an output: conditions read the equation of an output.
+    /// Returns a copy of the term; empty if it contains an edge, a time condition or an output. Conditions read the
+    /// equation of an output.
     std::optional<Id<Expr>> copy_of(Id<Expr> term) {
         bool known = true;
         const auto leaf = [&](const Expr& node) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Explains why a step is never active: the transitions that lead to it, and the part of their conditions that is never
-// true. Candidate statements are terms of the model; an engine decides which of them are true in no reachable state.
+// Explains why a step is never active. The explanation consists of the transitions that lead to it and the conjuncts of
+// their conditions that are never true. Candidate statements are terms of the model; an engine decides which of them
+// are true in no reachable state.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +16,11 @@
 
 namespace grafverif {
 
-/// Where a model stores the values that conditions of a chart read: indices of Variable leaves.
+/// The variables of a model that store the values which conditions of a chart read, as indices of Variable leaves.
 struct ConditionLeaves {
     std::vector<std::uint32_t> steps = {};
-    std::map<std::string, std::uint32_t> variables = {};  ///< inputs and internals by name
-    std::vector<std::optional<std::uint32_t>> ends = {};  ///< per time condition, if it has a timer
+    std::map<std::string, std::uint32_t> variables = {};  ///< inputs and internal variables by name
+    std::vector<std::optional<std::uint32_t>> ends = {};  ///< output of the timer of each time condition, if it has one
 };
 
 template <class Variable>
@@ -33,15 +34,17 @@ ConditionLeaves condition_leaves(const ControllerWords<Variable>& words) {
     return leaves;
 }
 
-/// If `never` is true in no reachable state, `transition` is never cleared, for the reason in `words`.
+/// A statement about `transition`: if `never` is not true in any reachable state, it is never cleared, for the reason
+/// in `words`.
 struct DeadTransition {
     Id<Chart::Transition> transition = {};
     Id<Expr> never = {};
     std::string words = {};
 };
 
-/// Candidates for the transitions that lead directly to `step`, or to its macro-step if it is an entry, for each the
-/// most specific first. `exprs`, of the model, gains terms. Parts of conditions that read edges or outputs are omitted.
+/// Returns candidates for the transitions that lead directly to `step`, or to its macro-step if it is an entry step.
+/// The candidates for each transition start with the most specific one. Terms are added to `exprs` of the model.
+/// Conjuncts that read edges or outputs are omitted.
 std::vector<DeadTransition> dead_transitions(const Chart& chart, const ConditionLeaves& leaves, Id<Chart::Step> step,
                                              Exprs& exprs);
 

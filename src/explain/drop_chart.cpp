@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// The entities of `table` that do not belong to `step`.
+/// Removes the elements of `table` that belong to `step`.
 template <class Entity>
 Table<Entity> without(const Table<Entity>& table, Id<Chart::Step> step) {
     Table<Entity> rest;
@@ -28,7 +28,7 @@ bool has_edge(const Exprs& exprs, Id<Expr> term) {
 
 bool is_list(Op op) { return op == Op::And || op == Op::Or; }
 
-/// The condition that contains `place`.
+/// Returns the condition that contains `place`.
 template <class ChartOrConst>
 auto& condition_of(ChartOrConst& chart, const TermPlace& place) {
     switch (place.of) {
@@ -39,7 +39,7 @@ auto& condition_of(ChartOrConst& chart, const TermPlace& place) {
     unreachable();
 }
 
-/// Adds the operands of lists at and below `place`, the location of `term`.
+/// Adds the operands of lists at and below `place`, the position of `term`.
 void collect_operands(const Exprs& exprs, Id<Expr> term, const TermPlace& place, std::vector<TermPlace>& found) {
     const Op op = exprs[term].op;
     if (!is_list(op) && op != Op::Not) return;
@@ -58,7 +58,7 @@ void collect_terms(const Exprs& exprs, Id<Expr> condition, const TermPlace& plac
     collect_operands(exprs, condition, place, found);
 }
 
-/// `term` without the operand at the end of `path`.
+/// Returns `term` without the operand at the end of `path`.
 Id<Expr> without_term(Exprs& exprs, Id<Expr> term, std::span<const std::uint32_t> path) {
     if (path.empty()) return exprs.constant(true);
     const Op op = exprs[term].op;
@@ -79,7 +79,8 @@ bool drop_actions(Chart& chart, Id<Chart::Step> step) {
     chart.continuous = without(chart.continuous, step);
     chart.forcing = without(chart.forcing, step);
     bool any = chart.continuous.size() + chart.forcing.size() != had;
-    // A variable that actions store in remains stored and keeps its value: the action waits for an impossible event.
+    // A variable with stored actions must remain stored and keep its value. Therefore the action waits for an
+    // impossible event.
     for (Chart::StoredAction& action : chart.stored) {
         if (action.step != step || action.on == Chart::StoredOn::Clearing) continue;
         action.on = Chart::StoredOn::Event;

@@ -17,23 +17,24 @@ namespace {
 using System = TransitionSystem;
 using Symbol = Id<System::Symbol>;
 using ChoiceEvent = InputChange::ChoiceEvent;
-using Values = std::vector<std::int64_t>;  // per variable of the flat system
+using Values = std::vector<std::int64_t>;  // value of each variable of the flat system
 
-/// Maximum number of steps after the end of the run; if no state is repeated by then, the run is rejected.
+/// Maximum number of steps after the end of the run. If no state is repeated within them, the run is rejected.
 constexpr std::size_t most_behind = 1000;
 
-/// The cost of a step depends on the number of terms: larger systems are allowed fewer steps.
+/// Number of terms up to which a step is inexpensive. The cost of a step depends on the number of terms; larger systems
+/// are allowed fewer steps.
 constexpr std::size_t few_terms = 1000;
 
 /// A free variable of main.
 struct Free {
     enum class What { Input, Time, Turn };
     Symbol symbol = {};
-    std::uint32_t variable = 0;  ///< of the flat system
+    std::uint32_t variable = 0;  ///< index of the variable in the flat system
     What what = What::Turn;
     std::int64_t rest = 0;
-    Values told = {};              ///< per state of the run
-    std::vector<bool> event = {};  ///< per state of the run
+    Values told = {};              ///< value in each state of the run
+    std::vector<bool> event = {};  ///< true for each state of the run with an event
 };
 
 /// A system without choices, executed state by state.
@@ -46,7 +47,7 @@ public:
 
     const FlatSystem& flat() const { return flat_; }
 
-    /// The values of all terms in a state.
+    /// Computes the values of all terms in a state.
     class TermValues {
     public:
         TermValues(const Steps& model, const Values& values)
@@ -69,8 +70,8 @@ public:
             }
             return model_.property_.pattern == Pattern::Never ? holding == 0 : holding == 1;
         }
-        /// Replaces `values` by those after a step, except for the free ones; false if one is undefined or out of
-        /// range.
+        /// Replaces `values` by the values after a step, except for the free ones. Returns false if a value is
+        /// undefined or out of range.
         bool step(Values& values) const {
             for (const Id<FlatSystem::Variable> id : model_.flat_.variables.ids()) {
                 const FlatSystem::Variable& variable = model_.flat_.variables[id];
@@ -87,7 +88,7 @@ public:
         std::vector<std::optional<std::int64_t>> all_;
     };
 
-    /// Completes the first state in `values`, which has the free values.
+    /// Completes the first state in `values`, which contains the free values.
     bool begin(Values& values) const {
         for (const Id<FlatSystem::Variable> id : flat_.variables.ids()) {
             const FlatSystem::Variable& variable = flat_.variables[id];
@@ -138,9 +139,9 @@ public:
 private:
     std::size_t length() const { return run_.states.size(); }
 
-    /// True if all free variables are known in the run.
+    /// Returns true if the run contains all free variables.
     bool find_free() {
-        std::map<std::uint32_t, Symbol> symbols;  // per variable
+        std::map<std::uint32_t, Symbol> symbols;  // symbol of each variable
         for (std::uint32_t index = 0; index < model_.flat().symbols.size(); ++index) {
             const Expr& value = model_.flat().exprs[model_.flat().symbols[index]];
             if (value.op == Op::Variable) symbols.emplace(static_cast<std::uint32_t>(value.value), Symbol{index});
@@ -160,7 +161,7 @@ private:
         return true;
     }
 
-    /// Determines the variable's role in the controllers; true if they have one for it.
+    /// Determines the variable's role in the controllers. Returns true if they have a role for it.
     bool know(Free& free) const {
         for (const System::Controller& controller : system_.controllers) {
             for (const System::Named& input : controller.words.inputs)
@@ -184,7 +185,7 @@ private:
         return found;
     }
 
-    /// Re-executes the original run and stores it; true if it is the same, and bad.
+    /// Re-executes the original run and stores it. Returns true if it is the same run, and is bad.
     bool again() {
         Values values(model_.flat().variables.size());
         for (std::size_t state = 0; state < length(); ++state) {
@@ -199,7 +200,8 @@ private:
         return bad_.has_value();
     }
 
-    /// Sets the free values of a state of the run without some events; each variable initially has its value before.
+    /// Sets the free values of a state of the run without some events. Initially, each variable has its value before
+    /// the event.
     void set_free(const std::vector<ChoiceEvent>& left_out, std::size_t state, const Values& before,
                   Values& values) const {
         for (const Free& free : free_) {
@@ -214,7 +216,7 @@ private:
         }
     }
 
-    /// An omitted expiry of a timer is postponed to its next expiry.
+    /// If the expiry of a timer is omitted, it is postponed to the next expiry.
     std::int64_t time_reported(const std::vector<ChoiceEvent>& left_out, const Free& free, std::size_t state) const {
         for (std::size_t k = state + 1; k-- > 0;)
             if (free.event[k]) return is_in(left_out, free, k) ? 0 : free.told[state];
@@ -225,7 +227,7 @@ private:
         return std::ranges::find(left_out, ChoiceEvent{free.symbol, state}) != left_out.end();
     }
 
-    /// The re-executed run; nothing if it is not a valid run, or bad.
+    /// Returns the re-executed run; empty if it is not a valid run, or if it is bad.
     std::optional<FlatRun> without(const std::vector<ChoiceEvent>& left_out) {
         const std::size_t from = left_out.front().state;
         if (*bad_ < from) {
@@ -242,7 +244,7 @@ private:
         return for_ever(made, std::move(values)) ? std::optional(std::move(made)) : std::nullopt;
     }
 
-    /// Adds one state and a step from it; false if the run is not valid, or bad.
+    /// Adds one state and a step from it. Returns false if the run is not valid or is bad.
     bool go_on(FlatRun& made, Values& values) {
         if (effort_ == 0) return false;
         --effort_;
@@ -273,8 +275,8 @@ private:
     std::size_t effort_ = 0;
     std::vector<Free> free_ = {};
     std::vector<Values> states_ = {};
-    std::optional<std::size_t> bad_ = {};  ///< the first bad state of the run
-    bool untimely_ = false;                ///< no plant can produce the run
+    std::optional<std::size_t> bad_ = {};  ///< index of the first bad state of the run
+    bool untimely_ = false;                ///< true if no plant can produce the run
 };
 
 }  // namespace
@@ -287,8 +289,8 @@ InputChange fewest_input_changes(const System& system, const Property& property,
 
 namespace {
 
-/// The event at which the run shows the expiry: in the state of the event or, if the step of the timer becomes active
-/// later, then.
+/// Returns the event at which the run shows the expiry. It is in the state of the expiry, or in the state in which the
+/// step of the timer becomes active, if that is later.
 std::size_t event_of(const ChartRun& told, Id<ChartRun::Timer> timer, std::size_t first, std::size_t last) {
     for (std::size_t moment = first; moment < told.moments.size(); ++moment)
         if (told.moments[moment].timer == timer) return moment;

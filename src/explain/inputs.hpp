@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The shortest change of a run with free inputs (no plant): the smallest set of events of inputs and timers without
-// which a property about single states holds along it. The events, state by state:
+// The shortest change of a run with free inputs (no plant): a smallest set of events of inputs and timers such that a
+// property about single states holds along the run without them. The events, state by state:
 //   an input changes   its value differs from that in the previous state; in the first state, from 0, or from the value
 //                      of its range that is closest to 0
 //   a timer expires    its output is true, and was false in the previous state; in the first state, it is true
 //
-// To omit events, the run is re-executed from the first state. An omitted input keeps its value until its next change;
-// an omitted timer is not expired until its next expiry. The order of several controllers is unchanged. After the end
-// of the run the execution continues until a state is repeated, and so forever: no input changes, no timer expires, and
-// each controller has its turn in every step. The constraints on the inputs, and the property, must hold in each of its
-// states. The run may not be untimely (run/replay.hpp) unless the original is: no plant produces a run in which `5s/X1`
-// has expired and `3s/X1` has not. Events that occur later than originally are not considered.
+// To omit events, the run is re-executed from the first state. If the change of an input is omitted, the input keeps
+// its value until its next change. If the expiry of a timer is omitted, the timer expires at its next expiry. The order
+// of several controllers is unchanged. After the end of the run the execution continues until a state is repeated, and
+// therefore forever. In this part, no input changes, no timer expires, and each controller has its turn in every step.
+// The constraints on the inputs, and the property, must hold in each state of the run. The run may be untimely
+// (run/replay.hpp) only if the original run is: no plant produces a run in which `5s/X1` has expired and `3s/X1` has
+// not. Events that occur later than in the original run are not considered.
 //
-// The model gives each step one outcome. So the events of a smallest set are causes as defined by Halpern and Pearl,
-// with the model as equations and the other events of the set as contingency. Omitting only those others leaves a run
-// that is still bad or not admissible: a constraint forbids it, no plant produces it, a value leaves its range, or none
-// of the 1000 states after its end is repeated.
+// The model has exactly one result for each step. Therefore the events of a smallest set are causes as defined by
+// Halpern and Pearl, with the model as equations and the other events of the set as contingency. If only the other
+// events are omitted, the run is still bad, or it is not admissible: it violates a constraint, no plant produces it, a
+// value leaves its range, or none of the 1000 states after its end is repeated.
 #pragma once
 
 #include <cstddef>
@@ -30,22 +31,24 @@
 namespace grafverif {
 
 struct InputChange {
-    /// An event of `symbol`, of main, in a state of the run.
+    /// An event of `symbol`, a symbol of main, in a state of the run.
     struct ChoiceEvent {
         Id<TransitionSystem::Symbol> symbol = {};
         std::size_t state = 0;
         bool operator==(const ChoiceEvent&) const = default;
     };
-    std::vector<ChoiceEvent> events = {};                   ///< all events, by state
-    std::optional<std::vector<ChoiceEvent>> left_out = {};  ///< of the smallest sets, one with late changes
-    SystemRun run = {};                                     ///< the run without them; it has a loop
-    std::size_t tried = 0;                                  ///< number of sets
-    bool exhausted = false;                                 ///< the effort is used up before all sets were tried
+    std::vector<ChoiceEvent> events = {};  ///< all events, ordered by state
+    /// Events of the smallest set with the latest changes; empty if none was found.
+    std::optional<std::vector<ChoiceEvent>> left_out = {};
+    SystemRun run = {};      ///< the run without them; it has a loop
+    std::size_t tried = 0;   ///< number of sets that were tried
+    bool exhausted = false;  ///< true if the effort was used up before all sets were tried
 };
 
-/// Requires that `run` is a run of `system` that violates `property`. Finds nothing for properties that are not about
-/// single states, and for systems in which anything besides inputs and timers is free. `effort`: maximum number of
-/// steps in total for a system of few terms; less for larger ones.
+/// Searches for the change. Requires that `run` is a run of `system` that violates `property`. Finds none for
+/// properties that do not concern single states, or if the system has free variables other than inputs and timers.
+/// `effort` is the maximum number of steps in total for a system with few terms; larger systems are allowed fewer
+/// steps.
 InputChange fewest_input_changes(const TransitionSystem& system, const Property& property, const SystemRun& run,
                                  std::size_t effort = 20'000, const StopRequested& stopped = {});
 

@@ -15,7 +15,7 @@ namespace {
 
 using Event = ChartRun::Event;
 
-/// The active steps of `controller`; `none` if there are none.
+/// Returns the active steps of `controller`; `none` if there are none.
 std::string situation_of(const ChartRun& run, const ChartRun::Controller& controller, const ChartRun::State& state) {
     std::string text;
     for (const Id<ChartRun::Step> step : state.situation)
@@ -34,8 +34,9 @@ bool is_of_controllers(const Event& moment) {
     return moment.kind == ChartRun::Kind::Controller || (moment.kind == ChartRun::Kind::Timer && moment.internal);
 }
 
-/// The situations of `controller` in the loop, at each change, with the first one again at the end. Empty if some
-/// evolution there is stable, if there is no evolution, or if another controller changes its inputs.
+/// Returns the situations of `controller` in the loop, one for each change, followed by the first one. The result is
+/// empty if some evolution in the loop is stable, if there is no evolution, or if another controller changes its
+/// inputs.
 std::string cycle_of(const ChartRun& run, Id<ChartRun::Controller> controller) {
     const ChartRun::Controller& named = run.controllers[controller];
     std::string last = situation_of(run, named, run.moments.back().after), cycle = last;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Explanations for loops that are not yet quiescent, or never become so.
+// Explanations for loops that are not yet quiescent, or never become quiescent.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@
 
 namespace grafverif {
 
-/// True if `run`, which violates `property`, ends at power-on: no state of it is quiescent, and no time passes in it.
-/// Only for a property about single states that is checked in all of them; false for any other.
+/// True if `run`, which violates `property`, ends at power-on: none of its states is quiescent, and no time passes in
+/// it. Only for a property of single states that is checked in all states; false for any other property.
 bool is_violated_at_power_on(const Network& network, const Property& property, const Run& run);
 
-/// The explanation for such a property; `at_stable` is the verdict on the same property, checked in quiescent states
-/// only.
+/// Returns the explanation for such a property. `at_stable` is the verdict on the same property, checked only in
+/// quiescent states.
 std::string power_on_text(const Verdict& at_stable);
 
-/// Explanation of a run that repeats forever within one instant while only controllers move: the unstable controllers
-/// and their cycles of situations. Empty for any other run.
+/// Returns the explanation of a run that repeats forever within one instant in which only controllers move: the
+/// unstable controllers and their cycles of situations. The result is empty for any other run.
 std::string unstable_text(const ChartRun& run);
 
 }  // namespace grafverif

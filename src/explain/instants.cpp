@@ -14,7 +14,7 @@ class Instants {
 public:
     Instants(const Chart& chart, ExecutionMode mode, const ChartRun& run, std::size_t effort)
         : chart_(chart), mode_(mode), run_(run), effort_(effort) {
-        std::size_t place = 0;  // among the inputs of the controller
+        std::size_t place = 0;  // index among the inputs of the controller
         for (const Id<Chart::Variable> id : chart.variables.ids())
             if (chart.variables[id].kind == Chart::VariableKind::Input)
                 inputs_.emplace_back(id, run.controllers.begin()->inputs[place++]);
@@ -67,7 +67,7 @@ private:
         return found;
     }
 
-    /// True if each instant of the run without some changes ends.
+    /// Returns true if each instant of the run without some changes ends.
     bool ends(const std::vector<ChartRun::Counterfactual>& left_out) {
         State state = power_on(chart_);
         std::vector<std::int64_t> values(chart_.variables.size());
@@ -94,7 +94,7 @@ private:
     const ChartRun& run_;
     std::size_t effort_;
     std::vector<Input> inputs_ = {};
-    std::vector<std::size_t> instants_ = {};  ///< the first event of each
+    std::vector<std::size_t> instants_ = {};  ///< first event of each instant
 };
 
 }  // namespace

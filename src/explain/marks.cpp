@@ -23,7 +23,8 @@ void append(ChartRun& run, const ChartRun::Cause& cause, std::size_t before) {
     run.causes.push_back(cause);
 }
 
-/// The named signal that a timer watches; nothing for a longer term, or if it has another name in the loop.
+/// Returns the named signal that a timer watches; empty for a longer term, or if the signal has another name in the
+/// loop.
 std::optional<Id<ChartRun::Signal>> watched_signal(const ChartRun& run, const ChartRun::Timer& timer) {
     for (const Id<ChartRun::Signal> id : run.signals.ids()) {
         const ChartRun::Role role = run.signals[id].role;
@@ -34,7 +35,7 @@ std::optional<Id<ChartRun::Signal>> watched_signal(const ChartRun& run, const Ch
     return {};
 }
 
-/// The value that the timer watches after an event; nothing if it is unknown.
+/// Returns the value that the timer watches after an event; empty if it is unknown.
 std::optional<bool> watched_value(const ChartRun& run, Id<ChartRun::Timer> id, std::size_t moment) {
     const ChartRun::Timer& timer = run.timers[id];
     const ChartRun::State& after = run.moments[moment].after;
@@ -48,8 +49,9 @@ std::optional<bool> watched_value(const ChartRun& run, Id<ChartRun::Timer> id, s
     return {};
 }
 
-/// Marks that the timer output is `over`, if conditions refer to it by the watched signal: `3s/v` is `v` and the
-/// output, `v/3s` is `v` or the output. If they do not, or it has no name, the causes are not exact.
+/// Marks that the timer output has the value `over`. This is possible only if conditions refer to the output by the
+/// watched signal: `3s/v` is `v` and the output, `v/3s` is `v` or the output. Otherwise, or if the signal has no name,
+/// the causes are not exact.
 void append_time(ChartRun& run, Id<ChartRun::Timer> id, bool over, ChartRun::Cause cause, std::size_t before) {
     const ChartRun::Timer& timer = run.timers[id];
     const std::optional<bool> watched = watched_value(run, id, cause.first);
@@ -63,11 +65,11 @@ void append_time(ChartRun& run, Id<ChartRun::Timer> id, bool over, ChartRun::Cau
     append(run, cause, before);
 }
 
-/// Elements of the run by variable of the model.
+/// The elements of the run, by variable of the model.
 struct Places {
     std::map<std::uint32_t, Id<ChartRun::Step>> steps = {};
     std::map<std::uint32_t, Id<ChartRun::Signal>> signals = {};
-    std::map<std::uint32_t, Id<ChartRun::Timer>> times = {};  ///< their timer outputs
+    std::map<std::uint32_t, Id<ChartRun::Timer>> times = {};  ///< timers by their output variables
 
     template <class Variable>
     void add(const ControllerWords<Variable>& words, const ChartRun::Controller& told) {
@@ -77,8 +79,8 @@ struct Places {
         for (std::size_t k = 0; k < words.timers.size(); ++k) times[words.timers[k].end.index] = told.timers[k];
     }
 
-    /// Marks the value of `variable` at the event of `cause`; for a timer output, `over` is its value. False if the run
-    /// has no such variable.
+    /// Marks the value of `variable` at the event of `cause`. For a timer output, `over` is its value. Returns false if
+    /// the run has no such variable.
     bool append_value(ChartRun& run, std::uint32_t variable, bool over, ChartRun::Cause cause,
                       std::size_t before) const {
         const ChartRun::State& after = run.moments[cause.first].after;
@@ -155,7 +157,7 @@ private:
     const Network& network_;
     const std::vector<NetworkState>& states_;
     ChartRun& run_;
-    std::vector<Id<ChartRun::Instance>> instances_ = {};  // per process
+    std::vector<Id<ChartRun::Instance>> instances_ = {};  // instance of each process
     Places places_ = {};
 };
 
@@ -178,7 +180,7 @@ public:
     void mark(const Causes::Pair& pair) {
         const std::size_t moment = moments_[pair.state];
         mark(pair, moment, pair.state == 0 ? 0 : moments_[pair.state - 1]);
-        // The last state is the one before the loop is entered again.
+        // The last state precedes the repetition of the loop.
         if (run_.loop && moment + 1 == *run_.loop)
             mark(pair, run_.moments.size() - 1, moments_[shown_.states.size() - 1]);
     }
@@ -213,7 +215,7 @@ private:
         append(run_, cause, before);
     }
 
-    /// For a definition, marks the symbols that it reads. If one has no element in the run, the causes are not exact.
+    /// Marks the symbols that a definition reads. If one of them has no element in the run, the causes are not exact.
     void look_through(std::uint32_t symbol, const Causes::Pair& pair, std::size_t moment, std::size_t before) {
         const auto& kind = system_.modules[system_.main].symbols[{symbol}].kind;
         const auto* define = std::get_if<TransitionSystem::DefineSymbol>(&kind);
@@ -222,7 +224,7 @@ private:
             for (const Id<Expr> leaf : leaves(system_.exprs, define->value)) add(leaf, pair, moment, before);
     }
 
-    /// The location that a term compares with: `location = going_out`.
+    /// Returns the location with which a term compares: `location = going_out`.
     std::optional<std::int64_t> compared_with(Id<Expr> term, Id<Expr> leaf) const {
         if (system_.exprs[term].op != Op::Equal) return {};
         const auto sides = system_.exprs.operands(term);
@@ -235,7 +237,7 @@ private:
     const SystemRun& shown_;
     ChartRun& run_;
     std::vector<std::size_t> moments_;
-    std::map<std::uint32_t, Id<ChartRun::Instance>> instances_ = {};  // per symbol
+    std::map<std::uint32_t, Id<ChartRun::Instance>> instances_ = {};  // instance of each symbol
     Places places_ = {};
 };
 
@@ -245,7 +247,7 @@ void mark(const Network& network, const std::vector<NetworkState>& states, const
     Marker marker(network, states, run);
     run.causes_exact = causes.exact;
     for (const Causes::Pair& pair : causes.pairs) marker.mark(pair);
-    // The last event is the one before the loop is entered again.
+    // The last event precedes the repetition of the loop.
     for (const Causes::Pair& pair : causes.pairs)
         if (run.loop && pair.state + 1 == *run.loop) marker.mark({pair.term, run.moments.size() - 1});
     std::ranges::stable_sort(run.causes, {}, &ChartRun::Cause::first);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Smallest set with a given effect, found by trying all sets by increasing size, each size in lexicographic order.
+// Finds a smallest set with a given effect. All sets are tried in the order of increasing size, and sets of one size in
+// lexicographic order.
 #pragma once
 
 #include <cstddef>
@@ -15,19 +16,19 @@ namespace grafverif {
 enum class Attempt {
     Does,
     DoesNot,
-    Spent,  ///< unknown: the effort is used up
+    Spent,  ///< unknown, because the effort is used up
 };
 
 struct SmallestSet {
-    std::optional<std::vector<std::size_t>> found = {};  ///< increasing
-    std::size_t tried = 0;                               ///< number of sets
-    bool exhausted = false;  ///< the effort was used up or the search stopped before all sets were tried
+    std::optional<std::vector<std::size_t>> found = {};  ///< elements of the set, increasing; empty if none was found
+    std::size_t tried = 0;                               ///< number of sets that were tried
+    bool exhausted = false;  ///< true if the effort was used up or the search was stopped before all sets were tried
 };
 
 /// Optional cancellation callback; called before every set.
 using StopRequested = std::function<bool()>;
 
-/// The next combination of the same size out of `count`, in order; false if there is none.
+/// Sets `chosen` to the next combination of the same size out of `count`, in order. Returns false if there is none.
 inline bool next_choice(std::vector<std::size_t>& chosen, std::size_t count) {
     for (std::size_t k = chosen.size(); k-- > 0;) {
         if (chosen[k] + chosen.size() - k >= count) continue;
@@ -38,8 +39,8 @@ inline bool next_choice(std::vector<std::size_t>& chosen, std::size_t count) {
     return false;
 }
 
-/// The chosen elements of `all`, in its order, where `chosen` counts from its end, so that its last elements come
-/// first.
+/// Returns the chosen elements of `all` in its order. `chosen` counts from the end of `all`, so that its last elements
+/// are tried first.
 template <class T>
 std::vector<T> chosen_from_the_end(const std::vector<T>& all, const std::vector<std::size_t>& chosen) {
     std::vector<T> elements;
@@ -47,7 +48,7 @@ std::vector<T> chosen_from_the_end(const std::vector<T>& all, const std::vector<
     return elements;
 }
 
-/// Searches the non-empty sets of numbers below `count`. `attempt` returns the result of a set.
+/// Searches the non-empty sets of numbers less than `count`. `attempt` returns the result of a set.
 template <class Try>
 SmallestSet smallest_set(std::size_t count, const StopRequested& stopped, const Try& attempt) {
     SmallestSet result;

@@ -25,7 +25,7 @@ const Network::Template& automaton(const Network& network, Id<Network::Process> 
     return network.templates[network.processes[process].automaton];
 }
 
-/// `t <= 2s`
+/// Returns text such as `t <= 2s`.
 std::string clock_text(const Network& network, Id<Network::Process> id, const Network::ClockConstraint& constraint) {
     const std::int64_t bound = bound_value(network, network.processes[id], constraint.bound);
     return fmt::format("{} {} {}", automaton(network, id).clocks[constraint.clock].name,
@@ -33,7 +33,8 @@ std::string clock_text(const Network& network, Id<Network::Process> id, const Ne
                        bound == 0 ? "0" : duration_text(bound * network.time_unit_ms));
 }
 
-/// Guard and clock constraint as in a component, over the names of the loop; `true` if there are none.
+/// Returns the guard and the clock constraint in the notation of a component, over the names of the loop; `true` if
+/// there are none.
 std::string condition_text(const Network& network, Id<Network::Process> id, const Network::Edge& edge) {
     const auto leaf = [&](std::ostream& out, const Expr& of) {
         const auto index = static_cast<std::uint32_t>(of.value);
@@ -89,7 +90,8 @@ Standstill standstill(const Network& network, const Run& run) {
     if (!done) return {};
 
     const std::size_t first = whole.loop.value_or(states->size() - 1);
-    std::vector<bool> free(network.processes.size());  // of blame: an edge is enabled, or no bound is reached
+    // Processes that do not block time: one of their edges is enabled, or no bound is reached.
+    std::vector<bool> free(network.processes.size());
     for (std::size_t at = first; at < states->size(); ++at) {
         const NetworkState& state = (*states)[at];
         if (may_delay(network, state)) return {};

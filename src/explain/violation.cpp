@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The names of locations are those of compose/observer.cpp, whose automata are interpreted here.
+// Interprets the automata of compose/observer.cpp. The names of locations are those defined in that file.
 #include "explain/violation.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace {
 using Kind = Sentence::Kind;
 using Scope = Sentence::Scope;
 
-/// The observer enters `location` after checking the state after event `moment`.
+/// The observer enters `location` when it has checked the state after event `moment`.
 struct Entry {
     std::string location = {};
     std::size_t moment = 0;
@@ -42,7 +42,7 @@ public:
         for (const std::string& term : terms) terms_.push_back('`' + term + '`');
     }
 
-    /// Empty if the observer does not fail.
+    /// Returns the violation; empty if the observer does not fail.
     std::optional<SentenceViolation> made() {
         const std::size_t failed = last("failed"), spoilt = last("spoilt"), due = last("due");
         fails_ = failed < entries_.size();
@@ -57,13 +57,13 @@ public:
     }
 
 private:
-    /// The last entry of a location; the number of entries if there is none.
+    /// Returns the last entry of a location; the number of entries if there is none.
     std::size_t last(std::string_view location) const {
         for (std::size_t k = entries_.size(); k-- > 0;)
             if (entries_[k].location == location) return k;
         return entries_.size();
     }
-    /// The event of an entry; for a location that was never entered, the start of the observer.
+    /// Returns the event of an entry. For a location that was never entered, it is the start of the observer.
     std::size_t moment(std::size_t entry) const { return entry < entries_.size() ? entries_[entry].moment : 0; }
     std::int64_t time(std::size_t entry) const { return run_.moments[moment(entry)].after.time_ms; }
     std::string text_of(std::int64_t time) const {
@@ -71,12 +71,12 @@ private:
     }
     std::string when(std::size_t entry) const { return " at " + text_of(time(entry)); }
     std::string deadline(std::size_t from) const { return text_of(time(from) + sentence_.duration_ms); }
-    /// An operand of the scope.
+    /// Returns an operand of the scope.
     const std::string& bound(std::size_t number) const {
         const bool binary = sentence_.kind == Kind::Response || sentence_.kind == Kind::Precedence;
         return terms_[(binary ? 2 : 1) + number];
     }
-    /// The operand that ends the scope.
+    /// Returns the operand that closes the scope.
     const std::string& closing() const { return bound(sentence_.scope == Scope::Before ? 0 : 1); }
 
     void add(std::size_t entry, std::string words) { made_.steps.push_back({moment(entry), std::move(words)}); }
@@ -141,7 +141,8 @@ private:
         add(bad_, terms_[1] + " not true by then");
     }
 
-    /// Each time the operand becomes true in the scope; of many the first and the last.
+    /// Adds each time at which the operand becomes true in the scope. If there are many, only the first and the last
+    /// are added.
     void add_occurrences() {
         constexpr std::size_t most = 6;
         std::vector<std::size_t> times;
@@ -160,10 +161,10 @@ private:
     const Sentence& sentence_;
     const ChartRun& run_;
     std::vector<Entry> entries_;
-    std::vector<std::string> terms_ = {};  ///< quoted
+    std::vector<std::string> terms_ = {};  ///< operands in quotation marks
     bool fails_ = false;                   ///< false: a required event never occurs
-    bool closed_ = false;                  ///< the steps include the end of the scope
-    std::size_t bad_ = 0, opening_ = 0;    ///< entries
+    bool closed_ = false;                  ///< true if the steps include the end of the scope
+    std::size_t bad_ = 0, opening_ = 0;    ///< indices of entries
     SentenceViolation made_ = {};
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Explains how a counterexample violates a sentence that an observer checks: `REQ` at 35 s; deadline 66 s; `P_GREEN`
-// not true by then.
+// Explains how a counterexample violates a sentence that an observer checks. Example: `REQ` at 35 s; deadline 66 s;
+// `P_GREEN` not true by then.
 #pragma once
 
 #include <cstddef>
@@ -15,21 +15,22 @@ namespace grafverif {
 
 struct SentenceViolation {
     struct Step {
-        std::optional<std::size_t> moment = {};  ///< of the run: the state after this event; none: not a single state
+        /// Event of the run; the step concerns the state after it; empty: not a single state.
+        std::optional<std::size_t> moment = {};
         std::string words = {};
 
         bool operator==(const Step&) const = default;
     };
-    std::size_t moment = 0;  ///< of the run: the event from which on the sentence fails
+    std::size_t moment = 0;  ///< event of the run after which the sentence fails
     std::vector<Step> steps = {};
 
-    /// The steps, separated by `; `.
+    /// Returns the steps, separated by `; `.
     std::string words() const;
     bool operator==(const SentenceViolation&) const = default;
 };
 
-/// Reads the moves of the observer from a run that violates the sentence. `terms`: its operands as conditions write
-/// them. Nothing if the run has no observer (for example an untimed run), or none that fails.
+/// Reads the moves of the observer from a run that violates the sentence. `terms` are its operands in the notation of
+/// conditions. The result is empty if the run has no observer (for example an untimed run), or if no observer fails.
 std::optional<SentenceViolation> violation_of(const Sentence& sentence, const std::vector<std::string>& terms,
                                               const ChartRun& run);
 

@@ -17,7 +17,7 @@ namespace grafverif {
 
 namespace {
 
-/// Value of a term that reads no variable.
+/// Returns the value of a term that reads no variable.
 std::optional<std::int64_t> constant_value(const Slots& slots, Id<Expr> root) {
     const Exprs& exprs = slots.network.exprs;
     for (const Id<Expr> leaf : leaves(exprs, root))
@@ -25,13 +25,13 @@ std::optional<std::int64_t> constant_value(const Slots& slots, Id<Expr> root) {
     return evaluate(exprs, root, [&](const Expr& leaf) { return slots.constant(leaf); });
 }
 
-/// The variable, if the term is one; otherwise invalid.
+/// Returns the variable if the term is one; otherwise invalid.
 Id<Network::Variable> variable_of(const Slots& slots, Id<Expr> root) {
     const Expr& node = slots.network.exprs[root];
     return node.op == Op::Parameter ? slots.variable(node) : Id<Network::Variable>{};
 }
 
-/// Change of a variable by a constant: `X := X + D_X`.
+/// A change of a variable by a constant: `X := X + D_X`.
 struct Step {
     Id<Network::Process> process = {};
     std::int64_t length = 0;
@@ -62,10 +62,10 @@ struct Bounds {
     std::optional<std::int64_t> low = {}, high = {};
 };
 
-/// Outside all ranges; sums of values for which this is false fit into 64 bits.
+/// True for values outside of all ranges. Sums of values for which this is false fit into 64 bits.
 bool is_far(std::int64_t value) { return std::abs(value / 2) > std::int64_t{1} << 40U; }
 
-/// A variable, or a variable in a linear term bound to an input: `H`, `H - 2`, `10 - H`.
+/// A variable, or a variable in a linear term that is bound to an input: `H`, `H - 2`, `10 - H`.
 struct Shifted {
     Id<Network::Variable> variable = {};  ///< invalid for any other term
     std::int64_t offset = 0;
@@ -92,7 +92,7 @@ void note_bound(const Slots& slots, Id<Expr> comparison, std::vector<Bounds>& fo
     const Op op = slots.network.exprs[comparison].op;
     if (op < Op::Less || op > Op::GreaterEqual) return;
     const auto operands = slots.network.exprs.operands(comparison);
-    const auto left = constant_value(slots, operands[0]);  // `3 <= X`
+    const auto left = constant_value(slots, operands[0]);  // the form `3 <= X`
     const auto value = left ? left : constant_value(slots, operands[1]);
     const Shifted of = shifted(slots, operands[left ? 1 : 0]);
     if (!of.variable.valid() || !value || is_far(*value)) return;
@@ -105,7 +105,8 @@ void note_bound(const Slots& slots, Id<Expr> comparison, std::vector<Bounds>& fo
     else here->low = std::max(here->low.value_or(INT64_MIN), at + strict);
 }
 
-/// Bounds from a conjunction, including nested ones: a guard that reads an input bound to a conjunction.
+/// Returns bounds from a conjunction, including nested conjunctions, which occur if a guard reads an input that is
+/// bound to a conjunction.
 std::vector<Bounds> bounds(const Slots& slots, Id<Expr> guard) {
     const Exprs& exprs = slots.network.exprs;
     std::vector<Bounds> found;
@@ -122,7 +123,7 @@ std::vector<Bounds> bounds(const Slots& slots, Id<Expr> guard) {
 }  // namespace
 
 void check_urgent_invariants(const Network& network, Diagnostics& diagnostics) {
-    std::set<std::pair<std::uint32_t, std::uint32_t>> told;  // template, edge
+    std::set<std::pair<std::uint32_t, std::uint32_t>> told;  // reported pairs of template and edge
     for (const Network::Process& process : network.processes) {
         const Network::Template& automaton = network.templates[process.automaton];
         for (const Id<Network::Edge> id : automaton.edges.ids()) {

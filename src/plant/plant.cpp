@@ -22,8 +22,8 @@ namespace grafverif {
 
 namespace {
 
-// Unifies the types of parameters bound to several variables: integer variables are widened to the convex hull of the
-// ranges of all variables that share a parameter, directly or transitively.
+// Unifies the types of parameters that are bound to several variables. Integer variables are widened to the convex hull
+// of the ranges of all variables that share a parameter, directly or transitively.
 
 using Variable = Network::Variable;
 
@@ -46,7 +46,8 @@ private:
 /// Widens the integer variables of `network` and sets the types of its Read and Written parameters.
 void unify_ranges(Network& network) {
     Classes classes(network.variables.size());
-    std::vector<std::vector<Id<Variable>>> first(network.templates.size());  // per template and parameter
+    // First variable per template and parameter.
+    std::vector<std::vector<Id<Variable>>> first(network.templates.size());
     for (const Id<Network::Template> id : network.templates.ids())
         first[id.index].resize(network.templates[id].parameters.size());
     for (const Network::Process& process : network.processes) {
@@ -74,10 +75,10 @@ void unify_ranges(Network& network) {
     }
 }
 
-/// The terms that replace the parameters of a component, then its own variables, in a template. In general these are
-/// parameters. An input bound to a term is replaced by this term instead of a parameter, so the port is a wire: its
-/// value is exact in every state, including those between the moves of one instant, whereas an automaton that computes
-/// the term would be late.
+/// Returns the terms that replace the parameters of a component, followed by its variables, in a template. In general
+/// these are parameters. An input that is bound to a term is replaced by this term instead of a parameter, so that the
+/// port is a wire. Its value is exact in every state, including those between the moves of one instant. An automaton
+/// that computes the term would be late.
 std::vector<Id<Expr>> read_as(const ClosedLoop& loop, const Component& component,
                               const std::vector<ClosedLoop::Argument>& arguments, Exprs& to) {
     TermCopier term(loop.exprs, to, [&](const Expr& leaf) {
@@ -99,7 +100,7 @@ bool has_terms(const ClosedLoop::Instance& instance) {
                                [](const auto& each) { return std::holds_alternative<Id<Expr>>(each); });
 }
 
-/// Copies the terms of one component into the network: durations are converted to time units, names are replaced.
+/// Copies the terms of one component into the network. Durations are converted to time units, and names are replaced.
 class Terms {
 public:
     Terms(const Component& component, std::int64_t unit, std::vector<Id<Expr>> names, Exprs& to)
@@ -172,7 +173,8 @@ Network::Template template_of(const ClosedLoop& loop, const Component& component
     return automaton;
 }
 
-/// One argument per parameter that is not replaced by a term, then the instance's own variables.
+/// Creates the process of an instance. It has one argument per parameter that is not replaced by a term, followed by
+/// the instance's variables.
 Network::Process process_of(const ClosedLoop::Instance& instance, const Component& component, std::int64_t unit,
                             const std::vector<Id<Network::Variable>>& own) {
     Network::Process process{.name = instance.name, .initial = {instance.initial.index}, .origin = instance.origin};
@@ -192,7 +194,7 @@ Network::Process process_of(const ClosedLoop::Instance& instance, const Componen
     return process;
 }
 
-/// Constants have the range of UPPAAL's integers, or that of their arguments if larger.
+/// Widens constants to the range of UPPAAL's integers, or to that of their arguments if it is larger.
 void admit_arguments(Network& network) {
     for (const Network::Process& process : network.processes) {
         Table<Network::Parameter>& list = network.templates[process.automaton].parameters;
@@ -219,7 +221,7 @@ std::optional<Network> plant(const Model& model, const ClosedLoop& loop, Diagnos
     network.constants = loop.constants;
     network.variables = std::move(variables->variables);
     std::vector<Id<Network::Template>> templates(model.components.size());
-    UniqueNames names;  // of templates
+    UniqueNames names;  // names of templates
     for (const Component& component : model.components) names.fresh(component.name);
     for (const Id<ClosedLoop::Instance> id : loop.instances.ids()) {
         const ClosedLoop::Instance& instance = loop.instances[id];

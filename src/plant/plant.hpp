@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// plant: components and their arguments -> a Network of the plant alone (CEP13 section 4). One template per component,
-// one process per instance; communication only by shared variables. A pass.
+// plant: translates components and their arguments to a Network of the plant alone (CEP13 section 4). There is one
+// template per component and one process per instance. Processes communicate only through shared variables.
 //
 // Mapping:
 //   shared variable        Variable at the same index, including the inputs and outputs of controllers; its value at
@@ -12,8 +12,8 @@
 //                          durations
 //   instance               Process at the same index
 //
-// Integer variables bound to one parameter of a template are widened to the hull of their ranges, because a parameter
-// has one type (UPPAAL requires that for reference parameters).
+// Integer variables that are bound to one parameter of a template are widened to the hull of their ranges, because a
+// parameter has one type. UPPAAL requires this for reference parameters.
 #pragma once
 
 #include <optional>
@@ -24,9 +24,9 @@
 
 namespace grafverif {
 
-/// Requires verify(model).empty() and that `loop` belongs to the model. Empty after an error: a duration that is not a
-/// multiple of the time unit; a variable with two writers; an urgent edge whose target invariant can be false; an
-/// initial value outside its range.
+/// Translates the plant of a loop. Requires verify(model).empty() and that `loop` belongs to the model. The result is
+/// empty after an error. Errors: a duration is not a multiple of the time unit; a variable has two writers; the target
+/// invariant of an urgent edge can be false; an initial value is outside its range.
 std::optional<Network> plant(const Model& model, const ClosedLoop& loop, Diagnostics& diagnostics);
 
 }  // namespace grafverif

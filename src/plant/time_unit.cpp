@@ -15,7 +15,8 @@ namespace grafverif {
 namespace {
 
 constexpr std::int64_t many_units = 10'000;
-constexpr std::int64_t most_units = std::int64_t{1} << 30U;  // UPPAAL's limit for constants compared with clocks
+// UPPAAL's limit for constants that are compared with clocks.
+constexpr std::int64_t most_units = std::int64_t{1} << 30U;
 
 struct Duration {
     std::int64_t milliseconds = 0;
@@ -27,7 +28,7 @@ void collect(const Exprs& exprs, Id<Expr> root, Span where, std::vector<Duration
     for (const Id<Expr> operand : exprs.operands(root)) collect(exprs, operand, where, found);
 }
 
-/// Collects the durations in the body of a component; those of its defaults are arguments.
+/// Collects the durations in the body of a component. Durations of its defaults are arguments.
 void collect(const Component& component, std::vector<Duration>& found) {
     const auto take = [&](Id<Expr> root, Span where) { collect(component.exprs, root, where, found); };
     for (const Component::Location& location : component.locations)
@@ -74,14 +75,14 @@ std::vector<Duration> durations(const Model& model, const ClosedLoop& loop) {
     return found;
 }
 
-/// 0 if there are none.
+/// Returns the greatest common divisor of all durations; 0 if there are none.
 std::int64_t common_divisor(const std::vector<Duration>& all) {
     std::int64_t divisor = 0;
     for (const Duration& duration : all) divisor = std::gcd(divisor, duration.milliseconds);
     return divisor;
 }
 
-/// Per distinct duration: the greatest common divisor of all others.
+/// Returns, for each distinct duration, the greatest common divisor of all others.
 std::map<std::int64_t, std::int64_t> divisors_without(const std::vector<Duration>& all) {
     std::map<std::int64_t, std::int64_t> without;
     for (const Duration& duration : all) without.emplace(duration.milliseconds, 0);

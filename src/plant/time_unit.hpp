@@ -11,12 +11,14 @@
 
 namespace grafverif {
 
-/// In milliseconds: the unit declared by the loop, of which every duration must be a multiple, or the greatest common
-/// divisor of all durations; 1 s if there are none. Warns if a duration exceeds 10,000 units.
+/// Returns the time unit in milliseconds. It is the unit that the loop declares, of which every duration must be a
+/// multiple, or otherwise the greatest common divisor of all durations; 1 s if there are none. Warns if a duration
+/// exceeds 10,000 units.
 std::optional<std::int64_t> time_unit(const Model& model, const ClosedLoop& loop, Diagnostics& diagnostics);
 
-/// The duration (with all its occurrences) without which the time unit would be coarsest; empty if no duration makes
-/// the unit finer. If the loop declares a finer unit than its durations require, that unit, with duration 0.
+/// Returns the duration, with all its occurrences, without which the time unit would be coarsest; empty if no duration
+/// makes the unit finer. If the loop declares a finer unit than its durations require, the result is that unit, with
+/// duration 0.
 std::optional<StateProfile::Finest> finest_duration(const Model& model, const ClosedLoop& loop);
 
 }  // namespace grafverif

@@ -15,7 +15,8 @@ namespace {
 
 using Variable = Network::Variable;
 
-/// Evaluates expressions of one instance at power-on: constants have their arguments, variables their values so far.
+/// Evaluates expressions of one instance at power-on. Constants have their arguments, and variables have the values
+/// assigned so far.
 class PowerOn {
 public:
     PowerOn(const Component& component, const ClosedLoop::Instance& instance, PlantVariables& plant,
@@ -30,7 +31,7 @@ public:
                 overloaded{
                     [&](Id<ClosedLoop::Shared> shared) { return plant_.variables[{shared.index}].initial; },
                     [](std::int64_t constant) { return constant; },
-                    [](Id<Expr>) -> std::int64_t { unreachable(); },  // declarations read no inputs
+                    [](Id<Expr>) -> std::int64_t { unreachable(); },  // declarations do not read inputs
                 },
                 instance_.arguments[index]);
         });
@@ -38,7 +39,7 @@ public:
         return result;
     }
 
-    /// Sets the range `low..high` and the initial value; the default is 0 if it is in the range, otherwise `low`.
+    /// Sets the range `low..high` and the initial value, whose default is 0 if it is in the range, otherwise `low`.
     void declare(Variable& variable, std::optional<Id<Expr>> low, std::optional<Id<Expr>> high,
                  std::optional<Id<Expr>> initial, Span where) const {
         if (low && high) {
@@ -99,7 +100,7 @@ PlantVariables shared_variables(const Model& model, const ClosedLoop& loop) {
     return plant;
 }
 
-/// Checks that each shared variable is written by only one instance or controller (CEP13 4.2).
+/// Checks that only one instance or controller writes each shared variable (CEP13 4.2).
 void check_writers(const Model& model, const ClosedLoop& loop, Diagnostics& diagnostics) {
     std::vector<const std::string*> writers(loop.shared.size(), nullptr);
     for (const Id<ClosedLoop::Shared> shared : loop.shared.ids())
@@ -131,7 +132,8 @@ void power_on(const Component& component, const ClosedLoop::Instance& instance, 
         const Id<Variable> variable{shared->index};
         const Type bound = plant.variables[variable].type;
         here.declare(plant.variables[variable], parameter.low, parameter.high, parameter.initial, parameter.origin);
-        plant.variables[variable].type = bound;  // type of the loop: a controller may declare a wider range
+        // The type of the loop is used, because a controller may declare a wider range.
+        plant.variables[variable].type = bound;
         written.push_back(variable);
     }
     for (const Component::Variable& declared : component.variables) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The variables of a plant: those that the loop shares, and the internal ones of instances.
+// The variables of a plant: those that the loop shares, and the internal variables of instances.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,13 @@
 namespace grafverif {
 
 struct PlantVariables {
-    Table<Network::Variable> variables = {};                   ///< shared variables first, at their index
-    std::vector<std::vector<Id<Network::Variable>>> own = {};  ///< per instance: internal variables in the order of the
-                                                               ///< component
+    Table<Network::Variable> variables = {};  ///< shared variables come first and keep their indices
+    /// Per instance: internal variables, in the order of the component.
+    std::vector<std::vector<Id<Network::Variable>>> own = {};
 };
 
-/// Empty after an error: two writers, an empty range, an initial value that is undefined or outside its range.
+/// Returns the variables of the plant. The result is empty after an error: two writers, an empty range, or an initial
+/// value that is undefined or outside its range.
 std::optional<PlantVariables> plant_variables(const Model& model, const ClosedLoop& loop, Diagnostics& diagnostics);
 
 }  // namespace grafverif
