@@ -26,7 +26,7 @@ std::string sorted_text(std::vector<std::string> lines) {
     return text;
 }
 
-/// Matching of steps between the charts.
+/// Matches the steps of the two charts.
 class Twins {
 public:
     Twins(const Chart& a, const Chart& b) : charts_{&a, &b} {
@@ -40,9 +40,9 @@ public:
             }
     }
 
-    /// The step of the other chart that corresponds to `step` of chart `k`; invalid: none.
+    /// Returns the step of the other chart that corresponds to `step` of chart `k`; invalid if there is none.
     Step twin(std::size_t k, Step step) const { return of_[k][step.index]; }
-    /// The name in the first chart if the step exists there; otherwise its own.
+    /// Returns the name in the first chart if the step exists there, otherwise its name in chart `k`.
     std::string common_name(std::size_t k, Step step) const {
         const Step other = of_[k][step.index];
         if (k == 0 || !other.valid()) return name_of(*charts_[k], step).text();
@@ -55,7 +55,7 @@ private:
         of_[1][of_b.index] = of_a;
     }
 
-    /// Features of an unmatched step; `whole`: including its transitions and their conditions.
+    /// Returns the features of an unmatched step. If `whole`, they include its transitions and their conditions.
     std::string looks(std::size_t k, Step step, bool whole) const {
         const Wording words(*charts_[k], [&](Step each) {
             return each == step ? "@" : of_[k][each.index].valid() ? common_name(k, each) : std::string("?");
@@ -71,7 +71,7 @@ private:
         return words.head(step) + '\n' + sorted_text(std::move(lines));
     }
 
-    /// Matches steps whose features are unique in both charts; true if it found any.
+    /// Matches steps whose features are unique in both charts. Returns true if it found any.
     bool pair_by_looks(bool whole) {
         std::map<std::string, std::array<std::vector<Step>, 2>> alike;
         for (const std::size_t k : {0U, 1U})
@@ -107,11 +107,11 @@ private:
         changes_.push_back({kind, std::move(subject), std::move(before), std::move(after)});
     }
 
-    /// Texts with the chart's own names.
+    /// Returns the texts with the chart's names.
     Wording own(std::size_t k) const {
         return {*charts_[k], [chart = charts_[k]](Step step) { return name_of(*chart, step).text(); }};
     }
-    /// Texts with the names of the first chart, for comparison.
+    /// Returns the texts with the names of the first chart, for comparison.
     Wording common(std::size_t k) const {
         return {*charts_[k], [this, k](Step step) { return twins_.common_name(k, step); }};
     }
@@ -160,7 +160,8 @@ private:
         return lines;
     }
 
-    /// Adds the entries that only one of the lists has; entries that begin with the same word are one changed entry.
+    /// Adds the entries that only one of the lists contains. If two entries begin with the same word, they are one
+    /// changed entry.
     void add_lists(const std::string& subject, std::vector<Line> before, std::vector<Line> after) {
         for (auto line = before.begin(); line != before.end();) {
             const auto same = std::ranges::find(after, line->common, &Line::common);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// identical_up_to_names: Equations, Equations -> the same tables, entry by entry, apart from positions in the text and
-// the names of everything except inputs and outputs. Sufficient for the same behaviour, not necessary.
+// identical_up_to_names: true if two Equations have the same tables, entry by entry. Positions in the text are ignored,
+// and so are all names except those of inputs and outputs. This is sufficient for the same behaviour, but not
+// necessary.
 #pragma once
 
 #include "grafverif/ir/equations.hpp"

@@ -16,7 +16,7 @@ namespace {
 
 using Items = std::vector<tree::ChartItem>;
 
-/// The lists of items of a chart, its own and those of its partial charts, at any depth.
+/// Collects the lists of items of a chart and of its partial charts, at any depth.
 void collect_lists(Items& items, std::vector<Items*>& lists) {
     lists.push_back(&items);
     for (tree::ChartItem& item : items)
@@ -82,8 +82,8 @@ private:
                    .substr(std::string("transition ").size());
     }
 
-    /// Adds a mutant: the file with `change` applied to the item at `at` and to its list, unless this text exists
-    /// already.
+    /// Adds a mutant, unless its text already exists. The mutant is the file with `change` applied to the item at `at`
+    /// and to its list.
     template <class Change>
     void add(const char* kind, At at, const Change& change) {
         tree::File file = file_;
@@ -101,7 +101,7 @@ private:
 
     // -- terms -----------------------------------------------------------------------------------------------------------
 
-    /// Overwrites the node; its siblings are kept.
+    /// Overwrites the node. Its siblings are kept.
     static void put(tree::File& file, Id<tree::Expr> place, tree::Expr node) {
         node.next = file.exprs[place].next;
         file.exprs[place] = node;
@@ -121,7 +121,7 @@ private:
             found.push_back(each);
         return found;
     }
-    /// Removes an operand; a node with a single remaining operand is replaced by it.
+    /// Removes an operand. If a single operand remains, it replaces the node.
     static void drop(tree::File& file, Id<tree::Expr> place, std::size_t operand) {
         std::vector<Id<tree::Expr>> left = operands(file, place);
         left.erase(left.begin() + static_cast<std::ptrdiff_t>(operand));
@@ -132,7 +132,8 @@ private:
             file.exprs[left[k]].next = k + 1 < left.size() ? left[k + 1] : Id<tree::Expr>{};
     }
 
-    /// The mutants of a Boolean term; edges, time conditions and comparisons are not changed inside, except durations.
+    /// Adds the mutants of a Boolean term. Edges, time conditions and comparisons are not changed inside, except for
+    /// durations.
     void change_condition(At at, Id<tree::Expr> term) {
         if (!term.valid()) return;
         add("term-negated", at, [term](tree::File& file, Items&, tree::ChartItem&) { negate(file, term); });
@@ -254,7 +255,7 @@ private:
         });
     }
 
-    /// Outputs of continuous actions of the chart, in order of first use.
+    /// Returns the outputs of continuous actions of the chart, in order of first use.
     std::vector<tree::Name> continuous_outputs() const {
         tree::File file = file_;
         std::vector<tree::Name> found;

@@ -14,7 +14,7 @@ namespace grafverif::comparing {
 
 namespace {
 
-/// `G1.X2` of `G1.2`.
+/// Returns `G1.X2` for `G1.2`.
 std::string step_variable_of(const std::string& name) {
     const std::size_t dot = name.rfind('.');
     return dot == std::string::npos ? "X" + name : name.substr(0, dot + 1) + "X" + name.substr(dot + 1);

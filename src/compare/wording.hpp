@@ -10,7 +10,7 @@
 
 namespace grafverif::comparing {
 
-/// The name of a step: `2`, `G1.2`.
+/// Returns the name of a step: `2`, `G1.2`.
 using Naming = std::function<std::string(Id<Chart::Step>)>;
 
 class Wording {
@@ -18,17 +18,18 @@ public:
     /// `chart` must outlive this object.
     Wording(const Chart& chart, Naming naming) : chart_(chart), naming_(std::move(naming)) {}
 
-    /// `!START && G1.X2`
+    /// Returns a term such as `!START && G1.X2`.
     std::string term(Id<Expr> term) const;
-    /// `N: int 0..3 = 1`
+    /// Returns a declaration such as `N: int 0..3 = 1`.
     std::string variable(const Chart::Variable& variable) const;
-    /// A step without its actions: `initial step 2`, `macro step M expands E`.
+    /// Returns a step without its actions, such as `initial step 2` or `macro step M expands E`.
     std::string head(Id<Chart::Step> step) const;
-    /// `LAMP if a after 3s`, `N := N + 1 on activation`, `force G1 := {2, 3}`; in the order of the tables.
+    /// Returns the actions of a step in the order of the tables, such as `LAMP if a after 3s`, `N := N + 1 on
+    /// activation`, `force G1 := {2, 3}`.
     std::vector<std::string> actions(Id<Chart::Step> step) const;
-    /// `1, 2 -> 3`
+    /// Returns the steps of a transition, such as `1, 2 -> 3`.
     std::string way(Id<Chart::Transition> transition) const;
-    /// `when a do N := 0`
+    /// Returns the condition and actions of a transition, such as `when a do N := 0`.
     std::string guard(Id<Chart::Transition> transition) const;
 
 private:

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// A location is a state in which the controller waits for its next scan, with no timer marked fresh or falling: no
-// event has yet occurred in the instant that begins. Each location is processed once, in the order of discovery.
+// A location is a state in which the controller waits for its next scan. No timer is marked fresh or falling, because
+// no event has yet occurred in the instant that begins. Each location is processed once, in the order of discovery.
 //
-// In every_cycle mode a move is an evolution of the automaton, except for moves without changes.
+// In every_cycle mode, a move is an evolution of the automaton, unless it changes nothing.
 //
 // With stability search, the inputs of a move that is not stable are kept constant and followed through transient
-// states, in each of which they are split by its moves. Moves of a state are disjoint and cover all inputs, so each
-// input has one path, and a set shrinks along a path. A path ends with a stable move (an arrival), or when it revisits
-// one of its states. In the latter case, since constant inputs make the next state unique, the path cycles forever:
-// total instability. The number of states is finite, hence one of both occurs for every input.
+// states. In each of these states, its moves split the inputs. Moves of a state are disjoint and cover all inputs.
+// Therefore each input has one path, and a set shrinks along a path. A path ends with a stable move (an arrival), or
+// when it revisits one of its states. In the latter case, since constant inputs make the next state unique, the path
+// cycles forever: total instability. The number of states is finite. Therefore one of the two cases occurs for every
+// input.
 //
-// Marks of timers are kept along a path, because it takes no time, and are recorded on the resulting evolution.
+// Marks of timers are kept along a path, because the path takes no time. They are recorded in the resulting evolution.
 #include "conform/automaton.hpp"
 
 #include <algorithm>
@@ -31,9 +32,9 @@ using Role = Equations::Role;
 
 // -- paths under constant inputs --------------------------------------------------------------------------------------
 
-/// Final state for a set of inputs.
+/// The final state of a set of inputs.
 struct Arrival {
-    StateId state = 0;  ///< timers that were started on the path are fresh
+    StateId state = 0;  ///< timers that were started on the path are marked fresh
     Bdd set = {};
 };
 struct Loop {
@@ -51,13 +52,13 @@ struct Followed {
     }
 };
 
-/// Results of following `moves`; `origin`: the location in which they start, if any. A stable move back to it is not an
-/// arrival.
+/// Returns the results of following `moves`. `origin` is the location in which they start, if any. A stable move back
+/// to it is not an arrival.
 Followed followed(Moves& moves, const std::vector<StateMove>& first, StateId origin = no_state) {
     struct Leg {
         StateId state = 0;
         Bdd set = {};
-        std::size_t depth = 0;  ///< number of states of the path before it
+        std::size_t depth = 0;  ///< number of states that precede it on the path
     };
     Followed result;
     std::vector<StateId> path;
@@ -87,7 +88,7 @@ Followed followed(Moves& moves, const std::vector<StateMove>& first, StateId ori
     return result;
 }
 
-/// Merges cycles through the same states; each begins with its least state.
+/// Merges cycles through the same states. Each cycle begins with its least state.
 std::vector<Loop> merged(std::vector<Loop> loops) {
     for (Loop& loop : loops) std::ranges::rotate(loop.states, std::ranges::min_element(loop.states));
     std::ranges::stable_sort(loops, {}, &Loop::states);
@@ -118,8 +119,8 @@ public:
                                                              : Id<Automaton::Output>{});
     }
 
-    /// Fills the automaton, whose variables are declared. Throws if an evolution has no result, or reports to
-    /// `diagnostics`.
+    /// Fills the automaton, whose variables are declared. Throws if an evolution has no result; other errors are added
+    /// to `diagnostics`.
     void run() {
         automaton_.complete = false;
         start();
@@ -200,7 +201,7 @@ private:
         automaton_.evolutions.push_back(std::move(evolution));
     }
 
-    /// Timer outputs are the last inputs.
+    /// Timer outputs are the last inputs of the automaton.
     Id<Automaton::Input> timer_input(std::size_t timer) const {
         return {static_cast<std::uint32_t>(automaton_.inputs.size() - equations_.timers.size() + timer)};
     }
@@ -254,7 +255,7 @@ private:
         return result;
     }
 
-    /// Outputs with stored actions that are not 0.
+    /// Returns the outputs with stored actions that are not 0.
     std::vector<Automaton::Emission> stored_emissions(const std::vector<std::int64_t>& values) {
         std::vector<Automaton::Emission> result;
         for (std::size_t k = 0; k < equations_.stored.size(); ++k) {
@@ -288,20 +289,21 @@ private:
     Moves moves_;
     Conditions conditions_;
     std::vector<Kept> kept_;
-    std::vector<Id<Automaton::Output>> outputs_ = {};  ///< per variable
-    std::vector<StateId> states_ = {};                 ///< per location; INIT has none
-    std::vector<Id<Location>> location_of_ = {};       ///< per state
+    std::vector<Id<Automaton::Output>> outputs_ = {};  ///< output of each variable
+    std::vector<StateId> states_ = {};                 ///< state of each location; INIT has none
+    std::vector<Id<Location>> location_of_ = {};       ///< location of each state
 };
 
 // -- declarations ------------------------------------------------------------------------------------------------------
 
-/// In the notation of conditions: `3s/X2`, `3s/a/2s`.
+/// Returns the name in the notation of conditions: `3s/X2`, `3s/a/2s`.
 std::string name_of(const Equations& equations, const Equations::Timer& timer) {
     const std::string watched = watched_name(equations, timer);
     return time_text(timer.rise_ms, watched.empty() ? equations.variables[timer.watched].name : watched, timer.fall_ms);
 }
 
-/// Declares the inputs of the chart, then the outputs of its timers; returns the input per variable of the equations.
+/// Declares the inputs of the chart, then the outputs of its timers. Returns the input of each variable of the
+/// equations.
 InputOf declare_inputs(const Equations& equations, Automaton& automaton) {
     InputOf inputs(equations.variables.size());
     for (const Id<Equations::Variable> id : equations.variables.ids()) {
@@ -323,7 +325,7 @@ InputOf declare_inputs(const Equations& equations, Automaton& automaton) {
     return inputs;
 }
 
-/// Excludes impossible combinations of timers with the same observed term: one that rises later and falls earlier
+/// Excludes impossible combinations of timers with the same observed term: a timer that rises later and falls earlier
 /// implies the other.
 void order_timers(const Equations& equations, const InputOf& inputs, InputSpace& space) {
     const auto end = [&](const Equations::Timer& timer) { return space.term(*inputs[timer.end.index]).bits.front(); };
@@ -334,7 +336,7 @@ void order_timers(const Equations& equations, const InputOf& inputs, InputSpace&
                 space.assume(~end(one) | end(other));
 }
 
-/// False after an error: JESA13 section 2.2 requires inputs and outputs.
+/// Declares the variables. Returns false after an error: JESA13 section 2.2 requires inputs and outputs.
 bool declare(const Equations& equations, Automaton& automaton, Diagnostics& diagnostics) {
     for (const Equations::Variable& variable : equations.variables)
         if (variable.role == Role::Output) automaton.outputs.add({variable.name, variable.type});
@@ -348,7 +350,7 @@ bool declare(const Equations& equations, Automaton& automaton, Diagnostics& diag
     return inputs && outputs;
 }
 
-/// Restricts the inputs by the constraints; false after an error.
+/// Restricts the inputs by the constraints. Returns false after an error.
 bool assume(const Equations& equations, const InputOf& inputs, InputSpace& space, Diagnostics& diagnostics) {
     BddTerms terms(equations.exprs,
                    [&](const Expr& leaf) { return space.term(inputs[static_cast<std::size_t>(leaf.value)].value()); });

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Equations -> LocationAutomaton: JESA13 Algorithms 3 to 5, for both execution modes.
+// Converts Equations to a LocationAutomaton by JESA13 Algorithms 3 to 5, for both execution modes.
 //
-// Conditions are decision diagrams over the inputs. In a location every variable of the chart is constant, so a firing
-// condition is a function of the inputs. The sets of simultaneously firable transitions (JESA13 (11) to (13)) are the
-// satisfiable classes of the partition of the inputs by these functions; single inputs are never enumerated.
+// Conditions are decision diagrams over the inputs. In a location every variable of the chart is constant, so that a
+// firing condition is a function of the inputs. The sets of simultaneously firable transitions (JESA13 (11) to (13))
+// are the satisfiable classes of the partition of the inputs by these functions. Single inputs are never enumerated.
 //
 // With stability search, JESA13's Algorithm 6 is replaced by a terminating one. From a stable location each class is
 // followed through transient situations, restricted to the inputs with the same path, until it is stable. Inputs that
@@ -23,25 +23,26 @@
 namespace grafverif {
 
 struct ConformProgress {
-    std::uint64_t locations = 0;  ///< found so far
-    std::uint64_t done = 0;       ///< of these, with known evolutions
+    std::uint64_t locations = 0;  ///< number of locations found so far
+    std::uint64_t done = 0;       ///< number of locations with known evolutions
     std::uint64_t evolutions = 0;
 };
 
 struct AutomatonOptions {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     std::uint64_t max_locations = 20'000'000;
-    std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< bytes of decision diagrams
+    std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< memory limit of decision diagrams in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;  ///< cancellation flag, set by another thread
-    bool partial = false;  ///< if a limit, the deadline or `stop` ends the search: return the automaton found so far,
-                           ///< not `complete`
+    const std::atomic<bool>* stop = nullptr;  ///< cancellation flag, which another thread may set
+    /// If a limit, the deadline or `stop` ends the search: return the automaton found so far, which is not `complete`.
+    bool partial = false;
     std::function<void(const ConformProgress&)> progress = {};  ///< called periodically
 };
 
-/// The automaton of the chart; empty after at least one error. Errors are: no inputs, no outputs, a constraint that
-/// excludes every input, an initial situation that never stabilizes. Further: two actions that store different values
-/// simultaneously, a value that is undefined or out of range, a limit. Requires verify(equations).empty().
+/// Returns the automaton of the chart; empty after at least one error. Errors are: no inputs, no outputs, a constraint
+/// that excludes every input, an initial situation that never becomes stable. Further errors are two actions that store
+/// different values simultaneously, a value that is undefined or out of range, and a limit. Requires
+/// verify(equations).empty().
 std::optional<LocationAutomaton> location_automaton(const Equations& equations, const AutomatonOptions& options,
                                                     Diagnostics& diagnostics);
 

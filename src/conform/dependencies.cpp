@@ -47,7 +47,7 @@ private:
         return firing_of_[static_cast<std::size_t>(leaf.value)];
     }
 
-    /// A condition begins with the upstream step, if there is one.
+    /// Adds the guards. A condition begins with the upstream step, if there is one.
     void add_guards(Dependencies& result) const {
         result.guarded.resize(layout_.fields.size());
         std::vector<std::optional<std::uint32_t>> field_of(equations_.variables.size());
@@ -63,7 +63,7 @@ private:
         }
     }
 
-    /// `term`, in `scratch`, if no transition fires.
+    /// Returns `term`, in `scratch`, for the case that no transition fires.
     Id<Expr> while_quiet(Id<Expr> term, Exprs& scratch) const {
         return translate(exprs_, term, scratch, [&](const Expr& leaf) {
             return firing_of(leaf) ? scratch.constant(false)
@@ -95,7 +95,7 @@ private:
     const Equations& equations_;
     const Exprs& exprs_;
     const StateLayout& layout_;
-    std::vector<std::optional<std::uint32_t>> firing_of_;  ///< per variable
+    std::vector<std::optional<std::uint32_t>> firing_of_;  ///< firing condition of each variable
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Dependencies of an evolution: only the conditions of transitions whose upstream step is active, and the equations
-// that depend on a firing transition, need to be evaluated. The others are known in advance. A large chart has many
-// transitions and variables, and an evolution concerns few.
+// Dependencies of an evolution. Only the conditions of transitions whose upstream step is active, and the equations
+// that depend on a firing transition, must be evaluated. The others are known in advance. A large chart has many
+// transitions and variables, but an evolution concerns few of them.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,17 @@ namespace grafverif::conform {
 struct Dependencies {
     using Numbers = std::vector<std::uint32_t>;
 
-    /// Equations that an evolution evaluates: if one of these transitions fires, or always.
+    /// Equations that an evolution evaluates, either always or if one of these transitions fires.
     struct Computed {
         std::vector<Numbers> by_firing = {};
         Numbers always = {};
     };
 
-    std::vector<Numbers> guarded = {};  ///< per field, a step activity: transitions that fire only if it holds
-    Numbers unguarded = {};             ///< the other transitions
-    Computed fields = {};               ///< all others keep their values
-    Computed races = {};                ///< stored variables; all others do not race
-    bool firing_unsettles = false;      ///< true if no situation in which a transition fires is stable
+    std::vector<Numbers> guarded = {};  ///< per field that is a step activity: transitions that fire only if it holds
+    Numbers unguarded = {};             ///< all other transitions
+    Computed fields = {};               ///< fields that may change; all others keep their values
+    Computed races = {};                ///< stored variables that may have a race; all others cannot
+    bool firing_unsettles = false;      ///< true if a situation in which a transition fires is never stable
 };
 
 Dependencies dependencies(const Equations& equations, const StateLayout& layout);

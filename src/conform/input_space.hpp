@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The inputs of a chart as variables of decision diagrams, and functions of them as readable terms.
+// The inputs of a chart as variables of decision diagrams, and functions of inputs as readable terms.
 #pragma once
 
 #include <atomic>
@@ -16,10 +16,11 @@
 
 namespace grafverif::conform {
 
-/// The error of a search whose decision diagrams reached the memory limit or the deadline, or were stopped by `stop`.
+/// Returns the error for a search that reached the memory limit of decision diagrams or the deadline, or that `stop`
+/// ended.
 Diagnostic limit_reached(const BddExhausted& exhausted, Span origin, const std::atomic<bool>* stop);
 
-/// Throws BddExhausted if the deadline is over or the stop flag is set.
+/// Throws BddExhausted if the deadline has passed or the stop flag is set.
 template <class Options>
 void stop_if_requested(const Options& options) {
     const bool late = options.deadline && std::chrono::steady_clock::now() >= *options.deadline;
@@ -38,7 +39,7 @@ std::vector<NamedInput> named(const Inputs& inputs) {
     return all;
 }
 
-/// Input k is word k; its bits are adjacent, the most significant on top.
+/// The space of inputs. Input k is word k; its bits are adjacent, with the most significant bit on top.
 class InputSpace {
 public:
     InputSpace(std::vector<NamedInput> inputs, const BddLimits& limits);
@@ -49,22 +50,22 @@ public:
     const std::vector<std::uint32_t>& bits() const { return bits_; }
     const BddSpace& space() const { return space_; }
 
-    /// The input combinations considered: in the ranges of their types, restricted by `assume`.
+    /// Returns the considered input combinations: those in the ranges of their types, restricted by `assume`.
     const Bdd& assumed() const { return assumed_; }
     void assume(const Bdd& condition) { assumed_ &= condition; }
 
-    /// Per variable of the space a value such that `set` holds. Requires that `set` is not false.
+    /// Returns a value for each variable of the space such that `set` holds. Requires that `set` is not false.
     std::vector<bool> assignment(const Bdd& set) const;
-    /// Per input a value such that `set` holds. Requires that `set` is not false.
+    /// Returns a value for each input such that `set` holds. Requires that `set` is not false.
     std::vector<std::int64_t> witness(const Bdd& set) const;
-    /// The witness as text: `s, not h1, level = 3`.
+    /// Returns the witness as text: `s, not h1, level = 3`.
     std::string witness_text(const Bdd& set) const;
 
 private:
     std::vector<NamedInput> named_;
     BddSpace space_;
     std::vector<BddWord> words_ = {};
-    std::vector<std::uint32_t> bits_ = {};  ///< of all inputs
+    std::vector<std::uint32_t> bits_ = {};  ///< bits of all inputs
     Bdd assumed_ = Bdd::constant(true);
 };
 
@@ -75,7 +76,7 @@ public:
     InputSets(const Exprs& exprs, const InputSpace& space)
         : terms_(exprs, [&space](const Expr& leaf) { return space.term(static_cast<std::size_t>(leaf.value)); }) {}
 
-    /// The inputs for which the term is defined and true.
+    /// Returns the inputs for which the term is defined and true.
     Bdd operator()(Id<Expr> term) {
         const BddTerm& found = terms_(term);
         return found.bits.front() & ~found.undefined;

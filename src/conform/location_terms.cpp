@@ -48,7 +48,7 @@ LocationCondition LocationTerms::condition(Id<Expr> term, const Values& at) {
     return {std::move(found.function->bits.front()), std::move(found.function->undefined)};
 }
 
-/// A conjunction or disjunction of constants of the location with terms of inputs, which is the most frequent case.
+/// Handles the most frequent case: a conjunction or disjunction of constants of the location with terms of inputs.
 std::optional<Bdd> LocationTerms::plain_condition(Id<Expr> term, const Values& at) {
     const Op op = equations_.exprs[term].op;
     if (kinds_[term.index] != Kind::Mixed || (op != Op::And && op != Op::Or)) return {};
@@ -64,7 +64,7 @@ std::optional<Bdd> LocationTerms::plain_condition(Id<Expr> term, const Values& a
     return parts->inputs;
 }
 
-/// A term without inputs. Recursive; `derive` limits the depth.
+/// Evaluates a term without inputs. The function is recursive; `derive` limits the depth.
 LocationValue LocationTerms::fixed(Id<Expr> term, const Values& at) const {
     const Expr& node = equations_.exprs[term];
     switch (node.op) {
@@ -90,14 +90,14 @@ LocationValue LocationTerms::fixed(Id<Expr> term, const Values& at) const {
     return {number.value_or(0), !number, {}};
 }
 
-/// Terms of inputs alone are always defined, so their order among the other operands does not matter.
+/// Terms that read only inputs are always defined. Therefore their order among the other operands is irrelevant.
 LocationValue LocationTerms::joined(Id<Expr> term, const Values& at) {
     const bool decides = equations_.exprs[term].op == Op::Or;
     const Split& parts = *split(term);
     std::optional<BddTerm> result;
     for (const Id<Expr> operand : parts.others) {
         LocationValue other = value(operand, at);
-        if (other.none) return anyhow(term, at);  // its evaluation depends on the inputs
+        if (other.none) return anyhow(term, at);  // the evaluation of the others depends on the inputs
         if (!other.function) {
             if ((other.number != 0) == decides) return other;
             continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values of terms of the equations in a location: variables of the chart are constant there, so a term is a number or a
-// function of the inputs. Terms of inputs alone are evaluated once for all locations.
+// Values of terms of the equations in a location. Variables of the chart are constant in a location, so that a term is
+// a number or a function of the inputs. Terms that read only inputs are evaluated once for all locations.
 #pragma once
 
 #include <cstdint>
@@ -15,22 +15,22 @@
 
 namespace grafverif::conform {
 
-/// The values in a location, per variable of the equations; entries of inputs are unused.
+/// The values in a location of the variables of the equations; entries of inputs are unused.
 using Values = std::vector<std::int64_t>;
-/// Per variable of the equations: its input, or empty.
+/// The input of each variable of the equations; empty if it is not an input.
 using InputOf = std::vector<std::optional<std::size_t>>;
 
 /// Value of a term in a location: `number`, or a function of the inputs if `function` is set.
 struct LocationValue {
     std::int64_t number = 0;
-    bool none = false;  ///< the constant is undefined: division by zero, or too large
+    bool none = false;  ///< true if the constant is undefined: division by zero, or a value that is too large
     std::optional<BddTerm> function = {};
 };
 
 /// A Boolean term in a location.
 struct LocationCondition {
     Bdd holds = {};
-    Bdd undefined = {};  ///< true where the term is undefined
+    Bdd undefined = {};  ///< assignments for which the term is undefined
 };
 
 class LocationTerms {
@@ -43,7 +43,7 @@ public:
 
 private:
     enum class Kind : std::uint8_t { Fixed, OfInputs, Mixed };
-    /// A Mixed And or Or whose operands of inputs alone are always defined: these combined, and the others.
+    /// The operands of a Mixed And or Or. Those that read only inputs and are always defined are combined.
     struct Split {
         Bdd inputs = {};
         std::vector<Id<Expr>> others = {};
@@ -59,7 +59,7 @@ private:
     const Equations& equations_;
     const InputOf& inputs_;
     const InputSpace& space_;
-    std::vector<Kind> kinds_ = {};  ///< per term
+    std::vector<Kind> kinds_ = {};  ///< type of each term
     BddTerms of_inputs_;
     std::unordered_map<std::uint32_t, std::optional<Split>> splits_ = {};
 };

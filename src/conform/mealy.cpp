@@ -18,23 +18,24 @@ using Automaton = LocationAutomaton;
 using Location = Automaton::Location;
 using State = MealyMachine::State;
 
-/// A location with the elapsed times of its timers. Per level that timers observe: time since it became true, capped at
-/// the longest rise time; -1 if it is false. Per timer with a fall time: time since the fall; -1 if it is not running.
+/// A location with the elapsed times of its timers. For each level that timers observe, it contains the time since the
+/// level became true, capped at the longest rise time, or -1 if it is false. For each timer with a fall time, it
+/// contains the time since the fall, or -1 if the timer is not running.
 struct Place {
     Id<Location> location = {};
     std::vector<std::int64_t> ages = {}, falls = {};
     auto operator<=>(const Place&) const = default;
 };
 
-/// Successors of a place: the inputs that lead to each next place, and those without a successor.
+/// Successors of a place: the inputs that lead to each next place, and the inputs without a successor.
 struct Departures {
     std::map<Place, Bdd> to = {};
-    Bdd staying = {};  ///< part of `to`
+    Bdd staying = {};  ///< subset of `to`
     Bdd unstable = {};
     bool operator==(const Departures& other) const { return to == other.to && unstable == other.unstable; }
 };
 
-/// A level that timers observe, with its longest rise time; and a timer for it.
+/// A level that timers observe, with its longest rise time and one of its timers.
 struct Level {
     Automaton::Input watched = {};
     std::int64_t longest = 0;
@@ -42,7 +43,7 @@ struct Level {
 struct Timer {
     Id<Automaton::Input> input = {};
     std::size_t level = 0;
-    std::size_t fall = 0;  ///< index in Place::falls of a timer with a fall time
+    std::size_t fall = 0;  ///< index in Place::falls, for a timer with a fall time
     std::int64_t rise_ms = 0, fall_ms = 0;
 };
 
@@ -106,7 +107,7 @@ private:
         return grafverif::level(automaton_.locations[location], level.watched);
     }
 
-    /// The place after `evolution`: the times of `before`, except those that are restarted.
+    /// Returns the place after `evolution`: the times of `before`, except those that are restarted.
     Place arrival(const Place& before, const Automaton::Evolution& evolution) const {
         Place place{evolution.to, {}, before.falls};
         for (std::size_t k = 0; k < levels_.size(); ++k)
@@ -126,7 +127,7 @@ private:
         return place;
     }
 
-    /// The outputs of the timers in `place` as a cube. All are false before the first cycle.
+    /// Returns the outputs of the timers in `place` as a cube. All are false before the first cycle.
     Bdd timer_ends(const Place& place) const {
         std::vector<BddLiteral> literals;
         for (const Timer& timer : timers_) {
@@ -158,8 +159,8 @@ private:
         return result;
     }
 
-    /// The place if no event occurs. With stability search the controller may stay in INIT, which is equivalent to the
-    /// location of the initial situation.
+    /// Returns the place if no event occurs. With stability search, the controller may stay in INIT, which is
+    /// equivalent to the location of the initial situation.
     Place staying_place(const Place& place) const {
         if (place.location != automaton_.init) return place;
         Place same = place;
@@ -258,7 +259,7 @@ private:
             if (const Bdd both = set & staying; !both.is_false()) add_transition(from, to, both, wait);
     }
 
-    /// Time until a timer output rises or a fall time has elapsed; 0 if no timer is running.
+    /// Returns the time until a timer output rises or a fall time has elapsed; 0 if no timer is running.
     std::int64_t next_end(const Place& place) const {
         std::int64_t next = 0;
         const auto consider = [&next](std::int64_t wait) { next = next == 0 ? wait : std::min(next, wait); };
@@ -275,7 +276,7 @@ private:
             machine_.transitions.push_back({from, state(to), conditions_.term(part), answer, wait});
     }
 
-    /// Outputs written on arrival in `place`, as a function of the inputs.
+    /// Returns the outputs written on arrival in `place`, as functions of the inputs.
     std::vector<std::pair<Id<MealyMachine::OutputWord>, Bdd>> answers(const Place& place, const Bdd& set) {
         struct OutputClass {
             Bdd set = {};
@@ -321,11 +322,11 @@ private:
     InputSpace space_;
     InputSets sets_;
     Conditions conditions_;
-    std::vector<std::uint32_t> bits_ = {};  ///< bits of inputs, timer outputs excluded
+    std::vector<std::uint32_t> bits_ = {};  ///< bits of inputs, except timer outputs
     std::vector<Level> levels_ = {};
     std::vector<Timer> timers_ = {};
     std::size_t falls_ = 0;           ///< number of timers with a fall time
-    std::vector<Place> places_ = {};  ///< per state
+    std::vector<Place> places_ = {};  ///< place of each state
     std::map<Place, Id<State>> known_ = {};
     std::map<std::vector<std::int64_t>, Id<MealyMachine::OutputWord>> answer_of_ = {};
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// LocationAutomaton -> MealyMachine (JESA13 section 6), symbolically: one transition per next state and output, with a
-// set of inputs.
+// Converts a LocationAutomaton to a MealyMachine (JESA13 section 6) symbolically. There is one transition per next
+// state and output, with a set of inputs.
 //
-// A chart with timers becomes a machine whose states include the elapsed times of all timers, so its outputs are exact.
-// Time passes only in `wait` transitions, each until the next timer event, from states that are stable under the
+// A chart with timers becomes a machine whose states include the elapsed times of all timers, so that its outputs are
+// exact. Time passes only in `wait` transitions, each until the next timer event, from states that are stable under the
 // current inputs. Cycles of the controller take no time.
 #pragma once
 
@@ -20,17 +20,17 @@ namespace grafverif {
 
 struct MealyOptions {
     std::uint64_t max_states = 20'000'000;
-    std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< bytes of decision diagrams
+    std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< memory limit of decision diagrams in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;  ///< cancellation flag, set by another thread
+    const std::atomic<bool>* stop = nullptr;  ///< cancellation flag, which another thread may set
 };
 
-/// The machine of the automaton; empty after an error: a limit. Requires verify(automaton).empty().
+/// Returns the machine of the automaton; empty after an error: a limit was reached. Requires verify(automaton).empty().
 std::optional<MealyMachine> mealy_machine(const LocationAutomaton& automaton, const MealyOptions& options,
                                           Diagnostics& diagnostics);
 
-/// The minimal equivalent machine: equivalent states are merged (Moore 1956) and named after the situations of all of
-/// them. Empty after an error at `origin`: a limit.
+/// Returns the minimal equivalent machine. Equivalent states are merged (Moore 1956) and named after all their
+/// situations. The result is empty after an error at `origin`: a limit was reached.
 std::optional<MealyMachine> minimised(const MealyMachine& machine, const MealyOptions& options, Span origin,
                                       Diagnostics& diagnostics);
 

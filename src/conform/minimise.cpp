@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Partition refinement (Moore 1956): two states stay in one class while, under the same inputs, they have the same
+// Partition refinement (Moore 1956). Two states remain in one class while, under the same inputs, they have the same
 // outputs and successors in the same class.
 #include <algorithm>
 #include <map>
@@ -32,9 +32,9 @@ public:
     }
 
 private:
-    /// Class of the successor, output and waiting time; `no_class`: it never stabilizes.
+    /// Class of the successor, output and waiting time. The class is `no_class` if the machine never becomes stable.
     using Response = std::tuple<std::uint32_t, std::uint32_t, std::int64_t>;
-    /// Distinguishes states: the inputs of each response.
+    /// The inputs of each response. States with different signatures are distinguished.
     using Signature = std::map<Response, Bdd>;
     static constexpr std::uint32_t no_class = 0xFFFFFFFFU;
 
@@ -49,7 +49,7 @@ private:
         return all;
     }
 
-    /// One refinement round; returns the number of classes. Classes are numbered by their first states.
+    /// Performs one round of refinement and returns the number of classes. Classes are numbered by their first states.
     std::size_t refine() {
         struct Less {
             bool operator()(const Signature& a, const Signature& b) const {
@@ -93,7 +93,7 @@ private:
         return result;
     }
 
-    /// The situations of the class that begins with `first`.
+    /// Returns the situations of the class that begins with `first`.
     std::string situations(std::uint32_t first) const {
         std::vector<std::string> all;
         for (std::uint32_t state = first; state < class_of_.size(); ++state)

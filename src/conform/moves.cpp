@@ -11,10 +11,10 @@
 //   stable    A part is split by the stability condition of the equations: nothing changes where it holds.
 //   levels    The levels that timers observe are terms over the new values and the inputs: they are split once more.
 //
-// Each step is a partition, so the moves are disjoint and cover the initial set: the assumed inputs that are consistent
-// with the known timer outputs. Every step is a function from values to values; the state before the evolution, `at`,
-// is constant. An undefined or out-of-range value, or a race, for some input of a part ends the search (NoResult): the
-// chart has no location automaton.
+// Each step is a partition. Therefore the moves are disjoint and cover the initial set: the assumed inputs that are
+// consistent with the known timer outputs. Every step is a function that maps values to values; the state before the
+// evolution, `at`, is constant. If some input of a part has an undefined or out-of-range value, or a race, the search
+// ends (NoResult): the chart has no location automaton.
 #include "conform/moves.hpp"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ const std::vector<StateMove>& Moves::of(StateId state) {
 
 namespace {
 
-/// Restricts `moves` to inputs in `known`; moves that become impossible are dropped.
+/// Restricts `moves` to inputs in `known`. Moves that become impossible are removed.
 std::vector<StateMove> supposing(const Bdd& known, std::vector<StateMove> moves) {
     if (known.is_true()) return moves;
     for (StateMove& move : moves) move.set = cofactor(move.set & known, known);
@@ -60,7 +60,7 @@ std::vector<StateMove> supposing(const Bdd& known, std::vector<StateMove> moves)
     return moves;
 }
 
-/// Stable moves first; moves with different sets of transitions that lead to one state are merged.
+/// Sorts the moves, stable ones first. Moves that lead to one state by different sets of transitions are merged.
 std::vector<StateMove> merged(std::vector<StateMove> moves) {
     std::ranges::stable_partition(moves, &StateMove::stable);
     std::vector<StateMove> result;
@@ -80,7 +80,8 @@ std::vector<StateMove> Moves::moves_of(StateId state) {
     const Values before = values(state);
     const Bdd known = known_ends(state, before);
     std::vector<StateMove> moves;
-    Values at = before;  // plus the transitions firing in the current class; one copy serves all classes
+    // Also contains the transitions that fire in the current class; one copy is used for all classes.
+    Values at = before;
     for (const Cell& cell : cells(before, space_.assumed() & known)) {
         for (const std::uint32_t firing : cell.fired) at[equations_.firings[firing].variable.index] = 1;
         check_races(cell, at);
@@ -92,13 +93,13 @@ std::vector<StateMove> Moves::moves_of(StateId state) {
 
 // -- classes ----------------------------------------------------------------------------------------------------------
 
-/// Classes in which some transition fires, refined by one transition after the other.
+/// The classes in which some transition fires, refined for one transition after the other.
 class Moves::Partition {
 public:
-    /// Transition `firing` fires under `condition`.
+    /// Refines the classes: transition `firing` fires under `condition`.
     void cut(std::uint32_t firing, const Bdd& condition) {
         const Bdd alone = condition & ~touched_;
-        if (!(alone == condition)) {  // other transitions fire there as well
+        if (!(alone == condition)) {  // other transitions also fire in this set
             const std::size_t count = cells_.size();
             for (std::size_t k = 0; k < count; ++k) {
                 Bdd both = cells_[k].set & condition;
@@ -116,7 +117,7 @@ public:
         touched_ |= condition;
     }
 
-    /// All classes of `within`; the one in which no transition fires comes first.
+    /// Returns all classes of `within`, beginning with the class in which no transition fires.
     std::vector<Cell> cells(const Bdd& within) && {
         Bdd quiet = within & ~touched_;
         if (!quiet.is_false()) cells_.insert(cells_.begin(), {std::move(quiet), {}});
@@ -177,7 +178,7 @@ std::vector<Moves::Region> Moves::evolved(const Cell& cell, const Values& at) {
 
 namespace {
 
-/// Partition of `within` by the values of `term`.
+/// Returns the partition of `within` by the values of `term`.
 std::vector<std::pair<Bdd, std::int64_t>> by_value(const BddTerm& term, const Bdd& within, const InputSpace& space) {
     std::vector<std::pair<Bdd, std::int64_t>> pieces;
     for (Bdd rest = within; !rest.is_false();) {
@@ -191,7 +192,7 @@ std::vector<std::pair<Bdd, std::int64_t>> by_value(const BddTerm& term, const Bd
 
 }  // namespace
 
-/// Sets `field` to the value of `term` in each part; a part in which it depends on the inputs is split.
+/// Sets `field` to the value of `term` in each part. If the value depends on the inputs in a part, the part is split.
 std::vector<Moves::Region> Moves::given(std::vector<Region> parts, std::uint32_t field, Id<Expr> term,
                                         const Values& at) {
     const Equations::Variable& variable = equations_.variables[layout_.fields[field].kept.variable];
@@ -245,8 +246,8 @@ std::vector<Moves::Region> Moves::with_levels(Region part, const Values& at) {
 
 // -- states ------------------------------------------------------------------------------------------------------------
 
-/// `state` after the changes. Its timers are marked according to the changes of their levels, whose old values are in
-/// `before`.
+/// Returns `state` after the changes. Its timers are marked according to the changes of their levels, whose old values
+/// are in `before`.
 StateId Moves::changed(StateId state, const Changes& changes, const Values& before) {
     const std::span<const std::uint64_t> old = store_.at(state);
     PackedState now(old.begin(), old.end());
@@ -280,7 +281,7 @@ std::vector<std::size_t> Moves::marked(StateId state, std::uint32_t StateLayout:
     return timers;
 }
 
-/// The outputs of timers that are determined by the events of the current instant.
+/// Returns the outputs of timers that are determined by the events of the current instant.
 Bdd Moves::known_ends(StateId state, const Values& at) const {
     std::vector<BddLiteral> known;
     for (std::size_t k = 0; k < layout_.timers.size(); ++k) {
@@ -295,8 +296,8 @@ Bdd Moves::known_ends(StateId state, const Values& at) const {
     return cube(space_.space(), known);
 }
 
-/// Before power-on no level holds and no timer has expired. If an output can outlast its level, the sets also exclude
-/// this.
+/// Before power-on, no level holds and no timer has expired. This is also included in the sets if an output can remain
+/// true longer than its level.
 std::vector<StateMove> Moves::first() {
     const Values& at = initial_;
     PackedState initial(layout_.words);
@@ -337,7 +338,7 @@ void Moves::check_races(const Cell& cell, const Values& at) {
     }
 }
 
-/// Checks that `race` never holds in `within` and is always defined: each stored value is defined.
+/// Checks that `race` is always defined and never true in `within`, so that each stored value is defined.
 void Moves::check_race(Id<Expr> race, const Equations::Variable& variable, const Bdd& within, const Values& at) {
     const LocationCondition condition = terms_.condition(race, at);
     const Bdd both = condition.holds & ~condition.undefined & within;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Moves: one evolution of the chart from a state, for all inputs simultaneously: disjoint sets of inputs that cover the
-// assumed ones, each with the next state.
+// Moves: one evolution of the chart from a state, for all inputs simultaneously. The moves have disjoint sets of inputs
+// that cover the assumed inputs, each with the next state.
 //
-// Timer outputs are inputs. Those with known values do not occur in the sets of a state: `3s/v` is false if v is false
-// or has just become true; `v/2s` is true if v is true or has just become false.
+// Timer outputs are inputs. Timer outputs with known values do not occur in the sets of a state: `3s/v` is false if v
+// is false or has just become true; `v/2s` is true if v is true or has just become false.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ namespace grafverif::conform {
 struct StateMove {
     Bdd set = {};
     StateId next = 0;
-    bool stable = false;  ///< these inputs change only levels that timers observe, and these only once
+    bool stable = false;  ///< true if these inputs change only levels that timers observe, and these only once
 };
 
 /// Thrown if an evolution has no result: a race, or a value that is undefined or out of range.
@@ -38,18 +38,18 @@ public:
     /// All arguments must outlive this object. The constructor and the functions below throw NoResult.
     Moves(const Equations& equations, const InputOf& inputs, const InputSpace& space);
 
-    /// The evolution that activates the initial steps.
+    /// Returns the moves of the evolution that activates the initial steps.
     std::vector<StateMove> first();
-    /// The evolutions of `state`, stable ones first.
+    /// Returns the moves of `state`, stable ones first.
     const std::vector<StateMove>& of(StateId state);
 
-    /// The state with no timer fresh or falling.
+    /// Returns the state with no timer marked fresh or falling.
     StateId settled(StateId state);
-    /// Indices of the timers of the equations that are fresh, or falling, in `state`.
+    /// Return the indices of the timers of the equations that are fresh, or falling, in `state`.
     std::vector<std::size_t> fresh(StateId state) const { return marked(state, &StateLayout::Timer::fresh); }
     std::vector<std::size_t> falling(StateId state) const { return marked(state, &StateLayout::Timer::falling); }
 
-    /// The values in `state`; variables that it does not contain never change.
+    /// Returns the values in `state`. Variables that it does not contain never change.
     Values values(StateId state) const;
     LocationCondition condition(Id<Expr> term, const Values& at) { return terms_.condition(term, at); }
 
@@ -59,8 +59,8 @@ private:
         std::vector<std::uint32_t> fired = {};
     };
     class Partition;
-    using Changes = std::vector<std::pair<std::uint32_t, std::int64_t>>;  ///< field, value
-    /// A part of a class, and the changes of the evolution there.
+    using Changes = std::vector<std::pair<std::uint32_t, std::int64_t>>;  ///< pairs of field and value
+    /// A part of a class, and the changes that the evolution makes in it.
     struct Region {
         Bdd set = {};
         Changes changes = {};
@@ -89,7 +89,7 @@ private:
     StateLayout layout_;
     Dependencies dependencies_;
     StateStore store_;
-    std::deque<std::optional<std::vector<StateMove>>> known_ = {};  ///< per state
+    std::deque<std::optional<std::vector<StateMove>>> known_ = {};  ///< moves of each state
 };
 
 }  // namespace grafverif::conform

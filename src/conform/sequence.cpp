@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Computes the arcs to cover, their tour, and the tour as steps of a test.
+// Computes the arcs to cover, their tour, and the steps of a test that performs the tour.
 #include <algorithm>
 #include <map>
 
@@ -20,7 +20,7 @@ public:
     Writer(const MealyMachine& machine, const TestOptions& options)
         : machine_(machine), options_(options), space_(named(machine.inputs), {}), sets_(machine.exprs, space_) {
         space_.assume(sets_(machine.assumed));
-        std::uint32_t stride = 1;  // used by TestCover::Transitions, which limits the number of combinations
+        std::uint32_t stride = 1;  // used only by TestCover::Transitions, which limits the number of combinations
         weights_.resize(space_.space().variables());
         for (std::size_t input = machine.inputs.size(); input-- > 0;) {
             strides_.push_back(stride);
@@ -83,8 +83,8 @@ private:
         return std::uint64_t{state} * combinations_ + inputs;
     }
 
-    /// One arc per state and input combination. A transition that stays in its state needs no separate step if another
-    /// one arrives with its inputs and keeps them, or if a wait follows.
+    /// Adds one arc per state and input combination. A transition that stays in its state needs no separate step if
+    /// another one arrives with its inputs and keeps them, or if a wait follows.
     void list_all() {
         combinations_ = 1;
         for (const MealyMachine::Variable& input : machine_.inputs)
@@ -113,7 +113,8 @@ private:
         }
     }
 
-    /// One arc per transition to another state, or by waiting; for a cover of locations also those that stay.
+    /// Adds one arc per transition to another state, or by waiting. For a cover of locations, transitions that stay are
+    /// also added.
     void list_one_each() {
         for (const MealyMachine::Transition& transition : machine_.transitions) {
             const bool loop = transition.from == transition.to && transition.wait_ms == 0;
@@ -131,8 +132,8 @@ private:
         to_cover_ = static_cast<std::uint64_t>(std::ranges::count(entered, true));
     }
 
-    /// The inputs under which the machine stays in the target of `arrival` with the same output. If states were merged,
-    /// the output may differ.
+    /// Returns the inputs under which the machine stays in the target of `arrival` with the same output. If states were
+    /// merged, the output may differ.
     const Bdd& staying(const MealyMachine::Transition& arrival) {
         const auto [place, added] = staying_.try_emplace({arrival.to, arrival.answer});
         if (!added) return place->second;
@@ -161,7 +162,7 @@ private:
     TestSequence::Sequence steps(const std::vector<std::uint32_t>& tour) {
         TestSequence::Sequence sequence;
         const TestSequence::Step* last = nullptr;
-        bool held = false;  // the last step keeps the machine in its state under its inputs
+        bool held = false;  // true if the last step keeps the machine in its state under its inputs
         for (const std::uint32_t index : tour) {
             const TourArc& arc = arcs_[index];
             const std::vector<std::int64_t> inputs = values(arc.inputs);
@@ -184,7 +185,7 @@ private:
                }).value_or(0) != 0;
     }
 
-    /// Output of `state` while it stays there.
+    /// Returns the output of `state` while the machine stays in it.
     std::vector<std::int64_t> staying_answer(std::uint32_t state, const std::vector<std::int64_t>& inputs) const {
         for (const MealyMachine::Transition& transition : transitions_from(machine_, {state}))
             if (transition.to.index == state && transition.wait_ms == 0 && holds(transition.condition, inputs))
@@ -204,16 +205,16 @@ private:
     InputSpace space_;
     InputSets sets_;
     std::uint64_t combinations_ = 0;
-    std::vector<std::uint32_t> strides_ = {};  ///< per input: its factor in the numbers of combinations
-    std::vector<std::uint32_t> weights_ = {};  ///< per variable of the space
+    std::vector<std::uint32_t> strides_ = {};  ///< factor of each input in the numbers of combinations
+    std::vector<std::uint32_t> weights_ = {};  ///< weight of each variable of the space
     std::vector<TourArc> arcs_ = {};
     std::vector<std::vector<std::int64_t>> witnesses_ = {};
     std::map<std::pair<Id<State>, Id<MealyMachine::OutputWord>>, Bdd> staying_ = {};
     std::uint64_t to_cover_ = 0;
-    std::uint64_t crossed_before_waits_ = 0;  ///< stable transitions covered only by the step before a wait
+    std::uint64_t crossed_before_waits_ = 0;  ///< number of stable transitions covered only by the step before a wait
 };
 
-/// Total number of bits of all inputs.
+/// Returns the total number of bits of all inputs.
 std::size_t input_bits(const MealyMachine& machine) {
     std::size_t bits = 0;
     for (const MealyMachine::Variable& input : machine.inputs) bits += bit_count(input.type);

@@ -11,7 +11,7 @@ StateLayout::StateLayout(const Equations& equations) {
     for (const Kept& each : kept(equations)) {
         const Type type = equations.variables[each.variable].type;
         const auto width = static_cast<std::uint32_t>(std::max<std::size_t>(1, bit_count(type)));
-        if (bits % 64 + width > 64) bits += 64 - bits % 64;  // a field does not cross words
+        if (bits % 64 + width > 64) bits += 64 - bits % 64;  // a field does not cross a word boundary
         fields.push_back({each, type, bits / 64, bits % 64, (std::uint64_t{1} << width) - 1});
         first_bit[each.variable.index] = bits;
         bits += width;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// States: the values that the chart stores between evolutions, packed into words and hash-consed.
+// States: the values that the chart stores between evolutions. They are packed into words and hash-consed.
 //
-// A state contains step activities, stored variables, previous values, the levels that timers observe, and for each
-// timer the events of its level within the current instant: it became true (`fresh`), its fall time may have started
-// (`falling`).
+// A state contains step activities, stored variables, previous values, and the levels that timers observe. For each
+// timer, it also contains the events of its level in the current instant: the level became true (`fresh`), or its fall
+// time may have started (`falling`).
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct StateLayout {
         Kept kept = {};
         Type type = {};
         std::uint32_t word = 0, shift = 0;
-        std::uint64_t mask = 0;  ///< before the shift
+        std::uint64_t mask = 0;  ///< mask before the shift
     };
     struct Timer {
         std::uint32_t fresh = 0, falling = 0;  ///< bit positions
@@ -36,10 +36,10 @@ struct StateLayout {
     std::int64_t value(std::span<const std::uint64_t> state, std::uint32_t field) const;
     void set(PackedState& state, std::uint32_t field, std::int64_t value) const;
 
-    std::vector<Field> fields = {};  ///< those of observed levels come last
-    std::size_t evolving = 0;        ///< number of fields before those
+    std::vector<Field> fields = {};  ///< fields; those of observed levels come last
+    std::size_t evolving = 0;        ///< number of fields that precede those of observed levels
     std::vector<Timer> timers = {};
-    std::size_t words = 1;  ///< of 64 bits
+    std::size_t words = 1;  ///< number of 64-bit words
 };
 
 bool has_bit(std::span<const std::uint64_t> state, std::uint32_t bit);
@@ -66,7 +66,7 @@ private:
 
     std::size_t words_ = 1;
     std::vector<std::uint64_t> packed_ = {};
-    std::vector<StateId> slots_ = std::vector<StateId>(64, no_state);  ///< open addressing
+    std::vector<StateId> slots_ = std::vector<StateId>(64, no_state);  ///< hash table with open addressing
 };
 
 }  // namespace grafverif::conform

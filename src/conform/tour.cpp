@@ -17,25 +17,25 @@ namespace grafverif::conform {
 
 namespace {
 
-// Minimum-cost flow on arcs of unlimited capacity, by the primal-dual method: shortest distances under reduced costs,
-// then a maximal flow along arcs of reduced cost zero.
+// Minimum-cost flow on arcs with unlimited capacity, by the primal-dual method. It alternates between shortest
+// distances under reduced costs and a maximum flow along arcs of reduced cost zero.
 
 class Flow {
 public:
     explicit Flow(std::size_t nodes) : out_(nodes), supply_(nodes) {}
 
-    /// Adds an arc of unlimited capacity and returns its number. Requires `cost` >= 0.
+    /// Adds an arc with unlimited capacity and returns its index. Requires `cost` >= 0.
     std::size_t add_arc(std::uint32_t from, std::uint32_t to, std::int64_t cost);
-    /// Adds supply (negative: demand) at `node`. All supplies must sum up to 0.
+    /// Adds supply (if negative, demand) at `node`. The sum of all supplies must be 0.
     void add_supply(std::uint32_t node, std::int64_t amount) { supply_[node] += amount; }
 
     /// Computes a flow of minimal cost that satisfies the supplies as far as possible.
     void solve();
-    /// After solve: the flow on arc `arc`.
+    /// Returns the flow on arc `arc`, after solve().
     std::int64_t flow(std::size_t arc) const { return halves_[2 * arc + 1].capacity; }
 
 private:
-    /// An arc forwards (even) or backwards (odd).
+    /// An arc in forward direction (even index) or backward direction (odd index).
     struct Half {
         std::uint32_t to = 0;
         std::int64_t cost = 0;
@@ -52,7 +52,7 @@ private:
     }
 
     std::vector<Half> halves_ = {};
-    std::vector<std::vector<std::uint32_t>> out_ = {};  ///< per node: half arcs
+    std::vector<std::vector<std::uint32_t>> out_ = {};  ///< half arcs that leave each node
     std::vector<std::int64_t> supply_ = {};             ///< remaining supply or demand
     std::vector<std::int64_t> potential_ = {};
 };
@@ -72,15 +72,15 @@ void Flow::solve() {
     while (std::ranges::any_of(supply_, [](std::int64_t amount) { return amount > 0; }) && shortest_paths()) saturate();
 }
 
-/// Computes distances from the nodes with supply and adds them to the potentials (Dijkstra under reduced costs). True
-/// if a node with demand can be reached.
+/// Computes distances from the nodes with supply and adds them to the potentials (Dijkstra under reduced costs).
+/// Returns true if a node with demand is reachable.
 bool Flow::shortest_paths() {
     std::vector<std::int64_t> distance(out_.size(), unlimited);
     using Entry = std::pair<std::int64_t, std::uint32_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
     for (std::uint32_t node = 0; node < out_.size(); ++node)
         if (supply_[node] > 0) open.emplace(distance[node] = 0, node);
-    std::int64_t nearest = unlimited;  // with demand
+    std::int64_t nearest = unlimited;  // smallest distance of a node with demand
     while (!open.empty()) {
         const auto [far, node] = open.top();
         open.pop();
@@ -99,7 +99,7 @@ bool Flow::shortest_paths() {
     return true;
 }
 
-/// Computes a maximal flow along arcs of reduced cost zero: level graphs and blocking flows (Dinic).
+/// Computes a maximum flow along arcs of reduced cost zero by level graphs and blocking flows (Dinic).
 void Flow::saturate() {
     while (const std::optional<std::vector<std::uint32_t>> levels = levels_to_demand()) {
         std::vector<std::size_t> next(out_.size());
@@ -107,8 +107,8 @@ void Flow::saturate() {
     }
 }
 
-/// Distance of each node from those with supply, in arcs of reduced cost zero; empty if no node with demand can be
-/// reached.
+/// Returns the distance of each node from the nodes with supply, in arcs of reduced cost zero; empty if no node with
+/// demand is reachable.
 std::optional<std::vector<std::uint32_t>> Flow::levels_to_demand() const {
     constexpr std::uint32_t unseen = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> level(out_.size(), unseen), order;
@@ -127,10 +127,10 @@ std::optional<std::vector<std::uint32_t>> Flow::levels_to_demand() const {
     return found ? std::optional(std::move(level)) : std::nullopt;
 }
 
-/// Sends the supply of `source` along the level graph as far as possible. `next`: per node the first half arc that is
-/// not exhausted.
+/// Sends the supply of `source` along the level graph as far as possible. `next` contains, per node, the first half arc
+/// that is not exhausted.
 void Flow::drain(std::uint32_t source, const std::vector<std::uint32_t>& level, std::vector<std::size_t>& next) {
-    std::vector<std::uint32_t> path;  // half arcs
+    std::vector<std::uint32_t> path;  // path as half arcs
     while (supply_[source] > 0) {
         const std::uint32_t node = path.empty() ? source : halves_[path.back()].to;
         if (supply_[node] < 0) {
@@ -167,7 +167,7 @@ void Flow::send(std::uint32_t source, std::uint32_t target, const std::vector<st
 
 constexpr std::uint32_t none = 0xFFFFFFFFU;
 
-/// Arcs by source node: those of node n are order[first[n]] to order[first[n + 1] - 1].
+/// Arcs by source node. Those of node n are order[first[n]] to order[first[n + 1] - 1].
 struct Leaving {
     std::vector<std::uint32_t> first = {}, order = {};
 
@@ -179,7 +179,7 @@ struct Leaving {
     }
 };
 
-/// One arc per pair of different nodes, the first of several.
+/// Returns one arc per pair of different nodes, the first of several.
 std::vector<std::uint32_t> distinct_arcs(const std::vector<TourArc>& arcs) {
     std::vector<std::uint32_t> all;
     for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
@@ -195,7 +195,7 @@ std::vector<std::uint32_t> distinct_arcs(const std::vector<TourArc>& arcs) {
     return all;
 }
 
-/// True if the graph is strongly connected. Requires that every node can be reached from `start`.
+/// True if the graph is strongly connected. Requires that every node is reachable from `start`.
 bool strongly_connected(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs,
                         const std::vector<std::uint32_t>& distinct) {
     std::vector<std::vector<std::uint32_t>> before(nodes);
@@ -213,20 +213,20 @@ bool strongly_connected(std::uint32_t nodes, std::uint32_t start, const std::vec
     return count == nodes;
 }
 
-/// How often each arc is traversed, and how often the controller is power-cycled in each node.
+/// The number of traversals of each arc, and the number of times that the controller is power-cycled in each node.
 struct Crossings {
     std::vector<std::uint32_t> arcs = {};
-    std::vector<std::int64_t> ends = {};  ///< per node
+    std::vector<std::int64_t> ends = {};  ///< number of power cycles in each node
     std::int64_t starts = 1;
 };
 
-/// Balances incoming and outgoing arcs of each node at minimal cost. Node `nodes` represents the controller switched
-/// off: sequences start and end there.
+/// Balances incoming and outgoing arcs of each node at minimum cost. Node `nodes` represents the controller without
+/// power; sequences start and end there.
 Crossings balanced(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs) {
     const std::vector<std::uint32_t> distinct = distinct_arcs(arcs);
     const bool several = !strongly_connected(nodes, start, arcs, distinct);
-    const std::int64_t step_cost = several ? std::int64_t{1} << 32U : 1;  // the number of sequences is minimized only
-                                                                          // among tours of minimal length
+    // The number of sequences is minimized only among tours of minimum length.
+    const std::int64_t step_cost = several ? std::int64_t{1} << 32U : 1;
     Flow flow(nodes + 1);
     for (const TourArc& arc : arcs) {
         flow.add_supply(arc.to, 1);
@@ -246,8 +246,8 @@ Crossings balanced(std::uint32_t nodes, std::uint32_t start, const std::vector<T
     return crossings;
 }
 
-/// An Eulerian circuit of all traversals through the node of the controller switched off (Hierholzer 1873). If
-/// possible, a wait directly follows a step with the same inputs.
+/// Computes an Eulerian circuit of all traversals through the node that represents the controller without power
+/// (Hierholzer 1873). If possible, a wait directly follows a step with the same inputs.
 class Circuit {
 public:
     Circuit(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs, Crossings crossings)
@@ -263,7 +263,7 @@ public:
 
     std::vector<std::vector<std::uint32_t>> sequences() {
         std::vector<Visit> path{{nodes_, none}};
-        std::vector<std::uint32_t> reversed;  // arcs; `none` at power-on
+        std::vector<std::uint32_t> reversed;  // arcs in reverse order; `none` at power-on
         while (!path.empty()) {
             const Visit here = path.back();
             if (const std::uint32_t arc = onwards(here); arc != none) {
@@ -312,7 +312,8 @@ private:
     const std::vector<TourArc>& arcs_;
     Crossings left_;
     Leaving leaving_;
-    std::vector<std::uint32_t> next_;  ///< per node: the first of its arcs that may have remaining traversals
+    /// Per node: the first of its arcs that may not have been traversed as often as necessary.
+    std::vector<std::uint32_t> next_;
     std::unordered_map<std::uint64_t, std::uint32_t> waits_ = {};
 };
 
@@ -327,13 +328,13 @@ Tour least_tour(std::uint32_t nodes, std::uint32_t start, const std::vector<Tour
 
 namespace {
 
-/// Breadth-first searches for the nearest node in a set.
+/// Finds the nearest node in a set by breadth-first search.
 class NearestSearch {
 public:
     NearestSearch(std::uint32_t nodes, const std::vector<TourArc>& arcs)
         : arcs_(arcs), leaving_(nodes, arcs), seen_in_(nodes), by_(nodes) {}
 
-    /// The arcs of a shortest path from `start` to a node in `wanted`, last first; empty if none can be reached.
+    /// Returns the arcs of a shortest path from `start` to a node in `wanted`, last first; empty if none is reachable.
     std::vector<std::uint32_t> path(std::uint32_t start, const std::vector<bool>& wanted) {
         ++round_;
         std::deque<std::uint32_t> queue{start};
@@ -363,7 +364,8 @@ private:
     const std::vector<TourArc>& arcs_;
     Leaving leaving_;
     std::uint32_t round_ = 0;
-    std::vector<std::uint32_t> seen_in_, by_;  ///< per node: the last search that visited it, and its incoming arc
+    /// Per node: the last search that visited it, and the arc by which it was reached.
+    std::vector<std::uint32_t> seen_in_, by_;
 };
 
 }  // namespace
@@ -377,7 +379,7 @@ Tour visiting_tour(std::uint32_t nodes, std::uint32_t start, const std::vector<T
     std::uint32_t here = start;
     for (auto open = std::ranges::count(wanted, true); open > 0;) {
         const std::vector<std::uint32_t> path = search.path(here, wanted);
-        if (path.empty()) {  // the remaining nodes can only be reached from power-on
+        if (path.empty()) {  // the remaining nodes are reachable only from power-on
             here = start;
             tour.sequences.emplace_back();
             continue;

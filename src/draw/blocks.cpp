@@ -11,19 +11,19 @@ namespace grafverif::draw {
 
 namespace {
 
-/// An edge of the graph that is reduced, between two ends.
+/// An edge of the graph that is being reduced, between two ends.
 struct Edge {
     std::size_t from = 0, to = 0, block = 0;
-    std::vector<std::size_t> hanging = {};  ///< at inner ends, and longer than the edge
+    std::vector<std::size_t> hanging = {};  ///< blocks attached at inner ends that are longer than the edge
     bool gone = false;
 };
 
-/// A vertex of the reduced graph. A single remaining edge of a side is the exclusive or of the edge numbers of this
+/// A vertex of the reduced graph. If one edge remains on a side, it is the exclusive or of the edge numbers of this
 /// side.
 struct End {
     std::size_t in_count = 0, out_count = 0;
     std::size_t in = 0, out = 0;
-    std::vector<std::size_t> from_nowhere = {}, to_nowhere = {};  ///< blocks attached to it
+    std::vector<std::size_t> from_nowhere = {}, to_nowhere = {};  ///< blocks attached to the end
     bool gone = false;
 };
 
@@ -120,7 +120,7 @@ private:
         return edge;
     }
 
-    /// A block of `parts`; parts of the same type are flattened.
+    /// Returns a block of `parts`. Parts of the same type are flattened.
     std::size_t joined(Block::Kind kind, const std::vector<std::size_t>& parts) {
         if (parts.size() == 1 && kind != Block::Kind::Core) return parts.front();
         Block block{.kind = kind, .key = nowhere};
@@ -140,7 +140,7 @@ private:
         return blocks.size() - 1;
     }
 
-    /// `block` in parallel with those of `hanging` that are not longer, or with all of them.
+    /// Returns `block` in parallel with those blocks of `hanging` that are not longer, or with all of them.
     std::size_t beside(std::size_t block, std::vector<std::size_t>& hanging, bool all = false) {
         std::vector<Block>& blocks = result_.blocks;
         std::vector<std::size_t> parts{block}, others;
@@ -191,7 +191,7 @@ private:
         list.push_back(beside(block, edge.hanging, true));
     }
 
-    /// The last end of a connected component of the flow.
+    /// Handles the last end of a connected component of the flow.
     void finish(const End& end) {
         std::vector<std::size_t> halves;
         for (const std::vector<std::size_t>* hanging : {&end.from_nowhere, &end.to_nowhere})
@@ -248,12 +248,12 @@ private:
     const Flow& flow_;
     const Order& order_;
     Blocks result_ = {};
-    std::vector<End> ends_;  ///< for node n: 2n above it, 2n + 1 below
+    std::vector<End> ends_;  ///< ends of node n: index 2n above it, 2n + 1 below it
     std::vector<Edge> edges_ = {};
     std::unordered_map<std::uint64_t, std::size_t> between_ = {};
     std::deque<std::size_t> waiting_ = {};
-    std::vector<std::size_t> parts_ = {};  ///< connected components of the flow
-    std::vector<std::size_t> part_ = {};   ///< per end: union-find parent in its component
+    std::vector<std::size_t> parts_ = {};  ///< blocks of the connected components of the flow
+    std::vector<std::size_t> part_ = {};   ///< union-find parent of each end in its component
 };
 
 }  // namespace

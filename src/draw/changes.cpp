@@ -9,8 +9,8 @@ namespace grafverif::draw {
 
 namespace {
 
-/// Contents of an element, independent of its position; for a link, its ends and direction. Empty if it does not
-/// represent an element of the chart.
+/// Returns the content of an element, independently of its position; for a link, its ends and direction. The result is
+/// empty if the element does not represent an element of the chart.
 std::string content(const Drawing::Element& element) {
     if (!element.id.empty()) return element.classes + '\n' + element.title;
     if (!element.classes.starts_with("link")) return {};
@@ -22,7 +22,7 @@ std::string content(const Drawing::Element& element) {
 }  // namespace
 
 void mark_changes(Drawing& drawing, const Drawing& other) {
-    std::map<std::string, int> there;  // number of occurrences in the other drawing minus those matched so far
+    std::map<std::string, int> there;  // number of occurrences in the other drawing minus the number matched so far
     std::map<std::string, std::string> by_id;
     for (const Drawing::Element& element : other.elements) {
         ++there[content(element)];

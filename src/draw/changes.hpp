@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// mark_changes: compares a drawing with that of a slightly different chart.
+// mark_changes: compares a drawing with the drawing of a slightly different chart.
 #pragma once
 
 #include "grafverif/ir/drawing.hpp"
 
 namespace grafverif::draw {
 
-/// Adds the class `changed` to each element of `drawing` without a counterpart in `other`: a step, transition,
-/// condition or action with another title or class, a link between other ends. Elements that differ only in their
+/// Adds the class `changed` to each element of `drawing` without a counterpart in `other`. This is a step, transition,
+/// condition or action with another title or class, or a link between other ends. Elements that differ only in their
 /// numbers are equal.
 void mark_changes(Drawing& drawing, const Drawing& other);
 

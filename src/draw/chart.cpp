@@ -18,7 +18,7 @@ using Element = Drawing::Element;
 using Point = Drawing::Point;
 
 constexpr int margin = 16, title_height = 22, title_size = 13;
-constexpr int greatest_page = 1400;  ///< maximal width for placing partial charts, unless one is wider
+constexpr int greatest_page = 1400;  ///< maximum width for placing partial charts, unless one of them is wider
 
 void shift(Element& element, Point by) {
     const auto move = [&](Point& point) { point = {point.x + by.x, point.y + by.y}; };
@@ -32,7 +32,7 @@ Drawing::Text heading(int x, int y, const std::string& text) {
     return {{x, y}, {{text, false}}, Drawing::Anchor::Start, title_size, width_of(text, title_size), "title"};
 }
 
-/// The layout of a partial chart, with its upper left corner at (0, 0).
+/// The layout of a partial chart, with its upper-left corner at (0, 0).
 struct Panel {
     std::vector<Element> elements = {};
     Drawing::Size size = {};
@@ -74,7 +74,7 @@ private:
         parts_.push_back(std::move(symbol));
     }
 
-    /// Adds the links of each step to its transitions in their order; the links into a transition follow.
+    /// Adds the links of each step to its transitions in their order, followed by the links into each transition.
     void add_links(const Members& members) {
         for (std::size_t k = 0; k < members.transitions.size(); ++k) {
             const Chart::Transition& transition = chart_.transitions[members.transitions[k]];
@@ -129,9 +129,9 @@ private:
     const Chart& chart_;
     const Symbols& symbols_;
     const DrawOptions& options_;
-    std::vector<std::size_t>& nodes_;  ///< per step of the chart
+    std::vector<std::size_t>& nodes_;  ///< node of each step of the chart
     Flow flow_ = {};
-    std::vector<Symbol> parts_ = {};  ///< per node
+    std::vector<Symbol> parts_ = {};  ///< symbol of each node
     Routes routes_ = {};
     std::vector<Element> elements_ = {};
 };
@@ -174,7 +174,7 @@ class Skyline {
 public:
     Skyline(int top, int right) : levels_({{margin, top}}), right_(right) {}
 
-    /// Lowest free position for a panel.
+    /// Returns the lowest free position for a panel.
     Point place(Drawing::Size size) {
         std::size_t best = 0;
         int y = std::numeric_limits<int>::max();
@@ -191,7 +191,7 @@ public:
     }
 
 private:
-    /// The greatest y above a panel that begins at level `k`.
+    /// Returns the greatest y above a panel that begins at level `k`.
     int lowest_above(std::size_t k, int width) const {
         int lowest = levels_[k].y;
         for (std::size_t j = k; j < levels_.size() && levels_[j].x < levels_[k].x + width + margin; ++j)
@@ -199,7 +199,7 @@ private:
         return lowest;
     }
 
-    std::vector<Point> levels_;  ///< the page is free from y on, from x to the next entry
+    std::vector<Point> levels_;  ///< the page is free below y, from x to the next entry
     int right_;
 };
 
@@ -207,7 +207,7 @@ struct Packing {
     std::vector<Point> places = {};
     Drawing::Size size = {};
 
-    /// The height of a page of the usual proportions that contains it.
+    /// Returns the height of a page with the usual aspect ratio that contains the drawing.
     int page() const { return std::max(size.width * 10 / 14, size.height); }
 };
 

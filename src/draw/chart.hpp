@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// drawing_of: a chart as a drawing. Partial charts are placed next to each other, named ones in a frame with their
-// name. Each is laid out separately: Flow, Order, Blocks, Columns, Routes. Equal charts give equal drawings, in linear
-// time.
+// drawing_of: creates the drawing of a chart. Partial charts are placed next to each other; named ones have a frame
+// with their name. Each is laid out separately in the stages Flow, Order, Blocks, Columns, Routes. Equal charts have
+// equal drawings. The cost is linear.
 #pragma once
 
 #include "draw/chart_text.hpp"

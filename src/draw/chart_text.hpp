@@ -9,9 +9,10 @@
 namespace grafverif {
 
 struct ChartText {
-    std::vector<std::string> comments = {};                      ///< comments of steps; they are drawn
-    std::vector<std::string> transitions = {}, continuous = {};  ///< conditions as written; drawn in Notation::Text
-    std::vector<std::string> events = {}, values = {};           ///< of stored actions, as written
+    std::vector<std::string> comments = {};  ///< comments of steps, which are drawn
+    /// Conditions as in the source, which are drawn in Notation::Text.
+    std::vector<std::string> transitions = {}, continuous = {};
+    std::vector<std::string> events = {}, values = {};  ///< events and values of stored actions as in the source
 };
 
 }  // namespace grafverif

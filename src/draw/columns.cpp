@@ -10,9 +10,9 @@ namespace grafverif::draw {
 
 namespace {
 
-constexpr int gap = 14;                 ///< between parallel elements
-constexpr std::size_t rounds = 8;       ///< iterations for ordering the strips of a core
-constexpr std::size_t far_enough = 32;  ///< number of neighbours considered to choose a side
+constexpr int gap = 14;                 ///< distance between parallel elements
+constexpr std::size_t rounds = 8;       ///< number of iterations for ordering the strips of a core
+constexpr std::size_t far_enough = 32;  ///< number of neighbours that are considered when a side is chosen
 
 /// Extent of a block on both sides of its axis, and offset of its axis from that of its parent.
 struct Reach {
@@ -21,7 +21,7 @@ struct Reach {
 
 enum class Side : unsigned char { Left, Right };
 
-/// Lanes next to one block on one side.
+/// Lanes on one side of a block.
 struct Beside {
     std::vector<std::size_t> lanes = {};
     int width = 0;
@@ -72,8 +72,8 @@ private:
         return stub != nowhere ? stub : blocks_.of_node[flow_.arcs[arc].to];
     }
 
-    /// Number of the nearest neighbours that a line from `block` to the side of `whole` crosses in `channel`: those to
-    /// the left minus those to the right.
+    /// Returns the number of those nearest neighbours that a line from `block` to the side of `whole` crosses in
+    /// `channel`: neighbours to the left minus neighbours to the right.
     int leaning(std::size_t block, std::size_t whole, std::size_t channel) const {
         int crossed = 0;
         for (; block != whole; block = at(block).parent) {
@@ -89,10 +89,10 @@ private:
         return crossed;
     }
 
-    /// Links up to the same step share a lane on each side.
+    /// Assigns links to lanes. Links up to the same step share a lane on each side.
     void choose_lanes() {
         std::map<std::tuple<std::size_t, Side>, std::size_t> shared;
-        std::vector<std::pair<std::size_t, Side>> places;  ///< per lane
+        std::vector<std::pair<std::size_t, Side>> places;  ///< block and side of each lane
         for (std::size_t arc = 0; arc < flow_.arcs.size(); ++arc) {
             if (!order_.upward[arc]) continue;
             const auto [from, to] = flow_.arcs[arc];
@@ -114,11 +114,11 @@ private:
         for (std::size_t lane = 0; lane < places.size(); ++lane) beside_[places[lane]].lanes.push_back(lane);
     }
 
-    /// Places short lanes nearest to the block; lanes whose rows are disjoint may share a column. `x` is relative to
-    /// the block.
+    /// Places short lanes nearest to the block. Lanes with disjoint rows may share a column. `x` is relative to the
+    /// block.
     void pack_lanes() {
         for (auto& [place, beside] : beside_) {
-            std::vector<std::set<std::pair<std::size_t, std::size_t>>> taken;  // low and high, per column
+            std::vector<std::set<std::pair<std::size_t, std::size_t>>> taken;  // pairs of low and high, per column
             std::ranges::stable_sort(beside.lanes, {}, [&](std::size_t lane) {
                 return columns_.lanes[lane].high - columns_.lanes[lane].low;
             });
@@ -164,8 +164,8 @@ private:
         }
     }
 
-    /// Consecutive parts share the axis. A branch attached to one of them may extend into the rows of others: from
-    /// there on the parts are placed to the right of those before.
+    /// Consecutive parts share the axis. A branch attached to one of them may extend into the rows of other parts. From
+    /// such a row on, the parts are placed to the right of the preceding ones.
     void measure_series(std::size_t number) {
         std::vector<Strip> strips;
         each_part(number, [&](std::size_t part) {
@@ -187,7 +187,7 @@ private:
         std::vector<std::size_t> parts = {};
     };
 
-    /// Places each strip as far to the left as those before it allow.
+    /// Places each strip as far to the left as the preceding strips permit.
     void pack(std::size_t number, std::vector<Strip>& strips) {
         const std::size_t low = at(number).low;
         std::vector<int> skyline(at(number).high - low + 1, 0);
@@ -200,7 +200,7 @@ private:
         }
     }
 
-    /// The axis is centred between the first and the last of the parts that extend from end to end.
+    /// Centres the axis between the first and the last of the parts that extend from end to end.
     void measure_parallel(std::size_t number) {
         int right = 0, first = 0, last = 0;
         bool any = false;
@@ -221,7 +221,7 @@ private:
         settle(number, (first + last) / 2);
     }
 
-    /// Moves the parts so that `axis` becomes 0.
+    /// Moves the parts such that `axis` becomes 0.
     void settle(std::size_t number, int axis) {
         Reach& whole = reach_[number];
         each_part(number, [&](std::size_t part) {
@@ -232,7 +232,7 @@ private:
         });
     }
 
-    /// Orders the strips so that their connections are short.
+    /// Orders the strips such that their connections are short.
     void measure_core(std::size_t number) {
         std::vector<std::size_t> parts;
         each_part(number, [&](std::size_t part) { parts.push_back(part); });
@@ -245,7 +245,7 @@ private:
     }
 
     void order_strips(std::vector<std::size_t>& strips) const {
-        std::map<std::size_t, std::vector<std::size_t>> ends;  // the strips that meet at each end
+        std::map<std::size_t, std::vector<std::size_t>> ends;  // strips that meet at each end
         for (const std::size_t strip : strips)
             for (const std::size_t end : {at(strip).above, at(strip).below})
                 if (end != nowhere) ends[end].push_back(strip);
@@ -270,7 +270,7 @@ private:
         return places;
     }
 
-    /// The barycentre of all strips connected to a strip.
+    /// Returns the barycentre of all strips that are connected to each strip.
     static std::map<std::size_t, double> centres_of(const std::vector<std::size_t>& strips, const Ends& ends) {
         const std::map<std::size_t, double> places = places_of(strips);
         std::map<std::size_t, std::pair<double, double>> sums;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Columns: horizontal positions. The parts of a Series share one axis; parallel parts keep a distance; upward links run
-// in lanes next to the smallest block that contains both of their ends.
+// Columns: horizontal positions. The parts of a Series share one axis; parallel parts have a minimum distance; upward
+// links run in lanes next to the smallest block that contains both of their ends.
 //
-// No two of these share a column in a common row, for every flow: a vertical line never runs through a node.
+// For every flow, no two of these elements share a column in a common row. Therefore a vertical line never runs through
+// a node.
 #pragma once
 
 #include <vector>
@@ -12,7 +13,7 @@
 
 namespace grafverif::draw {
 
-/// Path of upward links from below a node to above another one: `low` and `high` are channels.
+/// Path of upward links from below one node to above another. `low` and `high` are channels.
 struct Lane {
     int x = 0;
     std::size_t low = nowhere, high = 0;
@@ -20,14 +21,14 @@ struct Lane {
 
 struct Columns {
     std::vector<int> nodes = {};
-    std::vector<int> arcs = {};                 ///< for arcs that are not upward
-    std::vector<int> exits = {}, entries = {};  ///< for arcs that have one
-    std::vector<std::size_t> lane_of = {};      ///< per upward arc
+    std::vector<int> arcs = {};                 ///< column of each arc that is not upward
+    std::vector<int> exits = {}, entries = {};  ///< columns of each arc that has an exit or entry
+    std::vector<std::size_t> lane_of = {};      ///< lane of each upward arc
     std::vector<Lane> lanes = {};
     int width = 0;
 };
 
-/// `pitch`: minimal distance of vertical lines.
+/// Computes the columns. `pitch` is the minimum distance of vertical lines.
 Columns columns_of(const Flow& flow, const Order& order, const Blocks& blocks, int pitch);
 
 }  // namespace grafverif::draw

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Flow: the graph of one partial chart for layout, and its reading order: rows from top to bottom.
+// Flow: the graph of one partial chart for layout, with its reading order: rows from top to bottom.
 //
 // Steps are in even rows, transitions in odd ones. A depth-first search starts at the roots; an arc to an unfinished
-// node is an upward link. Without those, a node is one row below the lowest of its predecessors. All algorithms are
-// linear in nodes and arcs, and the result depends only on their order.
+// node is an upward link. Apart from upward links, a node is one row below the lowest of its predecessors. All
+// algorithms are linear in nodes and arcs, and the result depends only on their order.
 #pragma once
 
 #include <cstddef>
@@ -18,17 +18,17 @@ struct ReservedSpace {
 
 struct Flow {
     struct Node {
-        bool bar = false;  ///< a transition: several links join in a double line
-        int port = 0;      ///< distance from the centre up and down to the ends of links
+        bool bar = false;  ///< for a transition: true if several links join in a double line
+        int port = 0;      ///< distance from the centre to the upper and lower ends of links
         ReservedSpace room = {};
-        std::vector<std::size_t> in = {}, out = {};  ///< arcs, in their order
+        std::vector<std::size_t> in = {}, out = {};  ///< incoming and outgoing arcs, in order
     };
     struct Arc {
         std::size_t from = 0, to = 0;
     };
     std::vector<Node> nodes = {};
     std::vector<Arc> arcs = {};
-    std::vector<std::size_t> roots = {};  ///< starting points of the reader; unreachable nodes follow
+    std::vector<std::size_t> roots = {};  ///< nodes at which reading starts; unreachable nodes follow
 
     std::size_t add(bool bar, int port, ReservedSpace room) {
         nodes.push_back({.bar = bar, .port = port, .room = room});
@@ -42,9 +42,9 @@ struct Flow {
 };
 
 struct Order {
-    std::vector<std::size_t> rows = {};   ///< per node
-    std::vector<std::size_t> found = {};  ///< per node: discovery index in the search
-    std::vector<bool> upward = {};        ///< per arc
+    std::vector<std::size_t> rows = {};   ///< row of each node
+    std::vector<std::size_t> found = {};  ///< discovery index of each node in the search
+    std::vector<bool> upward = {};        ///< true for upward arcs
     std::size_t row_count = 0;
 };
 

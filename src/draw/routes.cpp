@@ -15,13 +15,13 @@ using Point = Drawing::Point;
 using Line = Drawing::Line;
 
 constexpr int track_pitch = 12, channel_margin = 10;
-constexpr int double_line = 4;  ///< distance between its two lines
-constexpr int overhang = 10;    ///< of a double line
-constexpr int piece_gap = 36;   ///< between adjacent pieces
+constexpr int double_line = 4;  ///< distance between the two lines of a double line
+constexpr int overhang = 10;    ///< overhang of a double line
+constexpr int piece_gap = 36;   ///< distance between adjacent pieces
 constexpr int page_height = 1600;
-constexpr double page_shape = 1.3;  ///< height divided by width
+constexpr double page_shape = 1.3;  ///< ratio of height to width
 
-/// Horizontal lines in the upper or lower part of a channel, on separate tracks if they would overlap.
+/// Horizontal lines in the upper or lower part of a channel. Lines that would overlap are on separate tracks.
 class Tracks {
 public:
     void add(int low, int high, std::size_t& track) { spans_.push_back({low, high, &track}); }
@@ -73,7 +73,7 @@ public:
     }
 
 private:
-    /// No horizontal line is needed because no links join there.
+    /// No horizontal line is necessary, because no links join at this point.
     static constexpr std::size_t straight = nowhere;
 
     struct Place {
@@ -86,7 +86,8 @@ private:
     bool meets_below(std::size_t node) const { return flow_.nodes[node].bar && flow_.nodes[node].out.size() > 1; }
     bool meets_above(std::size_t node) const { return flow_.nodes[node].bar && flow_.nodes[node].in.size() > 1; }
 
-    /// Positions at which a link leaves the line below its first node and enters the line above its last node.
+    /// Return the positions at which a link leaves the line below its first node and enters the line above its last
+    /// node.
     int leaves_at(std::size_t arc) const {
         if (!order_.upward[arc]) return columns_.arcs[arc];
         return has_exit(arc) ? columns_.exits[arc] : lane(arc).x;
@@ -174,7 +175,7 @@ private:
 
     // -- folding -----------------------------------------------------------------------------------------------------
 
-    /// Per channel: number of vertical lines that cross its middle.
+    /// Returns, for each channel, the number of vertical lines that cross its middle.
     std::vector<int> passing() const {
         std::vector<int> changes(rows_ + 2, 0);
         const auto pass = [&](std::size_t first, std::size_t last) {
@@ -211,7 +212,7 @@ private:
         measure_pieces();
     }
 
-    /// Computes the horizontal extent of each piece from its contents.
+    /// Computes the horizontal extent of each piece from its content.
     void measure_pieces() {
         const std::size_t count = begins_.size();
         std::vector<int> left(count, columns_.width), right(count, 0);
@@ -258,7 +259,7 @@ private:
 
     // -- lines -------------------------------------------------------------------------------------------------------
 
-    /// Points on the track below the row above `channel`, and on the track above the row below it.
+    /// Return points on the track below the row above `channel`, and on the track above the row below it.
     Place upper(int x, std::size_t channel, std::size_t track) const {
         return {x, upper_y(channel, track), piece_of_row(channel == 0 ? 0 : channel - 1)};
     }
@@ -285,7 +286,7 @@ private:
             meet(span_below(node), port(node, 1), upper(columns_.nodes[node], row + 1, below_[node]), double_line);
     }
 
-    /// Path of a link from its beginning to the column in which it continues.
+    /// Returns the path of a link from its beginning to the column in which it continues.
     std::vector<Place> beginning(std::size_t arc) const {
         const std::size_t node = flow_.arcs[arc].from, channel = order_.rows[node] + 1;
         if (meets_below(node)) {
@@ -315,7 +316,7 @@ private:
         add_lines(places);
     }
 
-    /// Down to its lane, up with an arrow next to the target node, and down into it.
+    /// Routes an upward link: down to its lane, up with an arrow next to the target node, and down into the node.
     void route_upward(std::size_t arc) {
         const auto [from, to] = flow_.arcs[arc];
         const int x = lane(arc).x;
@@ -337,7 +338,7 @@ private:
         add_lines(down);
     }
 
-    /// Adds the lines through `places`, cut at the boundaries of pieces.
+    /// Adds the lines through `places`, which are cut at the boundaries of pieces.
     void add_lines(const std::vector<Place>& places) {
         std::vector<Line>& lines = routes_.arcs[arc_];
         lines.emplace_back();
@@ -368,7 +369,7 @@ private:
         }
     }
 
-    /// Adds the label of the line at `x` that is cut between two pieces, one at each end.
+    /// Adds the labels of the line at `x` that is cut between two pieces, one label at each end.
     void refer(Point at, bool below, int x, std::size_t boundary) {
         const std::size_t number = numbers_.try_emplace({boundary, x}, numbers_.size() + 1).first->second;
         if (named_.emplace(number, below).second) routes_.references.push_back({at, below, number, arc_});
@@ -378,14 +379,14 @@ private:
     const Order& order_;
     const Columns& columns_;
     std::size_t rows_;
-    std::vector<std::size_t> below_ = {}, above_ = {};  ///< tracks per node
-    std::vector<std::size_t> exit_ = {}, entry_ = {};   ///< per arc
+    std::vector<std::size_t> below_ = {}, above_ = {};  ///< tracks below and above each node
+    std::vector<std::size_t> exit_ = {}, entry_ = {};   ///< tracks of each arc
     std::vector<int> upper_count_ = {}, lower_count_ = {};
-    std::vector<int> tops_ = {}, middles_ = {}, bottoms_ = {};         ///< per channel
-    std::vector<int> centres_ = {};                                    ///< per row
-    std::vector<std::size_t> begins_ = {};                             ///< per piece: its first row
-    std::vector<int> shift_x_ = {}, shift_y_ = {};                     ///< per piece
-    std::map<std::pair<std::size_t, int>, std::size_t> numbers_ = {};  ///< of lines that are cut
+    std::vector<int> tops_ = {}, middles_ = {}, bottoms_ = {};         ///< positions of each channel
+    std::vector<int> centres_ = {};                                    ///< position of each row
+    std::vector<std::size_t> begins_ = {};                             ///< first row of each piece
+    std::vector<int> shift_x_ = {}, shift_y_ = {};                     ///< displacement of each piece
+    std::map<std::pair<std::size_t, int>, std::size_t> numbers_ = {};  ///< numbers of cut lines
     std::set<std::pair<std::size_t, bool>> named_ = {};
     std::size_t arc_ = 0;
     Routes routes_ = {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Routes: vertical positions, and the connecting lines. Horizontal lines are only between two rows, on tracks: those
-// from the row above on the upper tracks, those to the row below on the lower ones, so that a line never reverses. A
-// long flow is folded: it is cut between two rows where few lines pass, and the pieces are placed side by side. Each
+// Routes: vertical positions and connecting lines. Horizontal lines run only between two rows, on tracks. Lines from
+// the row above are on the upper tracks and lines to the row below on the lower tracks, so that a line never reverses.
+// A long flow is folded: it is cut between two rows where few lines pass, and the pieces are placed side by side. Each
 // cut line is labelled with a number at both ends.
 #pragma once
 
@@ -23,11 +23,11 @@ struct Routes {
     /// The end of a cut line.
     struct Reference {
         Drawing::Point at = {};  ///< end point of the line
-        bool below = false;      ///< the label is below it
+        bool below = false;      ///< true if the label is below the end
         std::size_t number = 0;
         std::size_t arc = 0;  ///< one of the arcs of the line
     };
-    std::vector<Drawing::Point> nodes = {};  ///< centres
+    std::vector<Drawing::Point> nodes = {};  ///< centres of the nodes
     std::vector<std::vector<Drawing::Line>> arcs = {};
     std::vector<Meeting> meetings = {};
     std::vector<Reference> references = {};
@@ -36,7 +36,8 @@ struct Routes {
 
 inline constexpr int reference_height = 12;
 
-/// `pieces`: number of pieces into which the flow is folded; 0: chosen for a good page shape.
+/// Computes the routes. `pieces` is the number of pieces into which the flow is folded; 0 selects a number with a good
+/// page shape.
 Routes routes_of(const Flow& flow, const Order& order, const Columns& columns, int pieces);
 
 }  // namespace grafverif::draw

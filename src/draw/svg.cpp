@@ -15,7 +15,7 @@ namespace {
 
 using Point = Drawing::Point;
 
-constexpr std::size_t longest_title = 1000;  ///< characters
+constexpr std::size_t longest_title = 1000;  ///< maximum length of a title in characters
 
 std::string escaped(std::string_view text) {
     std::string xml;
@@ -79,7 +79,7 @@ private:
         if (line.arrow && line.points.size() > 1) head(line.points[line.points.size() - 2], line.points.back());
     }
 
-    /// The head of an arrow whose last segment goes from `from` to `tip`.
+    /// Draws the head of an arrow whose last segment goes from `from` to `tip`.
     void head(Point from, Point tip) {
         const int along = 8, across = 4;
         const int dx = tip.x == from.x  ? 0

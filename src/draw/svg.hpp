@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A drawing as SVG. Colours are `currentColor` and `none`, and red for `changed` elements. They are set by attributes,
-// so that the style of a page overrides them (docs/how-to/draw.md). There are no style sheets, no scripts, and no ids
-// except those of the elements.
+// Writes a drawing as SVG. Colours are `currentColor` and `none`, and red for `changed` elements. They are set by
+// attributes, so that the style of a page overrides them (docs/how-to/draw.md). There are no style sheets, no scripts,
+// and no ids except those of the elements.
 #pragma once
 
 #include <iosfwd>

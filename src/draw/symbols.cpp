@@ -15,13 +15,13 @@ using Anchor = Drawing::Anchor;
 
 constexpr int half_step = 20;  ///< half the height of a step, and half its width if its name is short
 constexpr int half_bar = 15;
-constexpr int box_height = 24;  ///< of an action
+constexpr int box_height = 24;  ///< height of the box of an action
 constexpr int line_height = 15;
 constexpr int text_size = 12, small_size = 11;
-constexpr int widest_text = 260;  ///< longer conditions are broken
-constexpr int widest_row = 280;   ///< of actions; wider ones are stacked
+constexpr int widest_text = 260;  ///< maximum width of a condition; longer conditions are broken into lines
+constexpr int widest_row = 280;   ///< maximum width of a row of actions; wider rows are stacked
 constexpr int widest_comment = 170;
-constexpr std::size_t longest_comment = 120;  ///< characters
+constexpr std::size_t longest_comment = 120;  ///< maximum length of a comment in characters
 
 Drawing::Text text_at(int x, int y, Runs runs, int size, Anchor anchor, const char* kind) {
     const int width = width_of(runs, size);
@@ -56,7 +56,7 @@ struct Symbols::Action {
     std::string label = {};
     std::vector<Runs> above = {};  ///< its condition, in lines
     Sign sign = Sign::None;
-    bool twofold = false;  ///< a forcing order
+    bool twofold = false;  ///< true for a forcing order
 
     int width() const {
         return std::max({half_step, width_of(label, text_size) + 16, widest_of(above, small_size) + 14});
@@ -67,7 +67,7 @@ struct Symbols::Action {
     }
     int foot() const { return sign == Sign::Down ? 10 : 0; }
 
-    /// The element with its left edge and vertical centre at this position.
+    /// Returns the element with its left edge and vertical centre at this position.
     Drawing::Element at(int left, int middle) const {
         Drawing::Element drawn = element;
         const int top = middle - box_height / 2;
@@ -113,7 +113,7 @@ Runs Symbols::runs(const std::vector<std::string>& written, std::uint32_t index,
     return writing_.runs(term);
 }
 
-/// To the right of the step and its actions, in quotation marks as in IEC 60848.
+/// Adds the comment to the right of the step and its actions, in quotation marks as in IEC 60848.
 void Symbols::add_comment(const std::string& comment, Symbol& symbol) const {
     if (comment.empty()) return;
     const std::vector<Runs> lines =
@@ -146,7 +146,7 @@ std::string Symbols::title(Id<Chart::Transition> id) const {
 
 // -- actions ---------------------------------------------------------------------------------------------------------
 
-/// Its condition, with its delay and limit as time conditions: `3s/X2`, not `8s/X2`.
+/// Returns the action with its condition. Its delay and time limit are time conditions: `3s/X2`, not `8s/X2`.
 Symbols::Action Symbols::continuous(Id<Chart::ContinuousAction> id) const {
     const Chart::ContinuousAction& action = chart_.continuous[id];
     const std::string step = writing_.step(action.step);
@@ -155,7 +155,7 @@ Symbols::Action Symbols::continuous(Id<Chart::ContinuousAction> id) const {
     if (!is_true(chart_.exprs, action.condition)) {
         Runs condition = runs(text_.continuous, id.index, action.condition);
         const bool alone = action.delay_ms == 0 && action.limit_ms == 0;
-        // The source text may have a disjunction that the simplified term lacks.
+        // The source text may contain a disjunction that the simplified term does not contain.
         const std::string text = plain_text(condition);
         const bool disjunction =
             iec ? chart_.exprs[action.condition].op == Op::Or
@@ -226,7 +226,7 @@ Symbols::Action Symbols::forcing(Id<Chart::ForcingOrder> id) const {
             .twofold = true};
 }
 
-/// Draws actions in a row, connected with the node by a line. If they have conditions or the row would be too wide,
+/// Draws actions in a row, connected with the node by a line. If they have conditions, or the row would be too wide,
 /// they are stacked and connected by a line at the left.
 void Symbols::add_actions(std::vector<Action> actions, int left, Symbol& symbol) const {
     if (actions.empty()) return;
@@ -256,7 +256,7 @@ void Symbols::add_step_marks(Id<Chart::Step> id, int half, Drawing::Element& ele
     const Chart::Step& step = chart_.steps[id];
     element.boxes.push_back({{-half, -half_step}, {2 * half, 2 * half_step}});
     if (step.initial) element.boxes.push_back({{4 - half, 4 - half_step}, {2 * half - 8, 2 * half_step - 8}});
-    if (step.kind == Chart::StepKind::Enclosing) {  // a line across each corner of the innermost square
+    if (step.kind == Chart::StepKind::Enclosing) {  // draws a line across each corner of the innermost square
         Drawing::Box corners = element.boxes.back();
         corners.cut = 9;
         element.boxes.push_back(corners);

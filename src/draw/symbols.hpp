@@ -14,10 +14,10 @@
 
 namespace grafverif::draw {
 
-/// The symbol of one node with everything attached to it, around (0, 0).
+/// The symbol of one node, with everything attached to it, relative to (0, 0).
 struct Symbol {
     ReservedSpace room = {};
-    int port = 0;  ///< distance from the centre up and down to the ends of links
+    int port = 0;  ///< distance from the centre to the upper and lower ends of links
     std::vector<Drawing::Element> elements = {};
 };
 
@@ -29,7 +29,7 @@ public:
     const ElementIds& ids() const { return ids_; }
     Symbol step(Id<Chart::Step> step) const;
     Symbol transition(Id<Chart::Transition> transition) const;
-    /// `T4: from 2 to 3, 4`.
+    /// Returns a title such as `T4: from 2 to 3, 4`.
     std::string title(Id<Chart::Transition> transition) const;
 
 private:
@@ -38,7 +38,8 @@ private:
     Action continuous(Id<Chart::ContinuousAction> action) const;
     Action stored(Id<Chart::StoredAction> action) const;
     Action forcing(Id<Chart::ForcingOrder> order) const;
-    /// `term` as in the source file if Notation::Text is selected and `written` contains its text.
+    /// Returns `term` as in the source file if Notation::Text is selected and `written` contains its text; otherwise in
+    /// the notation of the drawing.
     Runs runs(const std::vector<std::string>& written, std::uint32_t index, Id<Expr> term) const;
     void add_comment(const std::string& comment, Symbol& symbol) const;
     std::string names_of(const std::vector<Id<Chart::Step>>& steps) const;
@@ -49,11 +50,11 @@ private:
     const ChartText& text_;
     Writing writing_;
     ElementIds ids_;
-    std::vector<bool> active_ = {};                                          ///< per step
-    std::vector<std::vector<Id<Chart::ContinuousAction>>> continuous_ = {};  ///< per step
-    std::vector<std::vector<Id<Chart::StoredAction>>> stored_ = {};          ///< per step
-    std::vector<std::vector<Id<Chart::ForcingOrder>>> forcing_ = {};         ///< per step
-    std::vector<std::vector<Id<Chart::StoredAction>>> on_clearing_ = {};     ///< per transition
+    std::vector<bool> active_ = {};  ///< per step: true if it is marked as active
+    std::vector<std::vector<Id<Chart::ContinuousAction>>> continuous_ = {};  ///< continuous actions of each step
+    std::vector<std::vector<Id<Chart::StoredAction>>> stored_ = {};          ///< stored actions of each step
+    std::vector<std::vector<Id<Chart::ForcingOrder>>> forcing_ = {};         ///< forcing orders of each step
+    std::vector<std::vector<Id<Chart::StoredAction>>> on_clearing_ = {};     ///< stored actions of each transition
 };
 
 }  // namespace grafverif::draw

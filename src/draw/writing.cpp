@@ -57,7 +57,7 @@ Spelling iec_spelling(Op op) {
     return spelling;
 }
 
-/// Overlines are not nested: an inner negation is written with a sign and brackets.
+/// Splits marked text into runs. Overlines are not nested: an inner negation is written with a sign and brackets.
 Runs runs_of_marked(std::string_view marked) {
     Runs runs;
     int depth = 0;

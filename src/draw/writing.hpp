@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Writing: widths of texts, line breaking, and the notation of a chart's terms in drawings.
 //
-// The width of a character is the maximum of DejaVu Sans and Liberation Sans (Arial has the same widths); characters
-// that may be missing in both count slightly more than an em.
+// The width of a character is the maximum of its widths in DejaVu Sans and Liberation Sans (Arial has the same widths).
+// For characters that may be missing in both fonts, slightly more than an em is assumed.
 #pragma once
 
 #include <iosfwd>
@@ -17,24 +17,24 @@ namespace grafverif::draw {
 
 inline constexpr std::string_view font_family = "'DejaVu Sans', 'Liberation Sans', Arial, Helvetica, sans-serif";
 
-/// Maximal number of characters of a name in a drawing; the title of its element contains more.
+/// Maximum number of characters of a name in a drawing. The title of its element may contain more.
 inline constexpr std::size_t longest_name = 40;
 
 using Runs = std::vector<Drawing::Run>;
 
-/// Upper bound for the width in pixels of one line in a font of `size` pixels.
+/// Returns an upper bound for the width, in pixels, of one line in a font of `size` pixels.
 int width_of(std::string_view text, int size);
 int width_of(const Runs& runs, int size);
 
-/// `runs` in lines of at most `width` if spaces allow it; a longer word has a separate line. Text beyond `most_lines`
-/// is replaced by an ellipsis.
+/// Returns `runs` in lines of at most `width` if spaces permit it. A longer word has a separate line. Text beyond
+/// `most_lines` is replaced by an ellipsis.
 std::vector<Runs> wrapped(const Runs& runs, int size, int width);
 inline constexpr std::size_t most_lines = 24;
 
-/// The text without overlines: `!a` for a negated `a`.
+/// Returns the text without overlines: `!a` for a negated `a`.
 std::string plain_text(const Runs& runs);
 
-/// `text` with at most `characters` characters; if it is cut, the last one is an ellipsis.
+/// Returns `text` with at most `characters` characters. If it is truncated, the last one is an ellipsis.
 std::string shortened(std::string_view text, std::size_t characters);
 
 /// Notation of the terms of a chart in its drawing. Steps whose names are unique among the partial charts are not
@@ -44,10 +44,10 @@ public:
     Writing(const Chart& chart, Notation notation);
 
     Notation notation() const { return notation_; }
-    /// A term in one line. Iec (IEC 60848): `·`, `+`, an overline for negation, `↑`, `↓`, predicates in
-    /// square brackets; within a negated term `¬`.
+    /// Returns a term in one line. In the notation Iec (IEC 60848) it uses `·`, `+`, an overline for negation, `↑`,
+    /// `↓`, and predicates in square brackets; within a negated term it uses `¬`.
     Runs runs(Id<Expr> term) const;
-    /// `X2`, `G1.X2`.
+    /// Returns the step variable: `X2`, `G1.X2`.
     const std::string& step(Id<Chart::Step> step) const { return steps_[step.index]; }
 
 private:

@@ -12,7 +12,7 @@ namespace grafverif {
 
 namespace {
 
-/// The sections on one chart; empty after an error.
+/// Returns the sections about one chart; empty after an error.
 std::optional<ChartContent> content_of(const Model& model, const Sources& sources, Id<Chart> chart, bool single,
                                        std::optional<ExecutionMode> mode, const Limits& limits,
                                        Diagnostics& diagnostics) {
@@ -27,7 +27,7 @@ std::optional<ChartContent> content_of(const Model& model, const Sources& source
     return content;
 }
 
-/// The components of the loop, drawn if they are small enough.
+/// Returns the components of the loop, with drawings if they are small enough.
 std::vector<ComponentContent> components_of(const Model& model, Id<ClosedLoop> loop) {
     std::set<Id<Component>> used;
     for (const ClosedLoop::Instance& instance : model.loops[loop].instances) used.insert(instance.component);

@@ -83,10 +83,10 @@ Json violation_json(const std::optional<SentenceViolation>& violation) {
     return {{"moment", violation->moment}, {"steps", std::move(steps)}};
 }
 
-/// Omits the moves of observers, which change nothing in the loop.
+/// Omits the moves of observers, which do not change the loop.
 void omit_observers(ChartRun& run, std::optional<SentenceViolation>& violation) {
     std::vector<ChartRun::Event> kept;
-    std::vector<std::size_t> places;  // per event, the last one kept at or before it
+    std::vector<std::size_t> places;  // for each event: the position of the last kept event at or before it
     for (ChartRun::Event& moment : run.moments) {
         if (moment.kind != ChartRun::Kind::Observer) kept.push_back(std::move(moment));
         places.push_back(kept.size() - 1);

@@ -33,34 +33,34 @@
 
 namespace grafverif {
 
-/// A run on the page.
+/// A run that the page can play.
 struct Playable {
     std::string name = {}, kind = {}, title = {}, end = {};
-    std::string property = {};  ///< of the loop; may be empty
+    std::string property = {};  ///< property of the loop; may be empty
     const ChartRun* run = nullptr;
-    std::vector<std::size_t> charts = {};  ///< per controller of the run
+    std::vector<std::size_t> charts = {};  ///< index of the chart of each controller of the run
 };
-/// Limit of the runs on a page: browsers handle larger pages badly.
-inline constexpr std::size_t longest_playable = 100'000;  // events, of all runs together
-/// True if the run may be included in the page; other runs are listed there with their length.
+/// Limit of the total length of the runs on a page, because browsers cannot handle large pages well.
+inline constexpr std::size_t longest_playable = 100'000;  // number of events of all runs together
+/// True if the page may contain the run. Other runs are listed with their length.
 inline bool can_be_played(const ChartRun& run) {
     return !run.moments.empty() && !run.rows.empty() && run.moments.size() <= longest_playable;
 }
 
-/// The runs of the content that can be played, up to the limit. Order: model errors, violated properties, witnesses,
-/// runs of findings.
+/// Returns the runs of the content that can be played, up to the limit. They are ordered: model errors, violated
+/// properties, witnesses, runs of findings.
 std::vector<Playable> playable_runs(const PageContent& content);
 
-/// The selected properties of the loop without a verdict: the model cannot express them.
+/// Returns the selected properties of the loop without a verdict, which the model cannot express.
 std::vector<const Property*> left_out(const PageContent& content);
 
-/// The id of the figure of a component.
+/// Returns the id of the figure of a component.
 inline std::string component_figure(Id<Component> component) { return "component-" + std::to_string(component.index); }
 
-/// The name of a finding's run in addresses: `step-never-active:X4`.
+/// Returns the name of a finding's run in addresses: `step-never-active:X4`.
 std::string evidence_name(const PageContent& content, const Analysis& analysis, const Finding& finding);
 
-/// The document as text of a script element: `<` is escaped.
+/// Returns the document as text of a script element, in which `<` is escaped.
 std::string page_data(const PageContent& content);
 
 }  // namespace grafverif

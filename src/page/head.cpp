@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The head of a page: the summary verdict and its assumptions.
+// The head of a page: the summary verdict and the assumptions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::size_t undecided(const PageContent& content) {
     return count.unknown + count.undeclared_unknown + left_out(content).size();
 }
 
-/// Errors that the analyses found and that no exclusion accepts.
+/// Returns the number of errors that the analyses found and that are not accepted.
 std::size_t errors_found(const PageContent& content) {
     std::size_t errors = 0;
     for (const ChartContent& each : content.charts)
@@ -36,7 +36,7 @@ std::size_t errors_found(const PageContent& content) {
     return errors;
 }
 
-/// The errors of the charts themselves; empty: none.
+/// Returns text about the errors of the charts themselves; empty if there are none.
 std::string errors_text(const PageContent& content) {
     if (const std::size_t errors = errors_found(content); errors != 0)
         return "the chart analysis found " + counted(errors, "error", "errors");
@@ -45,7 +45,7 @@ std::string errors_text(const PageContent& content) {
     return complete ? "" : "the chart analysis is incomplete";
 }
 
-/// The summary is positive only if every property was decided as expected and the charts have no errors.
+/// Returns the summary. It is positive only if every property was decided as expected and the charts have no errors.
 SummaryItem glance_of(const PageContent& content) {
     const Report& report = content.report;
     const Tally count = tally(report);
@@ -79,7 +79,7 @@ std::string tally_text(const PageContent& content) {
     return listed(words);
 }
 
-/// The assumptions of all verdicts, one sentence each.
+/// Returns the assumptions of all verdicts, one sentence each.
 std::vector<std::string> assumptions(const PageContent& content) {
     const CheckSettings& settings = content.report.settings;
     std::vector<std::string> said;

@@ -8,7 +8,7 @@ namespace grafverif {
 
 namespace {
 
-/// A line break after such an element would be rendered as a blank.
+/// True for an element after which a line break would be rendered as a blank.
 bool inline_tag(std::string_view tag) { return tag == "code" || tag == "strong" || tag == "span"; }
 
 }  // namespace

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // page_of: all results about a file as one self-contained HTML document: text, drawings and tables to read and print,
-// and a player of runs, which needs a script engine. Deterministic: same content, same bytes.
+// and a player of runs, which requires a script engine. The output is deterministic: the same content results in the
+// same bytes.
 //
-// The document allows its style and script by their hashes and forbids everything else (Content-Security-Policy). The
-// data of the script is in the element `data`, see page/data.hpp. Its sections have the ids `verdicts`, `runs`,
-// `findings`, `charts`, `plant`, `equations`, `coverage`. A property has the id `property-NAME`; the drawing of a chart
-// is in the figure `chart-N`, with ids by element_ids(), that of a component in `component-N`.
+// The document permits its style and script by their hashes and forbids everything else (Content-Security-Policy). The
+// data of the script is in the element `data` (see page/data.hpp). The sections have the ids `verdicts`, `runs`,
+// `findings`, `charts`, `plant`, `equations`, `coverage`. A property has the id `property-NAME`. The drawing of a chart
+// is in the figure `chart-N`, with ids by element_ids(); the drawing of a component is in `component-N`.
 #pragma once
 
 #include <optional>
@@ -25,8 +26,8 @@ namespace grafverif {
 /// A chart on the page, with its results.
 struct ChartContent {
     Id<Chart> chart = {};
-    std::string prefix = {};   ///< of the ids in its drawing
-    std::string drawing = {};  ///< a generated `<svg>`
+    std::string prefix = {};   ///< prefix of the ids in its drawing
+    std::string drawing = {};  ///< a generated `<svg>` element
     Equations equations = {};
     Analysis analysis = {};
 };
@@ -34,8 +35,8 @@ struct ChartContent {
 /// A component of the plant on the page.
 struct ComponentContent {
     Id<Component> component = {};
-    std::string drawing = {};  ///< a generated `<svg>`, its locations in order as `rect.node`; empty: too many
-                               ///< locations
+    /// A generated `<svg>` element with its locations in order as `rect.node`; empty if there are too many locations.
+    std::string drawing = {};
 };
 
 /// The content of a page. The references must outlive it.
@@ -43,17 +44,18 @@ struct PageContent {
     const Model& model;
     const Sources& sources;
     std::string file = {}, version = {};
-    std::string date = {};                          ///< as given; empty: not shown
-    std::vector<std::string> requested = {};        ///< the selected properties; empty: all
-    Id<ClosedLoop> loop = {};                       ///< not valid: a chart alone
-    std::vector<ChartContent> charts = {};          ///< of the controllers, in order
-    std::vector<ComponentContent> components = {};  ///< of the plant, each once
+    std::string date = {};                          ///< date as text; if empty, no date is shown
+    std::vector<std::string> requested = {};        ///< names of the selected properties; empty: all
+    Id<ClosedLoop> loop = {};                       ///< invalid if the page is about a chart without a loop
+    std::vector<ChartContent> charts = {};          ///< charts of the controllers, in order
+    std::vector<ComponentContent> components = {};  ///< components of the plant, each once
     Report report = {};
     std::vector<ChartRun> tests = {};  ///< runs of the test sequences of the only chart
-    std::string warnings = {};         ///< rendered diagnostics
+    std::string warnings = {};         ///< diagnostics as text
 };
 
-/// Charts and components of a page on `loop`, or on `chart` alone if `loop` is not valid; empty after an error.
+/// Returns the charts and components of a page about `loop`, or about `chart` if `loop` is invalid; empty after an
+/// error.
 std::optional<PageContent> page_content(const Model& model, const Sources& sources, Id<ClosedLoop> loop,
                                         Id<Chart> chart, std::optional<ExecutionMode> mode, const Limits& limits,
                                         Diagnostics& diagnostics);

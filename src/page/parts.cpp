@@ -20,7 +20,7 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t longest_table = 400;  // rows of a run shown as text
+constexpr std::size_t longest_table = 400;  // maximum number of rows of a run that is shown as text
 
 void begin_section(Html& html, const char* id, std::string_view title) {
     html.open("section", {{"id", id}}).put("h2", title);
@@ -46,7 +46,7 @@ std::string outcome_text(const Verdict& verdict) {
     return words;
 }
 
-/// Its CSS class, and the equivalent symbol.
+/// Returns the CSS class of a verdict and the symbol with the same meaning.
 std::pair<const char*, const char*> look_of(const Verdict& verdict) {
     if (verdict.outcome == Outcome::Unknown) return {"unknown", "?"};
     const char* const mark = verdict.outcome == Outcome::Holds ? "✓" : "✗";

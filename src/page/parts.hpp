@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sections of a page.
+// Adds the sections of a page.
 #pragma once
 
 #include "page/html.hpp"
@@ -7,17 +7,17 @@
 
 namespace grafverif {
 
-/// File, version, date, the summary verdict, assumptions, warnings.
+/// Adds file, version, date, the summary verdict, assumptions and warnings.
 void add_head(const PageContent& content, Html& html);
-/// Every property; those that hold as expected are folded.
+/// Adds every property. Those that hold as expected are folded.
 void add_verdicts(const PageContent& content, Html& html);
-/// The element of the player; without a script, the runs as text.
+/// Adds the element of the player; without a script, the runs are shown as text.
 void add_runs(const PageContent& content, Html& html);
 void add_findings(const PageContent& content, Html& html);
 void add_charts(const PageContent& content, Html& html);
 void add_plant(const PageContent& content, Html& html);
 void add_equations(const PageContent& content, Html& html);
-/// The steps and transitions that the runs of the page used.
+/// Adds the steps and transitions that the runs of the page used.
 void add_coverage(const PageContent& content, Html& html);
 
 }  // namespace grafverif

@@ -56,7 +56,7 @@ const char* name_of(Op op) {
 
 bool is_number(Op op) { return op == Op::Integer || op == Op::Duration || is_arithmetic(op); }
 
-/// The index of a variable among those of its kind, as controllers list them.
+/// Returns the index of a variable among those of its kind, in the order of controllers.
 std::size_t place_of(const Chart& chart, Id<Chart::Variable> wanted) {
     std::size_t place = 0;
     for (const Id<Chart::Variable> id : chart.variables.ids()) {
@@ -110,8 +110,8 @@ public:
     }
 
 private:
-    /// The steps that must be active: after a macro-step also its exit step, for a source transition the owner of its
-    /// partial chart.
+    /// Returns the steps that must be active: for a macro-step also its exit step; for a source transition the owner of
+    /// its partial chart.
     std::vector<Id<Chart::Step>> enabling(const Chart::Transition& transition) const {
         std::vector<Id<Chart::Step>> steps = transition.from;
         const Id<Chart::Step> owner = chart_.partial_charts[transition.chart].owner;
@@ -134,7 +134,7 @@ private:
         if (chart_.variables[{index}].kind == Chart::VariableKind::Output) add_output({index}, node);
         return node;
     }
-    /// A continuous output is replaced by its actions (CEP13 (13)).
+    /// Replaces a continuous output by its actions (CEP13 (13)).
     void add_output(Id<Chart::Variable> output, Json& node) {
         Json actions = Json::array();
         for (const Chart::ContinuousAction& action : chart_.continuous)
@@ -152,7 +152,7 @@ private:
 
 // -- loops ------------------------------------------------------------------------------------------------------------
 
-/// The element that a name of a property refers to, and its text in the loop.
+/// The element to which a name of a property refers, and its text in the loop.
 struct Named {
     Json node = {};
     std::string text = {};
@@ -242,7 +242,7 @@ const char* pattern_of(Pattern pattern) {
     unreachable();
 }
 
-/// The role of each operand of the sentence.
+/// Returns the role of each operand of the sentence.
 std::vector<std::string> headings_of(const Sentence& sentence) {
     const std::string bound = bound_text(sentence);
     const auto own = [&]() -> std::vector<std::string> {
@@ -323,8 +323,8 @@ std::string expectation_text(const Model& model, const ClosedLoop& loop, const P
 
 namespace {
 
-/// The sentence of a property as written in its file, in one line without comments; empty if the property was not read
-/// from a `.grafcet` file.
+/// Returns a property as in its file, in one line without comments; empty if the property was not read from a
+/// `.grafcet` file.
 std::string written_expectation(const Property& property, const Sources& sources) {
     const Span name = property.origin;
     if (!sources.contains(name.source)) return {};

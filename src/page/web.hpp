@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The style and the script of pages, from `web/`, and the hashes that allow only these. cmake/embed_web.cmake generates
-// the sources.
+// The style and the script of pages, from `web/`, and their hashes, which permit only these. cmake/embed_web.cmake
+// generates the sources.
 #pragma once
 
 #include <string_view>
@@ -9,7 +9,7 @@ namespace grafverif {
 
 struct WebText {
     std::string_view text = {};
-    std::string_view sha256 = {};  ///< of the text, in base64
+    std::string_view sha256 = {};  ///< hash of the text in base64
 };
 
 WebText page_style();

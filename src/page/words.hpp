@@ -9,7 +9,7 @@
 
 namespace grafverif {
 
-/// `1 run`, `3 runs`.
+/// Returns text such as `1 run` or `3 runs`.
 inline std::string counted(std::size_t number, std::string_view one, std::string_view many) {
     return std::to_string(number) + " " + std::string(number == 1 ? one : many);
 }

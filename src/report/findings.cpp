@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Findings as text.
+// Writes findings as text.
 #include "report/findings.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ void print_accepted(const Analysis& analysis, std::ostream& out) {
                                printable(*finding.accepted));
 }
 
-/// `X4`, `X5`; names beyond the eighth are counted.
+/// Returns text such as `X4`, `X5`. After the eighth name, only the number of further names is given.
 std::string subjects_text(const std::vector<std::string>& subjects) {
     constexpr std::size_t most = 8;
     std::string text;
@@ -58,7 +58,7 @@ std::string subjects_text(const std::vector<std::string>& subjects) {
     return subjects.size() > most ? fmt::format("{} and {} more", text, subjects.size() - most) : text;
 }
 
-/// The open queries, one line for each code and each number of searched instants.
+/// Prints the open queries, one line for each code and each number of searched instants.
 void print_open(const Analysis& analysis, std::ostream& out) {
     if (analysis.open.empty()) return;
     out << fmt::format("inconclusive: {} of {} checks; {}\n", analysis.open.size(), analysis.questions,

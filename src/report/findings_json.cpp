@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Findings as JSON; for SARIF see report/sarif.cpp.
+// Writes findings as JSON; for SARIF see report/sarif.cpp.
 #include <nlohmann/json.hpp>
 #include <ostream>
 

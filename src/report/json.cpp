@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A number if it fits 64 bits, otherwise its digits: JSON has no bound, but its readers do.
+/// Returns a number if it fits into 64 bits, otherwise its digits as text: JSON has no limit, but its readers do.
 Json number(const std::string& decimal) {
     if (decimal.empty()) return nullptr;
     std::uint64_t value = 0;
@@ -28,7 +28,7 @@ Json number(const std::string& decimal) {
     return read.ec == std::errc() && read.ptr == end ? Json(value) : Json(decimal);
 }
 
-/// The constants of the loop with their current values, if it has any.
+/// Adds the constants of the loop with their current values, if it has any.
 void add_constants(Json& object, const CheckSettings& settings) {
     if (settings.constants.empty()) return;
     Json list = Json::array();
@@ -101,7 +101,7 @@ namespace {
 
 void print_line(const Json& object, std::ostream& out) { out << json_text(object, -1) << '\n'; }
 
-/// The table of a run, line by line.
+/// Returns the table of a run, line by line.
 Json trace_text(const ChartRun& run, std::string_view end) {
     std::ostringstream text;
     print_trace(run, text);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A report as JSON, and as JSON lines. Time is in milliseconds; missing values are null.
+// Writes a report as JSON and as JSON lines. Times are in milliseconds; missing values are null.
 //
-// JSON: `errors` has the model errors; `profile` (report/profile.hpp) and `why` (report/why.hpp) exist if available. In
-// a trace, inputs and outputs are objects by name, all of them in every step; `run` has the complete run
+// In JSON, `errors` contains the model errors; `profile` (report/profile.hpp) and `why` (report/why.hpp) exist if
+// available. In a trace, inputs and outputs are objects by name, all of them in every step. `run` is the complete run
 // (docs/reference/trace-format.md).
 //
 //   {"model", "properties":[PROPERTY], "errors":[{"code", "message", "trace"}], "profile", "why"}
@@ -11,8 +11,8 @@
 //   trace     {"loop_from", "steps":[{"time", "kind", "component", "inputs", "fired", "situation", "outputs",
 //             "moment"}], "run"}
 //
-// JSON lines: one object per verdict. For an unexpected verdict `trace_text` is the table of its trace, line by line.
-// For a model error and an error in the input, `verdict` is `error`, with `code` and `message`.
+// JSON lines have one object per verdict. For an unexpected verdict, `trace_text` is the table of its trace, line by
+// line. For a model error or an error in the input, `verdict` is `error`, with `code` and `message`.
 //
 //   {"file", "line", "column", "model", "property", "text", "verdict", "expected", "declared", "as_expected", "engine",
 //   "mode", "grain", "states", "seconds", "reason", "vacuous", "notes", "trace_text"}
@@ -29,10 +29,10 @@
 
 namespace grafverif {
 
-/// `sources`: of the model; without them the report has no locations.
+/// `sources` are the sources of the model; without them, the report has no positions.
 void print_json(const Report& report, const Sources& sources, std::ostream& out, const ProofExplanation* why = nullptr);
 void print_json_lines(const Report& report, const ReportSource& written, std::ostream& out);
-/// Prints the errors among `diagnostics`; `file`: the checked file.
+/// Prints the errors among `diagnostics`. `file` is the checked file.
 void print_json_lines(const std::string& file, const std::vector<Diagnostic>& diagnostics, const Sources& sources,
                       std::ostream& out);
 

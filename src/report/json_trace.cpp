@@ -38,7 +38,7 @@ Json step(const ChartRun& run, const ChartRun::Row& row) {
             {"moment", row.moment}};
 }
 
-/// The indices of ids in their tables; null for an invalid id.
+/// Returns the indices of ids in their tables; null for an invalid id.
 template <class T>
 Json place(Id<T> id) {
     return id.valid() ? Json(id.index) : Json(nullptr);
@@ -99,7 +99,7 @@ Json act_json(const ChartRun::Act& act) {
             {"stable", or_null(act.stable)}};
 }
 
-/// The values that differ from the previous state, each with its signal.
+/// Returns the values that differ from the previous state, each with its signal.
 Json values_json(const ChartRun::State* before, const ChartRun::State& now) {
     Json list = Json::array();
     for (std::size_t i = 0; i < now.values.size(); ++i)

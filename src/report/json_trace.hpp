@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run as a JSON value, for every report that has one.
+// Converts a run to a JSON value, for every report with a run.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 namespace grafverif {
 
 nlohmann::ordered_json trace_json(const ChartRun& run);
-/// The member `run`: the complete run (docs/reference/trace-format.md).
+/// Returns the member `run`: the complete run (docs/reference/trace-format.md).
 nlohmann::ordered_json run_json(const ChartRun& run);
 
 }  // namespace grafverif

@@ -27,7 +27,7 @@ std::string told(const ChartRun& run, std::string_view end) {
     return std::move(text).str();
 }
 
-/// The first lines of `text`, which build servers show initially.
+/// Returns the first lines of `text`, which build servers show initially.
 std::string first_lines(std::string_view text) {
     constexpr std::size_t shown = 6;
     std::size_t end = 0;
@@ -36,7 +36,7 @@ std::string first_lines(std::string_view text) {
     return std::string(text.substr(0, end)) + "\n...";
 }
 
-/// `<failure ...>`, `<error ...>` or `<skipped ...>`.
+/// Returns `<failure ...>`, `<error ...>` or `<skipped ...>`.
 std::string element(std::string_view name, std::string_view type, std::string_view message, std::string_view content) {
     const std::string kind = type.empty() ? "" : fmt::format(" type=\"{}\"", attribute_xml(type));
     return fmt::format("      <{}{} message=\"{}\">{}</{}>\n", name, kind, attribute_xml(message), data(content), name);
@@ -62,7 +62,7 @@ std::string result(const PropertyResult& answer, const std::optional<FilePlace>&
     return failure(word(verdict.outcome), message, where, answer.trace ? told(*answer.trace, end_of(verdict)) : "");
 }
 
-/// Output of every case: the text of the property, and a note if it holds vacuously.
+/// Returns the output of a case: the text of the property, and a note if it holds vacuously.
 std::string output(const PropertyResult& answer) {
     if (!answer.verdict.vacuous) return answer.text;
     return fmt::format("{}{}{}, vacuously: {}", answer.text, answer.text.empty() ? "" : "\n",

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A Report as JUnit XML, for build servers: a suite per model and a case per property, with its file and line.
+// Writes a Report as JUnit XML for build servers: a suite per model and a case per property, with its file and line.
 //
-// An unexpected verdict is a failure: its message consists of the verdict, its location and the first lines of the
-// trace; its text is the complete trace. An undecided property is an error, or skipped if the model does not declare
-// it. An error that prevents a file from being read or checked is an error of a separate case `input`.
+// An unexpected verdict is a failure. Its message consists of the verdict, its position and the first lines of the
+// trace; its text is the complete trace. An undecided property is an error, or is skipped if the model does not declare
+// it. If an error prevents a file from being read or checked, it is the error of a separate case `input`.
 #pragma once
 
 #include <cstdint>
@@ -18,23 +18,23 @@
 
 namespace grafverif {
 
-/// `<testsuite>...</testsuite>`, its lines indented.
+/// Returns `<testsuite>...</testsuite>` with indented lines.
 std::string junit_suite(const Report& report, const ReportSource& written);
-/// For a file with errors.
+/// Returns the suite of a file with errors.
 std::string junit_suite(std::string_view file, const std::vector<Diagnostic>& diagnostics, const Sources& sources);
-/// For a file without results; `message` is the reason.
+/// Returns the suite of a file without results; `message` is the reason.
 std::string junit_suite(std::string_view file, std::string_view type, std::string_view message);
 
-/// An expectation on a line of a file.
+/// An expectation in one line of a file.
 struct JunitCase {
     std::string name = {};
     std::uint32_t line = 0;
-    std::string failure = {};  ///< empty: it was met
+    std::string failure = {};  ///< description of the failure; empty if the expectation was met
 };
-/// For a script; `ended`: the reason why it stopped before its end, or empty.
+/// Returns the suite of a script. `ended` is the reason why it stopped before its end, or empty.
 std::string junit_suite(std::string_view file, const std::vector<JunitCase>& cases, std::string_view ended);
 
-/// A document of suites.
+/// Returns a document that contains suites.
 std::string junit_document(std::string_view suites);
 
 }  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// State profile as text and as JSON: the components that contribute most states to a search.
+// Writes a state profile as text and as JSON: the components that contribute most states to a search.
 #pragma once
 
 #include <iosfwd>
@@ -10,15 +10,15 @@
 
 namespace grafverif {
 
-/// Determines the source locations.
+/// Sets the source positions.
 void name_places(StateProfile& profile, const Sources& sources);
 
-/// One line per component and clock by decreasing factor, followed by remarks on the states.
+/// Prints one line per component and clock in the order of decreasing factor, followed by remarks about the states.
 void print_profile(const StateProfile& profile, std::ostream& out);
 
-/// `{"states", "sampled", "inside_cycles", "parts":[{"name", "kind", "combinations", "factor", "place"}],
+/// Returns `{"states", "sampled", "inside_cycles", "parts":[{"name", "kind", "combinations", "factor", "place"}],
 /// "clocks":[{"instance", "clock", "greatest", "values", "factor", "place"}], "finest":{"duration", "unit", "coarser",
-/// "place"}}`; durations and units in ms.
+/// "place"}}`. Durations and units are in ms.
 nlohmann::ordered_json profile_json(const StateProfile& profile);
 
 }  // namespace grafverif

@@ -15,31 +15,32 @@
 
 namespace grafverif {
 
-/// The assumptions for the controllers and the grain of `network`.
+/// Returns the assumptions for the controllers and the granularity of `network`.
 CheckSettings settings_of(const Network& network, std::string engine);
-/// For an untimed check; it has no grain unless the caller sets one.
+/// Returns the assumptions of an untimed check. It has no granularity unless the caller sets one.
 CheckSettings settings_of(const TransitionSystem& system, std::string engine, std::string untimed);
 
-/// `verdict` with the text of its property; its run is converted to a trace, and removed.
+/// Returns `verdict` with the text of its property. Its run is converted to a trace and removed from the verdict.
 PropertyResult result_of(const Network& network, Verdict verdict, Detail detail);
-/// For an untimed check; `run` shows the verdict.
+/// Returns the result of an untimed check; `run` shows the verdict.
 PropertyResult result_of(const TransitionSystem& system, Verdict verdict, const std::optional<SystemRun>& run,
                          Detail detail);
 ModelErrorTrace error_trace_of(const TransitionSystem& system, const SystemFault& fault, Detail detail);
 ModelErrorTrace error_trace_of(const Network& network, const ModelError& error, Detail detail);
 
-/// Determines the source locations of the properties and of the profile.
+/// Sets the source positions of the properties and of the profile.
 void name_places(Report& report, const Sources& sources);
 
-/// Number of verdicts of each kind. An unknown verdict on an undeclared property is only a note.
+/// Number of verdicts of each type. An unknown verdict on an undeclared property is only a note.
 struct Tally {
     std::size_t holds = 0, violated = 0, unknown = 0, undeclared_unknown = 0;
-    std::size_t unexpected = 0;  ///< decided, and not as the model expects
+    std::size_t unexpected = 0;  ///< number of decided verdicts that differ from the expected ones
     bool operator==(const Tally&) const = default;
 };
 Tally tally(const Report& report);
 
-/// True if the report has a verdict on the property, or on a part of it (`S.X7`); false: its model omits it.
+/// True if the report has a verdict on the property, or on a part of it (`S.X7`). False if its model omits the
+/// property.
 bool has_result(const Report& report, const Property& property);
 
 }  // namespace grafverif

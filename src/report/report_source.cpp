@@ -8,7 +8,7 @@ namespace grafverif {
 
 namespace {
 
-/// True if the span is in a file of the user, not in the built-in library.
+/// True if the span is in a file of the user, and not in the built-in library.
 bool is_of_files(const ReportSource& written, Span where) {
     return written.sources.contains(where.source) && !written.sources[where.source].name.starts_with('<');
 }
@@ -19,7 +19,7 @@ Id<Chart> chart_of(const ReportSource& written, Id<ChartRun::Controller> control
     return controller.index < controllers.size() ? controllers[{controller.index}].chart : Id<Chart>();
 }
 
-/// The entity of the chart's table at index `id` in the list of its controller.
+/// Returns the element of the chart's table at index `id` in the list of its controller.
 template <class T, class Entities>
 const Span* origin_in(const std::vector<Id<T>>& list, Id<T> id, const Entities& entities) {
     const auto found = std::ranges::find(list, id);
@@ -36,7 +36,7 @@ const Span* origin_of(const ReportSource& written, const ChartRun& run, Id<Chart
     return nullptr;
 }
 
-/// A step of the situation, of the row's controller if it has one.
+/// Returns the position of a step of the situation; if the row has a controller, a step of this controller.
 const Span* origin_of_situation(const ReportSource& written, const ChartRun& run, const ChartRun::Row& row) {
     for (const Id<ChartRun::Controller> id : run.controllers.ids()) {
         const Id<Chart> chart = chart_of(written, id);

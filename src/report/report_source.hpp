@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Source locations of the elements of a report.
+// Source positions of the elements of a report.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace grafverif {
 
-/// The model of a report: the loop, or a chart alone (then `loop` is not valid).
+/// The model of a report: the loop, or a chart without a loop (`loop` is then invalid).
 struct ReportSource {
     const Sources& sources;
     const Model& model;
@@ -19,15 +19,16 @@ struct ReportSource {
     Id<Chart> chart = {};
 };
 
-/// The location of the loop, or of the chart.
+/// Returns the position of the loop or of the chart.
 Span origin(const ReportSource& written);
-/// The location of the property; of the loop if the property is implicit or from a component of the library.
+/// Returns the position of the property. If the property is implicit or comes from a component of the library, it is
+/// the position of the loop.
 Span origin(const ReportSource& written, const Verdict& verdict);
-/// The location of the element that causes row `index` of a run: the cleared transition, the moving instance, the
-/// active step; for a delay that of the row before.
+/// Returns the position of the element that causes row `index` of a run: the cleared transition, the moving instance or
+/// the active step. For a delay, it is that of the previous row.
 Span origin(const ReportSource& written, const ChartRun& run, std::size_t index);
 
-/// File, line and column (in bytes), if the span is in a file.
+/// File, line and column (in bytes) of a span in a file.
 struct FilePlace {
     std::string file = {};
     Place at = {};

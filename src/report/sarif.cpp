@@ -18,7 +18,7 @@ namespace {
 
 using Json = SarifLog::Json;
 
-/// A path as a URI: other characters are escaped byte by byte (RFC 3986).
+/// Returns a path as a URI. Characters that are not allowed are escaped byte by byte (RFC 3986).
 std::string uri(std::string_view path) {
     constexpr std::string_view plain = "-._~/:";
     constexpr std::string_view digits = "0123456789ABCDEF";
@@ -32,7 +32,7 @@ std::string uri(std::string_view path) {
     return text;
 }
 
-/// The column of byte `offset`, in characters.
+/// Returns the column of byte `offset`, in characters.
 std::size_t column(const Source& source, std::uint32_t offset) {
     const std::size_t bytes = place(source.text, offset).column - 1;
     const std::string_view line = line_at(source.text, offset).substr(0, bytes);
@@ -54,7 +54,7 @@ Json location(Span where, const Sources& sources) {
 
 Json text_json(std::string_view text) { return Json{{"text", text}}; }
 
-/// The index of the rule in the log, after adding it if it is missing.
+/// Returns the index of the rule in the log, to which it is added if it is missing.
 std::size_t rule_index(SarifLog& log, std::string_view id, std::string_view meaning, std::string_view level) {
     for (std::size_t index = 0; index < log.rules.size(); ++index)
         if (log.rules[index]["id"] == id) return index;
@@ -86,7 +86,7 @@ Json result(const Finding& finding, std::size_t rule, const Sources& sources) {
 constexpr std::string_view violated = "property-violated", holds = "property-holds", unknown = "property-unknown",
                            vacuous = "property-vacuous";
 
-/// A row of the table in one line: `3 s: Lamp: dark; cleared t1; situation 2; outputs none`.
+/// Returns a row of the table in one line: `3 s: Lamp: dark; cleared t1; situation 2; outputs none`.
 std::string row_text(const ChartRun& run, std::size_t index) {
     const Cells row = cells(run, index, index == 0);
     std::string text = row[0];
@@ -119,7 +119,8 @@ Json code_flow(const ChartRun& run, std::string_view end, const ReportSource& wr
     return {{"threadFlows", {{{"locations", std::move(locations)}}}}};
 }
 
-/// `kind`: `fail`; `open` for an undecided and `review` for a vacuous property, which have no level.
+/// Returns a result. `kind` is `fail`, or `open` for an undecided and `review` for a vacuous property, which have no
+/// level.
 Json result(std::string_view rule, std::size_t index, std::string_view kind, std::string_view message, Span where,
             const ReportSource& written) {
     Json object = {{"ruleId", rule},
@@ -160,7 +161,7 @@ void add_result(const Report& report, const PropertyResult& answer, const Report
         object["codeFlows"] = {code_flow(*answer.trace, end_of(verdict), written)};
     log.results.push_back(std::move(object));
     if (!open) return;
-    log.successful = log.successful && !verdict.declared;  // as for the exit code
+    log.successful = log.successful && !verdict.declared;  // the same rule applies to the exit code
     log.notifications.push_back(
         {{"level", "warning"}, {"message", text_json("unknown: " + message)}, {"associatedRule", {{"id", rule}}}});
 }

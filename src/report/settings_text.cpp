@@ -16,7 +16,7 @@ namespace grafverif {
 
 namespace {
 
-/// `a, b, c and 46 more`
+/// Returns text such as `a, b, c and 46 more`.
 std::string some_of(const std::vector<std::string>& names) {
     constexpr std::size_t shown = 3;
     std::string words;
@@ -25,7 +25,7 @@ std::string some_of(const std::vector<std::string>& names) {
     return names.size() <= shown ? words : fmt::format("{} and {} more", words, names.size() - shown);
 }
 
-/// The subsystems omitted by a verdict, and the reason why this is sound.
+/// Returns the subsystems that a verdict omits, and the reason why this is sound.
 std::string scope_text(const SearchScope& scope) {
     if (scope.searched.empty() && scope.left_out.empty()) return {};
     const bool one = scope.searched.size() == 1;
@@ -43,7 +43,7 @@ void append(std::string& words, std::string_view more, std::string_view between)
     if (!more.empty()) words.append(words.empty() ? "" : between).append(more);
 }
 
-/// Instances that an input abstraction replaced.
+/// Returns the instances that an input abstraction replaced.
 std::string abstraction_text(const PropertyResult& answer) {
     const Verdict& verdict = answer.verdict;
     if (!verdict.abstraction) return {};
@@ -56,7 +56,7 @@ std::string abstraction_text(const PropertyResult& answer) {
     return words;
 }
 
-/// The assumptions of every verdict of a report.
+/// Returns the assumptions of all verdicts of a report.
 std::string common_text(const CheckSettings& settings) {
     const std::string constants = settings.constants.empty() ? "" : "; " + constants_text(settings.constants);
     if (settings.untimed.empty())
@@ -66,7 +66,8 @@ std::string common_text(const CheckSettings& settings) {
     return fmt::format("{}, untimed: {}; {}{}{}", settings.engine, settings.untimed, settings.mode, grain, constants);
 }
 
-/// The additional parts of a verdict: states, subsystems, implication for the timed loop; empty: none.
+/// The additional parts of a verdict: states, subsystems, input abstraction, implication for the timed loop. Each may
+/// be empty.
 using Parts = std::array<std::string, 4>;
 Parts parts_of(const PropertyResult& answer) {
     const Verdict& verdict = answer.verdict;
@@ -74,7 +75,8 @@ Parts parts_of(const PropertyResult& answer) {
             abstraction_text(answer)};
 }
 
-/// Per part the common text; an empty optional if texts differ. Ignores undecided properties that were not searched.
+/// Returns, for each part, the common text; empty if texts differ. Undecided properties that were not searched are
+/// ignored.
 std::array<std::optional<std::string>, 4> agreed(const std::vector<const PropertyResult*>& answers) {
     std::array<std::set<std::string>, 4> values;
     for (const PropertyResult* answer : answers) {
@@ -98,7 +100,7 @@ std::string settings_text(const Report& report, const PropertyResult& answer) {
 
 SharedSettings shared_settings(const Report& report, const std::vector<const PropertyResult*>& answers) {
     SharedSettings settings{common_text(report.settings), {}};
-    std::map<std::string, std::size_t> known;  // index of the group with this text
+    std::map<std::string, std::size_t> known;  // index of the group with each text
     const auto same = agreed(answers);
     for (const auto& part : same) append(settings.shared, part.value_or(""), "; ");
     for (const PropertyResult* answer : answers) {

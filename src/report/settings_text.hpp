@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text of the assumptions of one verdict, or of several, with common parts stated once.
+// Text of the assumptions of one or several verdicts, in which common parts are stated once.
 #pragma once
 
 #include <cstddef>
@@ -11,30 +11,31 @@
 
 namespace grafverif {
 
-/// The assumptions of a verdict: engine, mode, grain, time, states; for an untimed one its implication for the timed
-/// loop.
+/// Returns the assumptions of a verdict: engine, mode, granularity, time, states; for an untimed verdict also its
+/// implication for the timed loop.
 std::string settings_text(const Report& report, const PropertyResult& answer);
 
-/// The assumptions of several verdicts. `shared` and the `words` of its group apply to each, except that the search of
-/// an undecided one may have ended before its first state.
+/// The assumptions of several verdicts. `shared` and the `words` of its group apply to each verdict, except that the
+/// search for an undecided verdict may have ended before its first state.
 struct SharedSettings {
     struct Group {
         std::string words = {};
         std::vector<const PropertyResult*> answers = {};
     };
     std::string shared = {};
-    std::vector<Group> groups = {};  ///< of the verdicts with additional text, in the order of the first
+    std::vector<Group> groups = {};  ///< groups of verdicts with additional text, in the order of their first verdict
 };
 SharedSettings shared_settings(const Report& report, const std::vector<const PropertyResult*>& answers);
 
-/// The property of which this is one step (`S` of `S.X7`); empty if it is not a step.
+/// Returns the name of the property of which this is one step (`S` for `S.X7`); empty if it is not a step.
 std::string family_of(const PropertyResult& answer);
 
-/// Number of verdicts of a report per family_of.
+/// Number of verdicts of a report for each result of family_of.
 using FamilySizes = std::map<std::string, std::size_t>;
 FamilySizes family_sizes(const Report& report);
 
-/// `P1, P2, S`: the names of the verdicts, with one name for a property if all its steps are included.
+/// Returns the names of the verdicts, such as `P1, P2, S`. If all steps of a property are included, only the name of
+/// the property is listed.
 std::string names_of(const FamilySizes& all, const std::vector<const PropertyResult*>& answers);
 
 }  // namespace grafverif

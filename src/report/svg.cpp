@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Layout: the title, then strips of columns one below the other, then the foot. A strip has its header with slanted
-// labels, then the numbers of events and the times, then the rows in groups. All lengths are in pixels; a character is
-// assumed to be `character` wide.
+// The layout consists of the title, strips of columns one below the other, and the foot. A strip consists of a header
+// with slanted labels, the numbers of events and the times, and the rows in groups. All lengths are in pixels; a
+// character is assumed to be `character` wide.
 #include "report/svg.hpp"
 
 #include <fmt/format.h>
@@ -20,12 +20,13 @@ namespace {
 
 constexpr std::size_t character = 7, column_width = 36, row_height = 26, margin = 16;
 constexpr std::size_t longest_label = 56, longest_name = 32;
-constexpr std::size_t longest_strip = 40;            // columns
-constexpr std::size_t wave_high = 5, wave_low = 20;  // within a row
-/// The extent that a character adds to a label, upwards and to the right, in hundredths: at an angle of 60 degrees.
+constexpr std::size_t longest_strip = 40;            // maximum number of columns in a strip
+constexpr std::size_t wave_high = 5, wave_low = 20;  // positions within a row
+/// The space in hundredths of a pixel that a character adds to a label, upwards and to the right, at an angle of 60
+/// degrees.
 constexpr std::size_t rise_per_hundred = 87 * character, run_per_hundred = 50 * character;
 
-/// One row: a name and its value in each column.
+/// One row of the diagram: a name and its value in each column.
 struct Row {
     std::string name = {};
     bool boolean = true;
@@ -42,7 +43,7 @@ std::string shortened(std::string text, std::size_t length) {
     return text;
 }
 
-/// The drawn part of the run: one column for the state after each row.
+/// The drawn part of the run. There is one column for the state after each row.
 using Columns = std::vector<const ChartRun::State*>;
 
 Group group(std::string title, const Columns& columns, const ChartRun& run, ChartRun::Role role) {
@@ -161,7 +162,7 @@ private:
         foot_ = std::move(lines);
     }
 
-    /// The position of a column of the current strip.
+    /// Returns the position of a column of the current strip.
     std::size_t x(std::size_t column) const { return left_ + (column - first_) * column_width; }
 
     void text(std::size_t x, std::size_t y, std::string_view kind, std::string_view words) {
@@ -170,7 +171,7 @@ private:
         body_ += "</text>\n";
     }
 
-    /// Draws the columns [first, end) from `y` on; returns the lower end.
+    /// Draws the columns [first, end), starting at `y`. Returns the lower end.
     std::size_t draw_strip(std::size_t first, std::size_t end, std::size_t y) {
         first_ = first;
         end_ = end;
@@ -229,7 +230,7 @@ private:
         }
     }
 
-    /// A piece of a wave, with the slope from the one before it.
+    /// Draws a piece of a wave, with the slope from the previous piece.
     void draw_level(std::size_t begin, std::size_t end, bool high, bool slope, const std::string& kind, std::size_t y) {
         const std::size_t level = y + (high ? wave_high : wave_low);
         if (high)
@@ -240,7 +241,7 @@ private:
         body_ += fmt::format("<path class=\"wave {}\" d=\"{}H{}\"/>\n", kind, from, x(end));
     }
 
-    /// A value as a box with slanted ends.
+    /// Draws a value as a box with slanted ends.
     void draw_value(std::size_t begin, std::size_t end, std::int64_t value, const std::string& kind, std::size_t y) {
         const std::size_t high = y + wave_high, low = y + wave_low, middle = (high + low) / 2, slant = 4;
         body_ += fmt::format("<path class=\"wave {} fill-{}\" d=\"M{} {}L{} {}H{}L{} {}L{} {}H{}Z\"/>\n", kind, kind,
@@ -252,13 +253,13 @@ private:
     const ChartRun& run_;
     std::string title_;
     Columns columns_ = {};
-    std::optional<std::size_t> loop_from_ = {};  ///< a column
+    std::optional<std::size_t> loop_from_ = {};  ///< index of a column
     std::vector<Group> groups_ = {};
     std::vector<std::string> labels_ = {}, foot_ = {};
-    std::vector<std::size_t> events_ = {};          ///< per column: the row of the run
-    std::size_t left_ = 0, width_ = 0, label_ = 4;  ///< label_: characters of the longest
-    std::size_t first_ = 0, end_ = 0;               ///< the current strip
-    std::string ground_ = {};                       ///< the background
+    std::vector<std::size_t> events_ = {};          ///< per column: index of the row of the run
+    std::size_t left_ = 0, width_ = 0, label_ = 4;  ///< label_ is the number of characters of the longest label
+    std::size_t first_ = 0, end_ = 0;               ///< columns of the current strip
+    std::string ground_ = {};                       ///< elements of the background
     std::string body_ = {};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The entries of a run's table, shared by the writers that display rows.
+// The entries of a run's table, which all writers of rows use.
 #pragma once
 
 #include <array>
@@ -12,27 +12,28 @@
 
 namespace grafverif {
 
-/// Time, what happened, inputs, cleared, situation, outputs.
+/// Entries of a row: time, event, inputs, cleared transitions, situation, outputs.
 using Cells = std::array<std::string, 6>;
 inline const Cells column_titles = {"time", "event", "inputs", "cleared", "situation", "outputs"};
 
-/// Row `index`, compared with the row shown before it. `complete`: situation and outputs even if they have not changed.
+/// Returns row `index`, compared with the previously shown row. If `complete`, situation and outputs are included even
+/// if they have not changed.
 Cells cells(const ChartRun& run, std::size_t index, bool complete);
 
-/// `T0; TW0`
+/// Returns the cleared transitions, such as `T0; TW0`.
 std::string cleared_text(const ChartRun& run, const ChartRun::Row& row);
 
-/// `V_Act: going_out, V 0 -> 1`; for a controller also the stored values.
+/// Returns the event, such as `V_Act: going_out, V 0 -> 1`; for a controller also the stored values.
 std::string happening(const ChartRun& run, std::size_t index);
 
-/// `0`, `3 4`; if no step is active: `none`.
+/// Returns the active steps, such as `0` or `3 4`; `none` if no step is active.
 std::string situation_text(const ChartRun& run, const ChartRun::State& state);
 
-/// The signals of the role that are not 0: `X`, `N = 3`; if there are none: `none`.
+/// Returns the signals of the role that are not 0, such as `X`, `N = 3`; `none` if there are none.
 std::string standing_text(const ChartRun& run, ChartRun::Role role, const ChartRun::State& state);
 
-/// The lines of `text` in `width` columns of a terminal, broken at blanks, or within a word that is too long; each line
-/// has at least one character. `later_width`: the width of all lines but the first, if it differs.
+/// Returns the lines of `text` for `width` columns of a terminal, broken at blanks, or within a word that is too long.
+/// Each line has at least one character. `later_width` is the width of all lines except the first, if it differs.
 std::vector<std::string> wrapped(std::string_view text, std::size_t width, std::optional<std::size_t> later_width = {});
 
 }  // namespace grafverif

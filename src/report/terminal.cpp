@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of a trace.
+// Prints the table of a trace.
 #include "report/terminal.hpp"
 
 #include <fmt/format.h>
@@ -19,8 +19,8 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t gutter = 2;   // before the table: the bar of a loop, the star of a cause
-constexpr std::size_t between = 2;  // between columns
+constexpr std::size_t gutter = 2;   // columns before the table: the bar of a loop and the star of a cause
+constexpr std::size_t between = 2;  // blanks between columns
 constexpr std::size_t least_width = 8;
 
 void print_cells(const Cells& cells, const std::string& bar, const TableWidths& widths, std::ostream& out) {
@@ -44,7 +44,7 @@ void print_cells(const Cells& cells, const std::string& bar, const TableWidths& 
     }
 }
 
-/// As wide as the contents; the widest columns are reduced until all fit.
+/// Returns the widths of the columns: as wide as the contents; the widest columns are reduced until all fit.
 TableWidths fitting(const ChartRun& run) {
     TableWidths widths{};
     for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = column_titles[i].size();
@@ -56,7 +56,7 @@ TableWidths fitting(const ChartRun& run) {
     for (std::size_t sum = std::accumulate(widths.begin(), widths.end(), std::size_t{0}); sum > room;) {
         const auto widest = std::ranges::max_element(widths);
         const auto rest = sum - *widest;
-        // To the width of the next widest column, or as far as needed.
+        // Reduces them to the width of the next widest column, or as far as necessary.
         std::size_t next = least_width;
         for (auto width = widths.begin(); width != widths.end(); ++width)
             if (width != widest) next = std::max(next, *width);
@@ -69,7 +69,7 @@ TableWidths fitting(const ChartRun& run) {
 
 bool in_loop(const ChartRun& run, std::size_t index) { return run.loop_from && index >= *run.loop_from; }
 
-/// The visible rows in which a cause begins.
+/// Returns the visible rows in which a cause begins.
 std::set<std::size_t> marked_rows(const ChartRun& run) {
     const std::vector<std::size_t> shown = shown_rows(run);
     std::set<std::size_t> marked;
@@ -81,7 +81,7 @@ std::set<std::size_t> marked_rows(const ChartRun& run) {
     return marked;
 }
 
-/// A row as it is printed.
+/// A row in printed form.
 struct Line {
     std::size_t row = 0;
     Cells cells = {};
@@ -91,19 +91,20 @@ struct Line {
     std::string bar() const { return {in_loop ? '|' : ' ', marked ? '*' : ' '}; }
 };
 
-/// True if `later` is `line` again after `delay_ms`.
+/// True if `later` repeats `line` after `delay_ms`.
 bool repeats(const Line& line, const Line& later, std::int64_t delay_ms) {
     return later.time_ms - line.time_ms == delay_ms && line.cells[0].empty() == later.cells[0].empty() &&
            std::equal(line.cells.begin() + 1, line.cells.end(), later.cells.begin() + 1) &&
            line.in_loop == later.in_loop && !line.marked && !later.marked;
 }
 
-/// Lines that are repeated: `period` of them, `copies` times in total.
+/// Lines that are repeated: `period` lines, `copies` times in total.
 struct Repetition {
     std::size_t period = 1, copies = 1;
 };
 
-/// The repetition from `begin` on that covers the most lines, of at least three copies. Without one: a single line.
+/// Returns the repetition of at least three copies, starting at `begin`, that covers the most lines. If there is none,
+/// returns a single line.
 Repetition repetition(const std::vector<Line>& lines, std::size_t begin) {
     constexpr std::size_t longest_period = 100;
     Repetition best;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Verdicts as text: their assumptions, once; failures with notes and trace; a table of all verdicts.
+// Prints verdicts as text: their assumptions; failures with notes and traces; a table of all verdicts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,12 +26,12 @@ bool fails(const PropertyResult& answer) {
     return verdict.outcome == Outcome::Unknown ? verdict.declared : !as_expected(verdict);
 }
 
-/// The remark on a property that neither the model nor the command requests.
+/// Returns the remark on a property that neither the model nor the command requests.
 const char* undeclared(const Verdict& verdict) { return verdict.about.valid() ? " (not selected)" : " (not declared)"; }
 
 using Answers = std::vector<const PropertyResult*>;
 
-/// Texts shared by several verdicts, in the order of their first use: a reason, a note.
+/// Texts that several verdicts share, in the order of their first use: reasons and notes.
 struct Shared {
     std::string text = {};
     Answers answers = {};
@@ -44,7 +44,7 @@ public:
         all_[place->second].answers.push_back(&answer);
     }
     const std::vector<Shared>& all() const { return all_; }
-    /// The entry of a text that was added.
+    /// Returns the entry of a text that was added.
     const Shared& operator[](const std::string& text) const { return all_[index_.at(text)]; }
 
 private:
@@ -52,7 +52,7 @@ private:
     std::map<std::string, std::size_t> index_ = {};
 };
 
-/// `text` in lines of at most 100 columns; all but the first are indented.
+/// Returns `text` in lines of at most 100 columns. All lines except the first are indented.
 std::string folded(const std::string& text, std::size_t indentation) {
     std::string lines;
     for (const std::string& line : wrapped(text, widest_line, widest_line - indentation))
@@ -60,10 +60,10 @@ std::string folded(const std::string& text, std::size_t indentation) {
     return lines;
 }
 
-/// A row of the closing table.
+/// A row of the final table.
 struct Row {
     std::string property = {}, verdict = {}, place = {}, text = {};
-    int colour = 0;  ///< of the verdict
+    int colour = 0;  ///< colour of the verdict
 };
 
 class Printer {
@@ -88,7 +88,7 @@ public:
     }
 
 private:
-    /// `text` in the colour that belongs to its meaning.
+    /// Returns `text` in the colour that represents its meaning.
     std::string painted(std::string_view text, int colour) const {
         if (options_.colour == Colour::Plain) return std::string(text);
         return fmt::format("\033[1;{}m{}\033[0m", colour, text);
@@ -120,7 +120,8 @@ private:
         return verdict.outcome == Outcome::Unknown && !verdict.reason.empty() && !answer.trace && verdict.notes.empty();
     }
 
-    /// Notes of properties that hold, and shared notes, are printed here; others after their verdict.
+    /// True if the note is printed here: notes of properties that hold, and shared notes. Others are printed after
+    /// their verdict.
     bool is_reported_above(const Shared& note) const {
         return note.answers.size() > 1 || in_table_only(*note.answers.front());
     }
@@ -138,7 +139,8 @@ private:
         }
     }
 
-    /// The properties that do not hold, in the order of the model; undecided ones with the same reason together.
+    /// Prints the properties that do not hold, in the order of the model. Undecided properties with the same reason are
+    /// printed together.
     void print_in_full() {
         bool alone = false;
         for (const PropertyResult* answer : shown_) {
@@ -177,7 +179,7 @@ private:
         return std::move(out).str();
     }
 
-    /// `end`: text at the end of a trace that does not repeat.
+    /// Prints a run. `end` is the text at the end of a trace that does not repeat.
     static void print_reported(std::string_view what, const ChartRun& run, std::string_view end, std::ostream& out) {
         out << what << ":\n";
         print_trace(run, out);
@@ -190,7 +192,7 @@ private:
         out_ << '\n';
     }
 
-    /// The reached steps of one property are one row.
+    /// Returns the rows. The reached steps of one property are one row.
     std::vector<Row> rows() const {
         std::vector<Row> rows;
         std::set<std::string> families;
@@ -211,7 +213,7 @@ private:
         return rows;
     }
 
-    /// `S (9 of 11 steps)`, or the only step.
+    /// Returns `S (9 of 11 steps)`, or the name of the only step.
     std::string steps_that_hold(const PropertyResult& first, const FamilySizes& families_that_hold) const {
         const std::string family = family_of(first);
         const std::size_t holding = families_that_hold.at(family), all = families_.at(family);
@@ -224,7 +226,7 @@ private:
         if (all.empty()) return;
         all.insert(all.begin(), {"property", "verdict", "location", "description"});
         constexpr std::array columns = {&Row::property, &Row::verdict, &Row::place, &Row::text};
-        std::array<std::size_t, columns.size()> widths = {};  // 0: the column is empty
+        std::array<std::size_t, columns.size()> widths = {};  // width of each column; 0 if the column is empty
         for (std::size_t k = 0; k < columns.size(); ++k)
             for (Row& row : all) {
                 std::string& cell = row.*columns[k] = printable(row.*columns[k]);

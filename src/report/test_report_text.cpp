@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A TestReport as text.
+// Writes a TestReport as text.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 using Variables = std::vector<TestSequence::Variable>;
 
-/// `s=1 h1=1 h2=0`
+/// Returns text such as `s=1 h1=1 h2=0`.
 std::string named(const Variables& variables, const std::vector<std::int64_t>& values) {
     std::string text;
     for (std::size_t k = 0; k < variables.size(); ++k)
@@ -32,7 +32,7 @@ std::string names(const Variables& variables) {
     return text;
 }
 
-/// ` wait 5s`, ` 2 cycles`: the differences from a usual step.
+/// Returns the differences from a usual step, such as ` wait 5s` or ` 2 cycles`.
 std::string manner(const TestSequence::Step& step) {
     const std::string wait = step.wait_ms == 0 ? "" : "wait " + duration_text(step.wait_ms) + ", ";
     return fmt::format("{}{} cycle{}", wait, step.cycles, step.cycles == 1 ? "" : "s");

@@ -9,13 +9,13 @@
 
 namespace grafverif {
 
-/// `stability-search`, `every-cycle`.
+/// Returns `stability-search` or `every-cycle`.
 std::string_view mode_word(ExecutionMode mode);
 
-/// `V1 and W1 differ`, `no answer in time`.
+/// Returns a cause such as `V1 and W1 differ` or `no answer in time`.
 std::string cause_text(const TestReport& report, const TestReport::Failure& failure);
 
-/// Inputs, expected and actual outputs by name, and the expected situation; lines end with a line feed.
+/// Returns inputs, expected and actual outputs by name, and the expected situation. Lines end with a line feed.
 std::string failure_text(const TestReport& report, const TestReport::Failure& failure);
 
 /// Calls `visit(sequence, row, failure)` for each row; `failure` is null if the row has not failed.

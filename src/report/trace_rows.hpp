@@ -2,12 +2,12 @@
 // Trace rows: groups the events of a ChartRun into the rows of a printed trace.
 //
 //   event of an instance     own row: the location reached, changed plant variables
-//   timer expiry             own row; other timer events are internal
-//   actions of a controller  one row per stability search that clears a transition or changes an output; other actions
+//   event of an instance     separate row: the location reached, changed plant variables
+//   timer expiry             separate row; other timer events are internal
 //                            are internal. In a run that counts steps: one row per evolution
 //   consecutive delays       one row
-// If the plant moves during a PLC cycle, the cycle is split into two rows. If the plant then changes a sampled input
-// that matters, the sampling is a separate row.
+// If the plant moves during a PLC cycle, the cycle is split into two rows. If the plant then changes a relevant sampled
+// input, the sampling is a separate row.
 #pragma once
 
 #include <optional>
@@ -20,30 +20,30 @@
 
 namespace grafverif {
 
-/// Everything also prints the internal events of the translation, each as a row marked internal.
+/// Everything also includes the internal events of the translation, each in a row that is marked as internal.
 enum class Detail { Chart, Everything };
 
 /// Builds the rows of a run while it is executed.
 class TraceRowBuilder {
 public:
-    /// `run` must outlive the object, and has no rows yet.
+    /// `run` must outlive the object and have no rows yet.
     TraceRowBuilder(ChartRun& run, Detail detail)
         : run_(run), detail_(detail), open_(run.controllers.size()), sampled_(run.controllers.size()) {}
 
     /// Adds rows for new events.
     void catch_up();
-    /// Adds rows for new events, and ends open rows.
+    /// Adds rows for new events, and completes open rows.
     void flush();
-    /// Ends the run: a loop without rows gets one.
+    /// Ends the run. A loop without rows gets one row.
     void finish();
 
 private:
     /// The actions of a controller since its last row.
     struct OpenRow {
         std::vector<std::vector<Id<ChartRun::Transition>>> fired = {};
-        bool first = false;    ///< includes the first evolution
-        bool changed = false;  ///< an output or a stored variable has changed
-        bool written = false;  ///< outputs have been written since the last evolution
+        bool first = false;    ///< true if it includes the first evolution
+        bool changed = false;  ///< true if an output or a stored variable has changed
+        bool written = false;  ///< true if outputs have been written since the last evolution
     };
 
     void add(ChartRun::Row row, std::size_t moment);
@@ -60,17 +60,18 @@ private:
 
     ChartRun& run_;
     Detail detail_;
-    std::vector<OpenRow> open_;  ///< per controller
-    std::vector<bool> sampled_;  ///< per controller: it has sampled inputs that transitions to be cleared depend on
-    std::size_t next_ = 0;       ///< the next event
-    std::optional<std::size_t> delay_ = {};  ///< the last event of a delay without a row yet
+    std::vector<OpenRow> open_;  ///< open row of each controller
+    /// Per controller: true if it has sampled inputs on which transitions to be cleared depend.
+    std::vector<bool> sampled_;
+    std::size_t next_ = 0;                   ///< index of the next event
+    std::optional<std::size_t> delay_ = {};  ///< the last event of a delay that does not have a row yet
     std::int64_t delay_ms_ = 0;
 };
 
-/// The effect of `fire` in `state` as the text of a row, including inputs of the controllers: `Start: START`.
+/// Returns the effect of `fire` in `state` as the text of a row, including inputs of the controllers: `Start: START`.
 std::string choice_text(const Network& network, const NetworkState& state, const Fire& fire);
 
-/// The run with its rows. Requires a run without rows.
+/// Returns the run with its rows. Requires a run without rows.
 ChartRun with_rows(ChartRun run, Detail detail = Detail::Chart);
 
 }  // namespace grafverif

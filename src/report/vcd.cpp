@@ -13,14 +13,14 @@ namespace grafverif {
 
 namespace {
 
-/// One variable of the dump and the last value written.
+/// One variable of the dump and the last written value.
 struct Wire {
     bool boolean = true;
     std::string code = {};
     std::int64_t value = 0;
 };
 
-/// The `index`th identifier code: printable characters, shortest first.
+/// Returns the `index`th identifier code. Codes consist of printable characters, shortest first.
 std::string code(std::size_t index) {
     constexpr std::size_t first = 33, count = 94;
     std::string text;
@@ -36,7 +36,7 @@ constexpr std::array<std::pair<const char*, ChartRun::Role>, 4> scopes{{{"inputs
                                                                         {"internals", ChartRun::Role::Internal},
                                                                         {"plant", ChartRun::Role::Plant}}};
 
-/// All values of a row in the order of the wires.
+/// Returns all values of a row in the order of the wires.
 std::vector<std::int64_t> all_values(const ChartRun& run, std::size_t index) {
     const ChartRun::State& state = run.after(run.rows[index]);
     std::vector<std::int64_t> list;
@@ -64,7 +64,7 @@ public:
             time = std::max(time + 1, run_.after(run_.rows[i]).time_ms * 1000);
             changes(i, time);
         }
-        out_ << fmt::format("#{}\n", time + 1000);  // shows the last step for some time
+        out_ << fmt::format("#{}\n", time + 1000);  // makes the last step visible for some time
     }
 
 private:
@@ -80,7 +80,7 @@ private:
         out_ << "$upscope $end\n";
     }
 
-    /// `G2.2` is X2 in a separate module G2.
+    /// Adds the steps: `G2.2` is X2 in a separate module G2.
     void steps() {
         out_ << "$scope module steps $end\n";
         for (const ChartRun::Step& step : run_.steps) {

@@ -26,7 +26,7 @@ constexpr std::array kinds = {ProofExplanation::Kind::Transition, ProofExplanati
                               ProofExplanation::Kind::Term, ProofExplanation::Kind::Guard,
                               ProofExplanation::Kind::Edge};
 
-/// Maximum number of open queries of one kind that are listed as text; more are counted.
+/// Maximum number of open queries of one type that are listed; for more queries, only their number is given.
 constexpr std::size_t most_open = 3;
 
 std::string listed(const Names& names, std::string_view last = ", ", std::string_view between = ", ") {
@@ -46,7 +46,7 @@ std::string nth_of(const ProofExplanation::ModelElement& thing) {
     return thing.nth > 1 ? fmt::format(" ({})", thing.nth) : "";
 }
 
-/// The name in a list of its kind; elements of an instance follow its name (see by_instance).
+/// Returns the name in a list of its type. Elements of an instance follow the name of the instance (see by_instance).
 std::string name_of(const ProofExplanation::ModelElement& thing) {
     if (thing.kind == ProofExplanation::Kind::Term)
         return fmt::format("`{}`{} of {}", thing.name, nth_of(thing), thing.of);
@@ -55,7 +55,7 @@ std::string name_of(const ProofExplanation::ModelElement& thing) {
 
 using Choice = bool (*)(const ProofExplanation::ModelElement&);
 
-/// Edges grouped by instance: their number, `Cups 2 of 6`, or their names, `Cups (off -> on, on -> off)`.
+/// Returns edges grouped by instance: their number, `Cups 2 of 6`, or their names, `Cups (off -> on, on -> off)`.
 Names by_instance(const std::vector<ProofExplanation::ModelElement>& edges, Choice chosen, bool named) {
     Names groups;
     for (auto first = edges.begin(); first != edges.end();) {
@@ -78,7 +78,7 @@ std::vector<ProofExplanation::ModelElement> of_kind(const ProofExplanation& why,
     return found;
 }
 
-/// The result for a model without the elements of these names.
+/// Returns the result for a model without the elements with these names.
 std::string without(ProofExplanation::Kind kind, const Names& names) {
     const std::string list = listed(names, " or ");
     switch (kind) {
@@ -91,9 +91,9 @@ std::string without(ProofExplanation::Kind kind, const Names& names) {
     return {};
 }
 
-/// The elements of the charts that a property needs.
+/// The elements of charts that a property needs.
 struct OfCharts {
-    Names fails = {};  ///< by kind
+    Names fails = {};  ///< names of elements without which the property fails, by type
     Names open = {};
 };
 
@@ -148,7 +148,7 @@ std::string plural(ProofExplanation::Kind kind) {
 bool is_needed(const ProofExplanation::ModelElement& thing) { return !thing.needed_by.empty(); }
 bool is_free(const ProofExplanation::ModelElement& thing) { return thing.needed_by.empty() && thing.open.empty(); }
 
-/// The number of elements of the kind that some property needs, and the ones that none needs.
+/// Returns the number of elements of the type that some property needs, and the elements that none needs.
 std::string coverage_text(ProofExplanation::Kind kind, const std::vector<ProofExplanation::ModelElement>& things,
                           bool verbose) {
     const auto covered = std::ranges::count_if(things, is_needed), free = std::ranges::count_if(things, is_free);
@@ -180,7 +180,7 @@ std::string proof_core_text(const ProofExplanation& why, const ProofExplanation:
     return listed(said, "; ", "; ");
 }
 
-/// Properties with the same text are grouped at the first of them.
+/// Prints the proof cores. Properties with the same text are grouped at the position of the first of them.
 void print_proof_cores(const ProofExplanation& why, std::ostream& out) {
     std::vector<std::pair<Names, std::string>> said;
     for (const ProofExplanation::ProofCore& ground : why.grounds) {

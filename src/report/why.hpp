@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Proof cores of properties that hold, as text and as JSON (docs/explanation/why.md).
+// Writes proof cores of properties that hold as text and as JSON (docs/explanation/why.md).
 #pragma once
 
 #include <iosfwd>
@@ -9,7 +9,8 @@
 
 namespace grafverif {
 
-/// `verbose`: lists edges of the plant that no property needs, instead of only counting them.
+/// Prints the proof cores. If `verbose`, edges of the plant that no property needs are listed; otherwise only their
+/// number is given.
 void print_why(const ProofExplanation& why, bool verbose, std::ostream& out);
 
 nlohmann::ordered_json why_json(const ProofExplanation& why);

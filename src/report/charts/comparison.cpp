@@ -18,7 +18,7 @@ namespace grafverif {
 
 namespace {
 
-/// The nonzero variables: `START, N = 3`; if there are none: `none`.
+/// Returns the nonzero variables, such as `START, N = 3`; `none` if there are none.
 std::string standing(const std::vector<Comparison::Variable>& variables, const std::vector<std::int64_t>& values) {
     std::string text;
     for (std::size_t k = 0; k < variables.size(); ++k) {
@@ -29,7 +29,7 @@ std::string standing(const std::vector<Comparison::Variable>& variables, const s
     return text.empty() ? "none" : text;
 }
 
-/// The outputs with different values in `a` and `b`.
+/// Returns the outputs with different values in `a` and `b`.
 std::string differing(const Comparison& comparison, const Comparison::ScanOutputs& a,
                       const Comparison::ScanOutputs& b) {
     std::string text;
@@ -43,7 +43,7 @@ std::string result_text(const Comparison& comparison, const Comparison::ScanOutp
     return standing(comparison.outputs, answer.outputs) + "  in " + answer.situation;
 }
 
-/// The columns of the table, separated by two blanks; long entries are wrapped.
+/// Prints the columns of the table, separated by two blanks. Long entries are wrapped.
 void print_row(const std::array<std::string, 4>& cells, const std::array<std::size_t, 4>& widths, std::ostream& out) {
     std::array<std::vector<std::string>, 4> lines;
     std::size_t most = 1;
@@ -89,7 +89,7 @@ std::string outcome_text(const Comparison& comparison, Colour colour) {
     return shade + text + "\x1b[0m";
 }
 
-/// The assumptions of the verdict.
+/// Prints the assumptions of the verdict.
 void print_basis(const Comparison& comparison, std::ostream& out) {
     out << fmt::format("  a scan is one PLC cycle, mode {}", word(comparison.mode));
     if (comparison.resolution_ms > 0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A comparison as text and as JSON.
+// Writes a comparison as text and as JSON.
 //
 // Text: the verdict and its assumptions; if the charts differ, the distinguishing scans with the behaviour of both
 // charts; then the changes of the text.
@@ -19,12 +19,12 @@
 
 namespace grafverif {
 
-/// Without the differences of the texts.
+/// Prints the result without the differences of the texts.
 void print_result(const Comparison& comparison, Colour colour, std::ostream& out);
 void print_comparison(const Comparison& comparison, Colour colour, std::ostream& out);
 std::string comparison_json(const Comparison& comparison);
 
-/// The changes of a text, one line each, or two lines for a changed element.
+/// Prints the changes of a text: one line for each, or two lines for a changed element.
 void print_changes(const std::vector<ChartChange>& changes, std::ostream& out);
 
 }  // namespace grafverif

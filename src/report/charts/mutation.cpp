@@ -15,7 +15,7 @@ namespace {
 
 using Fate = MutantFate::Kind;
 
-/// Counts; the second one excludes refused and equivalent mutants.
+/// Two counts. The second one excludes refused and equivalent mutants.
 struct Score {
     std::size_t noticed = 0, judged = 0;
 };
@@ -34,7 +34,7 @@ Score of_specification(const Mutation& mutation) {
     return {noticed, noticed + count_of(mutation, Fate::Unnoticed)};
 }
 
-/// Score over the mutants that are known to differ.
+/// Returns the score over the mutants that are known to differ.
 Score of_tests(const Mutation& mutation) {
     Score score;
     for (const auto& fate : mutation.fates) {
@@ -68,7 +68,7 @@ std::size_t line_of(const Mutant& mutant, const Sources& sources) {
 void print_scores(const Mutation& mutation, std::ostream& out) {
     const char* const yet = not_checked(mutation) > 0 ? " so far" : "";
     const Score specified = of_specification(mutation), tested = of_tests(mutation);
-    // A run that was stopped early has not found the properties yet.
+    // If a run was stopped early, it has not yet determined the properties.
     if (mutation.properties.empty() && not_checked(mutation) == 0)
         out << "no properties: no closed loop contains this chart\n";
     else

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Results of mutation testing as text and as JSON.
+// Writes results of mutation testing as text and as JSON.
 //
-// Text: the number of mutants per fate, the scores of the specification and of the tests, and the number of mutants
-// that each property detects. Then each mutant that no property detects, as a change of the text, and the unknown ones.
+// The text contains the number of mutants with each result, the scores of the specification and of the tests, and the
+// number of mutants that each property detects. It then lists each mutant that no property detects, as a change of the
+// text, and the mutants with unknown result.
 //
 // JSON: missing values are null.
 //
