@@ -54,7 +54,7 @@ std::optional<Model> read_model(const std::string& path, CommandContext& job) {
     const auto file = read_source(path, job);
     if (!file) return {};
     const Reach reach(path == "-" ? "./-" : path,
-                      job.options.include_folders);  // standard input counts as a file in the current folder
+                      job.options.include_folders);  // standard input is treated as a file in the current folder
     const auto load = [&](const std::string& included, std::string& why) -> std::optional<std::string> {
         if (job.watch != nullptr) job.watch->note(included);
         auto text = reach.read(included, why);
@@ -69,7 +69,7 @@ std::optional<Model> read_model(const std::string& path, CommandContext& job) {
 
 namespace {
 
-/// The entity called `wanted`, or the only one; otherwise an error that names the candidates.
+/// Returns the element called `wanted`, or the only one. Otherwise an error that names the candidates is added.
 template <class T>
 std::optional<Id<T>> chosen(const Table<T>& table, const std::optional<std::string>& wanted, std::string_view kind,
                             std::string_view option, CommandContext& job) {
@@ -84,7 +84,8 @@ std::optional<Id<T>> chosen(const Table<T>& table, const std::optional<std::stri
     return {};
 }
 
-/// True if the loop has all constants that are set; with `--all` it is enough that some loop has each (see read_text).
+/// True if the loop has all constants that are set. With `--all`, it is sufficient that some loop has each constant
+/// (see read_text).
 bool has_constants_set(const ClosedLoop& loop, CommandContext& job) {
     if (job.options.all) return true;
     std::vector<std::string> known;
@@ -131,7 +132,7 @@ std::optional<Id<Chart>> chosen_chart(const Model& model, CommandContext& job) {
 
 namespace {
 
-/// `3` or `G1.3`, with or without the X of the step variable.
+/// True for `3` or `G1.3`, with or without the X of the step variable.
 bool is_called(const Chart& chart, Id<Chart::Step> step, std::string_view name) {
     const std::string& partial = chart.partial_charts[chart.steps[step].chart].name;
     const std::string& own = chart.steps[step].name;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Context of one run of a command. Translates its options into calls of the pipeline, once for all commands; each
-// function returns one result, or nothing after adding an error to the job's diagnostics.
+// Context of one execution of a command. It translates the options to calls of the pipeline for all commands. Each
+// function returns one result, or an empty result after adding an error to the diagnostics of the context.
 #pragma once
 
 #include <iosfwd>
@@ -28,7 +28,7 @@ struct InputFile {
     std::string path = {}, identity = {};
 };
 
-/// A file to be written, and how to write it.
+/// A file to be written, and the way in which it is written.
 struct Product {
     OutputFile file = {};
     std::string use = {};
@@ -36,31 +36,33 @@ struct Product {
 
 struct Reports;
 
-/// One run of a command: options, files read, diagnostics.
+/// One execution of a command: options, files read, diagnostics.
 struct CommandContext {
     Options options = {};
     Sources sources = {};
     Diagnostics diagnostics = {};
-    std::string closing = {};    ///< written to standard output after the diagnostics, so that users read it last
-    std::istream* in = nullptr;  ///< standard input, for `-`
-    std::vector<InputFile> inputs = {};  ///< of all files of the invocation
-    std::vector<Product> products = {};  ///< of a command that writes the results of all its files together
+    std::string closing = {};    ///< text printed to standard output after the diagnostics, so that users read it last
+    std::istream* in = nullptr;  ///< standard input, used for `-`
+    std::vector<InputFile> inputs = {};  ///< files of the complete invocation
+    std::vector<Product> products = {};  ///< outputs of a command that writes the results of all its files together
     bool depfile_written = false;
-    FileWatcher* watch = nullptr;  ///< notes every file before it is read
-    Reports* reports = nullptr;    ///< of all files of the invocation; never null while a command runs
+    FileWatcher* watch = nullptr;  ///< records every file before it is read
+    /// Reports on all files of the invocation; never null during the execution of a command.
+    Reports* reports = nullptr;
 };
 
-/// The colour mode of output written there, according to `--color`.
+/// Returns the colour mode of output to `screen`, according to `--color`.
 Colour colour_on(const Screen& screen, const Options& options);
 
-/// Limits of the job's work while the object exists, including Ctrl-C; also shows a progress line on the terminal.
+/// Applies the limits to the work of the command while the object exists, including Ctrl-C. Also shows a progress line
+/// on the terminal.
 class ResourceLimits {
 public:
     ResourceLimits(const Options& options, const Streams& streams);
 
     const Limits& limits() const { return limits_; }
     bool interrupted() const { return interrupt_.requested(); }
-    /// Writes `text`, which consists of complete lines, while the work continues.
+    /// Prints `text`, which consists of complete lines, while the work continues.
     void print(std::string_view text) { line_.interrupt(text); }
 
 private:
@@ -69,29 +71,30 @@ private:
     Limits limits_;
 };
 
-/// The text of the file at `path`, as a source of the job; `-` is standard input. Only here may it be a pipe: standard
-/// input, or an inherited descriptor (`/dev/fd/3`).
+/// Returns the text of the file at `path` as a source of the context; `-` is standard input. Only for this function may
+/// the file be a pipe: standard input, or an inherited descriptor (`/dev/fd/3`).
 std::optional<Id<Source>> read_source(const std::string& path, CommandContext& job);
 
-/// text -> Model
+/// Reads the text at `path` to a Model.
 std::optional<Model> read_model(const std::string& path, CommandContext& job);
 
-/// True if the options select a chart alone, or `model` has no loop.
+/// True if the options select a chart without a loop, or `model` has no loop.
 bool is_of_a_chart(const Model& model, const Options& options);
-/// The loop or chart that the options name, or the only one.
+/// Return the loop or chart that the options name, or the only one.
 std::optional<Id<ClosedLoop>> chosen_loop(const Model& model, CommandContext& job);
-/// Keeps only the properties that `--property` names, if it names any; false after an error: no such property.
+/// If `--property` is given, keeps only the properties that it names. Returns false after an error: there is no such
+/// property.
 bool keep_requested(ClosedLoop& loop, CommandContext& job);
 std::optional<Id<Chart>> chosen_chart(const Model& model, CommandContext& job);
 
-/// The steps of a list such as `3,X5,G1.3`, the value of `option`; a step that does not exist or is ambiguous is an
-/// error.
+/// Returns the steps of a list such as `3,X5,G1.3`, which is the value of `option`. A step that does not exist or is
+/// ambiguous is an error.
 std::vector<Id<Chart::Step>> named_steps(const Chart& chart, std::string_view list, std::string_view option,
                                          CommandContext& job);
 
 ExecutionMode execution_mode(const Model& model, Id<Chart> chart, const CommandContext& job);
 ModelOptions model_options(const Options& options);
-/// The form selected by `--format`: PLCopen XML unless text is requested.
+/// Returns the form selected by `--format`: PLCopen XML unless text is requested.
 structured_text::Form structured_text_form(const Options& options);
 ConformOptions conform_options(const Options& options, const Limits& limits = {});
 
@@ -99,7 +102,7 @@ std::optional<Equations> equations_of(const Model& model, Id<Chart> chart, Comma
 std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, CommandContext& job);
 std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop, CommandContext& job);
 
-/// The test of the chart in the table of `--sequence`.
+/// Returns the test of the chart in the table given by `--sequence`.
 std::optional<TestSequence> test_sequence(const Model& model, Id<Chart> chart, CommandContext& job);
 
 }  // namespace grafverif::app

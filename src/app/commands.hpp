@@ -70,10 +70,10 @@ CliCommand test_usage();
 CliCommand manual_usage();
 CliCommand completion_usage();
 
-/// For `build`, after its results are written: appends their list to the closing text.
+/// For `build`, after its results are written: appends a list of them to the closing text.
 void list_products(CommandContext& job);
 
-/// Writes `content` to the file of `-o`, or to standard output by default.
+/// Writes `content` to the file given by `-o`, or to standard output by default.
 void deliver(const std::string& content, CommandContext& job, const Streams& streams);
 
 }  // namespace grafverif::app

@@ -20,7 +20,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// Runs the timed engine selected by the options; nothing after an error.
+/// Runs the timed engine that the options select; empty after an error.
 std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, CommandContext& job,
                                    const CheckOptions& options) {
     const auto network = network_of(model, id, job);
@@ -31,7 +31,7 @@ std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, Comman
                                                   : check(loop, options);
 }
 
-/// Decides the properties of a transition system with the selected engine, by default with the portfolio.
+/// Decides the properties of a transition system with the selected engine; the default is the portfolio.
 std::optional<Report> system_report(const SystemToCheck& system, CommandContext& job, const CheckOptions& options) {
     switch (job.options.engine) {
     case Engine::Embedded:
@@ -69,13 +69,13 @@ void say_who_stopped(Report& report, bool by_user, const Options& options) {
             answer.verdict.reason = with_who_stopped(std::move(answer.verdict.reason), by_user, options);
 }
 
-/// The properties to decide if single steps of them are selected (`S.X7`).
+/// Returns the properties that must be decided if single steps of them are selected (`S.X7`).
 std::vector<std::string> complete_properties(std::vector<std::string> requested) {
     for (std::string& name : requested) name.resize(std::min(name.size(), name.find('.')));
     return requested;
 }
 
-/// Removes the results of steps that were not selected; false if a selected step does not exist.
+/// Removes the results of steps that were not selected. Returns false if a selected step does not exist.
 bool keep_requested(const std::vector<std::string>& requested, Report& report, Diagnostics& diagnostics) {
     const auto has = [](const std::vector<std::string>& names, const std::string& name) {
         return std::ranges::find(names, name) != names.end();

@@ -12,17 +12,17 @@ namespace grafverif::app {
 
 struct Decided {
     Report report = {};
-    Id<ClosedLoop> loop = {};  ///< not valid: a chart alone
-    Id<Chart> chart = {};      ///< valid of a chart alone
+    Id<ClosedLoop> loop = {};  ///< invalid for a chart without a loop
+    Id<Chart> chart = {};      ///< valid only for a chart without a loop
     bool timed = false;
-    std::optional<ProofExplanation> why = {};  ///< if requested, of a loop
+    std::optional<ProofExplanation> why = {};  ///< proof explanation of a loop, if requested
 };
-/// Nothing after an error. `witnesses`: also return runs of properties that hold. For a chart alone, a notice is first
-/// written to `streams`.
+/// Decides the properties; empty after an error. If `witnesses`, runs of properties that hold are also returned. For a
+/// chart without a loop, a notice is first written to `streams`.
 std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceLimits& bounds, bool witnesses,
                               const Streams& streams);
 
-/// The exit code that the verdicts of a report imply.
+/// Returns the exit code that the verdicts of a report imply.
 ExitCode exit_code(const Report& report, bool stopped);
 
 }  // namespace grafverif::app

@@ -12,8 +12,8 @@ namespace grafverif::app {
 
 namespace {
 
-/// How a reader parses names: the characters that are escaped by a backslash; those of them before which backslashes
-/// are doubled; the characters that no name can contain, begin with or end with.
+/// Rules by which a reader parses names. They list the characters that a backslash escapes, those of them before which
+/// backslashes are doubled, and the characters that a name cannot contain, begin with or end with.
 struct Rules {
     std::string_view escaped, doubling, never, never_first, never_last;
 };
@@ -21,7 +21,8 @@ struct Rules {
 constexpr Rules rules_of(DepfileSide side, DepfileReader reader) {
     const bool result = side == DepfileSide::Result;
     switch (reader) {
-    case DepfileReader::Make:  // patterns, order-only files; wildcards, whose backslash is kept; groups, archives
+    // Includes patterns, order-only files, wildcards (whose backslash is kept), groups and archives.
+    case DepfileReader::Make:
         return result ? Rules{" #:%", " #:%", "*?[\t;=", "~", "&)"} : Rules{" \t#:|", " \t#:|", "*?[;=", "~", " \t\\)"};
     case DepfileReader::Ninja: return {" #:", " ", "\t\"&'*;<>?^`|", "", ":\\"};
     case DepfileReader::CMake: return {" #", "", "\t\\", "~", ":"};
@@ -45,11 +46,12 @@ std::optional<std::string> depfile_name(std::string_view name, DepfileSide side,
     const Rules rules = rules_of(side, reader);
     if (!can_say(name, rules)) return {};
     std::string text;
-    std::size_t backslashes = 0;  // directly before
+    std::size_t backslashes = 0;  // number of backslashes directly before the character
     for (const char c : name) {
         if (rules.escaped.find(c) != rules.escaped.npos)
             text.append(rules.doubling.find(c) != rules.doubling.npos ? backslashes + 1 : 1, '\\');
-        if (c == '$' && !(reader == DepfileReader::Ninja && backslashes > 0)) text += '$';  // here `\$` is literal
+        // In this position `\$` is literal.
+        if (c == '$' && !(reader == DepfileReader::Ninja && backslashes > 0)) text += '$';
         text += c;
         backslashes = c == '\\' ? backslashes + 1 : 0;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// External programs that read AIGER, run by `check`: ABC from the PATH, and a program named by the user.
+// External programs that read AIGER and that `check` runs: ABC from the PATH, and a program that the user names.
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -41,12 +41,12 @@ public:
     ProgramResult run(const std::vector<std::string>& arguments) const {
         return run_program(arguments, "", {.deadline = watch_.deadline(), .stop = stop_, .folder = folder_.path()});
     }
-    /// The content of a file that the program wrote; empty if there is none.
+    /// Returns the content of a file that the program wrote; empty if there is none.
     std::string left(const char* name) const {
         std::string why;
         return content_of_file(folder_.path() / name, why).value_or("");
     }
-    /// The run that a witness describes, not yet validated.
+    /// Returns the run that a witness describes. The run is not validated yet.
     pdr::PdrAnswer reached(const std::string& witness) const {
         auto inputs = hwmcc::read_witness(circuit_, numbering_, witness);
         if (!inputs) disbelieve("the program gives no trace for its verdict");
@@ -63,7 +63,7 @@ private:
     TemporaryFolder folder_ = TemporaryFolder();
 };
 
-/// `bmc3` finds short counterexamples within a tenth of the time; then `pdr` decides.
+/// Runs ABC: `bmc3` finds short counterexamples within a tenth of the time; then `pdr` decides.
 pdr::PdrAnswer ask_abc(const std::string& program, const HwmccQuery& question) {
     using Seconds = std::chrono::duration<double>;
     const auto deadline = question.watch().deadline();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// `check --engine verifyta`: writes the UPPAAL project into a temporary folder and runs verifyta on it once per query.
-// Follows its documented behaviour; its licence forbids automated tests with it, so the tests run a stand-in.
+// `check --engine verifyta`: writes the UPPAAL project to a temporary folder and runs verifyta on it once per query.
+// The implementation relies only on documented behaviour. The licence of verifyta forbids automated tests with it;
+// therefore the tests use a replacement.
 #include "app/engines.hpp"
 #include "app/system/process.hpp"
 #include "check/external/verifyta.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// External engines, found on the PATH. Nothing after an error: the program was not found.
+// External engines, which are searched for on the PATH. A result is empty after an error: the program was not found.
 #pragma once
 
 #include <atomic>
@@ -12,20 +12,20 @@
 
 namespace grafverif::app {
 
-/// `verifyta`, on the UPPAAL project of the loop: verdicts without runs.
+/// Runs `verifyta` on the UPPAAL project of the loop. The verdicts have no runs.
 std::optional<Report> check_by_verifyta(const LoopToCheck& loop, const CheckOptions& check, Diagnostics& diagnostics);
 
-/// `NuSMV` or `nuXmv`, on the exported model.
+/// Runs `NuSMV` or `nuXmv` on the exported model.
 std::optional<Report> check_by_nusmv(const SystemToCheck& check, const std::string& program,
                                      const CheckOptions& options, Diagnostics& diagnostics);
 
-/// ABC (`berkeley-abc`), on the circuit of each property: `bmc3`, then `pdr`. A proof includes an invariant.
+/// Runs ABC (`berkeley-abc`) on the circuit of each property: first `bmc3`, then `pdr`. A proof includes an invariant.
 std::optional<Report> check_by_abc(const SystemToCheck& check, const CheckOptions& options, Diagnostics& diagnostics);
 
-/// ABC as a search procedure for check_pdr; `program`: the path of ABC.
+/// Returns ABC as a search procedure for check_pdr. `program` is the path of ABC.
 decltype(PdrOptions::reach) search_by_abc(std::string program, const std::atomic<bool>* stop);
 
-/// A checker of the hardware model checking competition, run by the shell as `COMMAND model.aig`.
+/// Runs a checker of the hardware model checking competition in the shell as `COMMAND model.aig`.
 std::optional<Report> check_by_command(const SystemToCheck& check, const std::string& command,
                                        const CheckOptions& options);
 

@@ -23,7 +23,7 @@ struct Listed {
     Property property = {};  ///< an empty name denotes the complete model
 };
 
-/// The selected properties of the loop; nothing after an error.
+/// Returns the selected properties of the loop; empty after an error.
 std::optional<std::vector<Listed>> listed(const Model& model, Id<ClosedLoop> id, CommandContext& job) {
     const ClosedLoop& loop = model.loops[id];
     std::vector<Property> found;

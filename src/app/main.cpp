@@ -15,7 +15,7 @@
 
 namespace {
 
-/// Exit code of a process that SIGPIPE has ended, as shells report it.
+/// Exit code of a process ended by SIGPIPE, as reported by shells.
 constexpr int closed_pipe = 128 + SIGPIPE;
 
 /// True if the reader of the pipe at `descriptor` has closed it.

@@ -45,7 +45,7 @@ Option text(OptionGroup accepts, const char* name, const char* value, Place plac
     return {accepts, name, value, help, take};
 }
 
-/// A shell command.
+/// Returns an option whose value is a shell command.
 template <class Place>
 Option command(OptionGroup accepts, const char* name, const char* value, Place place, const char* help) {
     Option option = text(accepts, name, value, place, help);
@@ -53,7 +53,7 @@ Option command(OptionGroup accepts, const char* name, const char* value, Place p
     return option;
 }
 
-/// An option that had the name `former` in the previous version.
+/// Returns an option that was called `former` in the previous version.
 Option renamed(const char* former, Option option) {
     option.former = former;
     return option;
@@ -88,8 +88,8 @@ Option choice(OptionGroup accepts, const char* name, std::vector<Choice<T>> choi
             }};
 }
 
-/// A whole number, multiplied by the factor of its suffix. `suffixes`: the accepted suffixes, the usual one first; one
-/// is required.
+/// Returns an option for a whole number, which is multiplied by the factor of its suffix. `suffixes` are the accepted
+/// suffixes, starting with the usual one. One suffix is required.
 template <class Place>
 Option number(OptionGroup accepts, const char* name, const char* value, std::vector<Choice<std::uint64_t>> suffixes,
               Place place, const char* help) {
@@ -118,7 +118,7 @@ Option number(OptionGroup accepts, const char* name, const char* value, std::vec
             }};
 }
 
-/// A time in milliseconds, at most a hundred years, since clocks count nanoseconds in 63 bits.
+/// Returns an option for a time in milliseconds, at most a hundred years, because clocks count nanoseconds in 63 bits.
 template <class Place>
 Option time(OptionGroup accepts, const char* name, Place place, const char* help) {
     static constexpr std::uint64_t hundred_years = std::uint64_t{100} * 365 * 24 * 3'600'000;
@@ -222,7 +222,7 @@ std::vector<Option> options_for_forms() {
     };
 }
 
-/// The options of `check`, `test`, `simulate` and `analyse`.
+/// Returns the options of `check`, `test`, `simulate` and `analyse`.
 std::vector<Option> options_for_checks() {
     using F = Format;
     return {

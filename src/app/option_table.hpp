@@ -13,19 +13,19 @@ namespace grafverif::app {
 /// An option of the commands that accept its group.
 struct Option {
     OptionGroup accepts = OptionGroup::Always;
-    std::string name = {};   ///< with its letter, if any: `output,o`
-    std::string value = {};  ///< placeholder of its value in the help; empty: a switch, which has no value
-    std::string help = {};   ///< empty: not shown in the help
-    /// Stores the given values, or the fact that the option was given; returns an error message, or nothing.
+    std::string name = {};   ///< name with its letter, if any: `output,o`
+    std::string value = {};  ///< placeholder of its value in the help; empty for a switch, which has no value
+    std::string help = {};   ///< help text; if empty, the help does not show the option
+    /// Stores the given values, or the fact that the option was given. Returns an error message or an empty string.
     std::function<std::string(const std::vector<std::string>&, Options&)> take = {};
     bool repeated = false;
-    bool is_command = false;  ///< only as a separate word: `--NAME=COMMAND` may be the name of a file
-    std::string former = {};  ///< deprecated name, accepted with a warning; empty: none
+    bool is_command = false;  ///< accepted only as a separate word, because `--NAME=COMMAND` may be the name of a file
+    std::string former = {};  ///< deprecated name, which is accepted with a warning; may be empty
 
     std::string long_name() const { return name.substr(0, name.find(',')); }
     std::string letter() const { return name.find(',') == std::string::npos ? "" : name.substr(name.find(',') + 1); }
 };
-/// The options of a command, in the order of --help.
+/// Returns the options of a command, in the order of --help.
 std::vector<Option> options_of(const CliCommand& verb);
 
 }  // namespace grafverif::app

@@ -33,7 +33,7 @@ po::options_description described(const std::vector<Option>& options, bool hidde
     return result;
 }
 
-/// Stores the given options in `options`; returns an error message, or nothing.
+/// Stores the given options in `options`. Returns an error message or an empty string.
 std::string take_all(const std::vector<Option>& known, const po::variables_map& values, Options& options) {
     for (const Option& option : known) {
         const po::variable_value& value = values[option.long_name()];
@@ -49,7 +49,7 @@ std::string take_all(const std::vector<Option>& known, const po::variables_map& 
 // -- combinations of options
 // ---------------------------------------------------------------------------------------------
 
-/// `modelled`: true if an option of untimed models was given.
+/// Validates the engine. `modelled` is true if an option of untimed models was given.
 std::string validate_engine(bool modelled, const po::variables_map& values, Options& options) {
     if (!options.engine_command.empty()) {
         if (options.engine != Engine::Embedded)
@@ -70,7 +70,8 @@ std::string validate_engine(bool modelled, const po::variables_map& values, Opti
         return fmt::format(
             "`--engine {}` checks only closed loops; remove `--engine` to check the chart (`--chart`) untimed",
             values["engine"].as<std::string>());
-    const bool open = options.engine == Engine::Embedded || options.engine == Engine::Auto;  // either kind of model
+    // Either type of model is possible.
+    const bool open = options.engine == Engine::Embedded || options.engine == Engine::Auto;
     if (options.stats && (options.check_untimed || !(open || options.engine == Engine::Timed)))
         return "`--stats` is supported only by the embedded timed engine; remove `--stats` or the engine";
     if (options.why && (options.check_untimed || !(open || options.engine == Engine::Timed)))
@@ -83,7 +84,8 @@ std::string validate_engine(bool modelled, const po::variables_map& values, Opti
     return {};
 }
 
-/// Shell patterns expand operands to names of files, and such a name must not run a command.
+/// Requires that a command is a separate word. Shell patterns expand operands to names of files, and such a name must
+/// not run a command.
 std::string adjacent_command(const std::vector<po::option>& given, const std::vector<Option>& known) {
     for (const po::option& one : given)
         for (const Option& option : known)
@@ -95,7 +97,7 @@ std::string adjacent_command(const std::vector<po::option>& given, const std::ve
     return {};
 }
 
-/// Replaces former names by current ones; returns the replaced names.
+/// Replaces former names by current ones. Returns the replaced names.
 std::vector<FormerName> replace_former_names(std::vector<po::option>& given, const std::vector<Option>& known) {
     std::vector<FormerName> replaced;
     for (po::option& one : given)
@@ -174,7 +176,7 @@ ParsedOptions parse_options(const CliCommand& verb, std::span<const std::string>
     if (options.help) return {options, {}, former_names};
     options.operands.insert(options.operands.end(), own, arguments.end());
     if (accepts(verb, OptionGroup::Bench) && options.against.empty()) return {{}, "`--against PROGRAM` is missing"};
-    if (options.format == Format::Sarif) {  // one of the reports, with its own name
+    if (options.format == Format::Sarif) {  // SARIF is one of the reports, with a separate option for its file name
         options.sarif = options.output.value_or("-");
         options.output.reset();
     }
@@ -182,7 +184,7 @@ ParsedOptions parse_options(const CliCommand& verb, std::span<const std::string>
     if (options.operands.size() < verb.least_operands) return {{}, fmt::format("`{}` is missing", verb.operand)};
     if (options.operands.size() > verb.most_operands)
         return {{}, fmt::format("unexpected argument `{}`; remove it", options.operands[verb.most_operands])};
-    const std::string words = "|" + verb.operand + "|";  // `bash|zsh|fish`: one of these
+    const std::string words = "|" + verb.operand + "|";  // the operand is one of `bash|zsh|fish`
     if (verb.operand.find('|') != std::string::npos && words.find("|" + options.operands[0] + "|") == std::string::npos)
         return {{},
                 fmt::format("invalid argument `{2}` of `{0}`; use one of `{1}`", verb.name, verb.operand,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command line of every command: one set of options, from which each command selects the ones it accepts.
+// The command line of every command: one set of options, from which each command selects those that it accepts.
 #pragma once
 
 #include <array>
@@ -40,96 +40,97 @@ enum class Engine {
     Nusmv,
     Nuxmv
 };  ///< Embedded: Timed, for untimed models Symbolic; Auto: Timed, for untimed models several in parallel
-/// What `supervise` may disable.
+/// Elements that `supervise` may disable.
 enum class Held { Both, Transitions, Outputs };
-/// The program that reads a depfile.
+/// Program that reads a depfile.
 enum class DepfileReader { Make, Ninja, CMake };
-/// How time passes for a controller that runs line by line: by `wait` lines, or in real time.
+/// Defines how time passes for a controller that is driven line by line: by `wait` lines, or in real time.
 enum class Clock { Simulated, Real };
 
 struct Options {
-    std::vector<std::string> operands = {};  ///< FILE, or NAME for `components`
-    std::optional<std::string> output = {};  ///< -o
-    std::optional<std::string> name = {};    ///< of the files of `build`
-    bool create = false;                     ///< create missing output folders
+    std::vector<std::string> operands = {};  ///< FILE operands, or NAME for `components`
+    std::optional<std::string> output = {};  ///< value of -o
+    std::optional<std::string> name = {};    ///< name of the files that `build` writes
+    bool create = false;                     ///< true: create missing output folders
     std::optional<std::string> depfile = {}, depfile_target = {};
-    std::optional<DepfileReader> depfile_reader = {};  ///< Make by default
-    bool all = false;                                  ///< every loop, or chart, of a file
+    std::optional<DepfileReader> depfile_reader = {};  ///< reader of the depfile; default: Make
+    bool all = false;                                  ///< true: all loops, or charts, of a file
     std::optional<std::string> loop = {};
     std::optional<std::string> chart = {};
-    std::optional<std::string> other_chart = {};      ///< of `compare`
-    bool all_modes = false;                           ///< of `compare`
-    std::optional<std::string> from_situation = {};   ///< of `compare`: names of steps, with commas
-    std::optional<std::uint64_t> resolution_ms = {};  ///< of `compare`
+    std::optional<std::string> other_chart = {};      ///< option of `compare`
+    bool all_modes = false;                           ///< option of `compare`
+    std::optional<std::string> from_situation = {};   ///< option of `compare`: names of steps, separated by commas
+    std::optional<std::uint64_t> resolution_ms = {};  ///< option of `compare`
     std::optional<ExecutionMode> mode = {};
     std::optional<Grain> grain = {};
-    ScheduleOptions untimed = {};             ///< of untimed models; its mode is the one above
-    std::optional<PlantApproach> plant = {};  ///< of untimed models, as requested
+    ScheduleOptions untimed = {};             ///< options of untimed models; `mode` above replaces its mode
+    std::optional<PlantApproach> plant = {};  ///< plant of untimed models, as requested
     Target target = Target::Both;
-    std::optional<bool> binary = {};  ///< of `aiger`; empty: according to the name of the output
+    std::optional<bool> binary = {};  ///< option of `aiger`; empty: depends on the name of the output
     Clock clock = Clock::Simulated;
-    Format format = Format::Text;  ///< of `testgen`: Csv
+    Format format = Format::Text;  ///< format; Csv only for `testgen`
     TestCover cover = TestCover::Transitions;
-    bool one_cycle_each = false;  ///< `--hold one`
+    bool one_cycle_each = false;  ///< true for `--hold one`
     bool minimise = false;
-    bool counts = false;  ///< no tables
+    bool counts = false;  ///< true: print no tables
     DiagnosticFormat diagnostics = DiagnosticFormat::Text;
     ColourChoice colour = ColourChoice::Auto;
     bool in_place = false;
     bool check = false;
     bool quiet = false;
-    bool lossy = false;                                 ///< omit constructs that cannot be imported from another format
-    std::vector<std::string> include_folders = {};      ///< -I
-    std::map<std::string, std::string> constants = {};  ///< --set: values of constants of loops
+    bool lossy = false;                             ///< true: omit constructs of other formats that cannot be imported
+    std::vector<std::string> include_folders = {};  ///< values of -I
+    std::map<std::string, std::string> constants = {};  ///< values of --set: values of constants of loops
     bool verbose = false;
     bool stats = false;
-    bool why = false;  ///< of `check`
+    bool why = false;  ///< option of `check`
     bool help = false;
 
-    std::vector<std::string> properties = {};       ///< of `check`; empty: all
-    std::optional<std::string> property_file = {};  ///< of `check`: the operands are PLC programs
-    std::string marked = {};                        ///< of `supervise`: a term
-    Held held = Held::Both;                         ///< of `supervise`: the elements that get conditions
+    std::vector<std::string> properties = {};       ///< option of `check`: names of properties; empty: all
+    std::optional<std::string> property_file = {};  ///< option of `check`: if present, the operands are PLC programs
+    std::string marked = {};                        ///< option of `supervise`: a term
+    Held held = Held::Both;                         ///< option of `supervise`: the elements that get conditions
     Engine engine = Engine::Embedded;
-    bool whole = false;               ///< no independent subsystem and no fragment is decided separately
-    unsigned jobs = 0;                ///< threads; 0: one per core
-    std::string engine_command = {};  ///< of Engine::Hwmcc
-    bool check_untimed = false;       ///< --untimed, or an engine without time
+    bool whole = false;               ///< true: do not decide independent subsystems or fragments separately
+    unsigned jobs = 0;                ///< number of threads; 0 selects one per core
+    std::string engine_command = {};  ///< command for Engine::Hwmcc
+    bool check_untimed = false;       ///< true for --untimed, or an engine without time
     Ablations without = {};           ///< corrections of the method that are disabled
-    std::vector<std::string> disabled_corrections = {};  ///< their names
+    std::vector<std::string> disabled_corrections = {};  ///< names of the disabled corrections
     std::optional<std::uint64_t> max_states = {};
-    std::optional<std::uint64_t> max_steps = {};                         ///< of Engine::Bmc
-    std::optional<std::uint64_t> max_memory = {};                        ///< bytes
-    std::optional<std::uint64_t> timeout_ms = {};                        ///< a hundred years at most
-    std::optional<std::chrono::steady_clock::time_point> deadline = {};  ///< the same limit as a point in time
+    std::optional<std::uint64_t> max_steps = {};   ///< limit for Engine::Bmc
+    std::optional<std::uint64_t> max_memory = {};  ///< limit in bytes
+    std::optional<std::uint64_t> timeout_ms = {};  ///< limit in milliseconds; at most a hundred years
+    std::optional<std::chrono::steady_clock::time_point> deadline = {};  ///< the time limit as a point in time
     std::optional<std::string> junit = {}, sarif = {};
-    bool list = false;                                           ///< of `check`: list its properties
-    std::optional<std::string> state_file = {}, survivors = {};  ///< of `mutate`
+    bool list = false;                                           ///< option of `check`: list the properties
+    std::optional<std::string> state_file = {}, survivors = {};  ///< options of `mutate`
     std::optional<std::uint64_t> limit = {},
-                                 mutant_timeout_ms = {};  ///< of `mutate`: number of mutants; time limit of each
-    std::uint64_t seed = 1;                               ///< of `mutate`
-    std::string date = {};                                ///< of `report`: the date shown
+                                 /// Options of `mutate`: number of mutants; time limit for each.
+        mutant_timeout_ms = {};
+    std::uint64_t seed = 1;  ///< option of `mutate`
+    std::string date = {};   ///< option of `report`: the displayed date
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
-    EventRange events = {};                    ///< of the trace as a timing diagram
-    std::string against = {};                  ///< of `test`: the command that runs the controller under test
-    std::optional<std::string> sequence = {};  ///< of `test`: the table to run; empty: generated from the chart
+    EventRange events = {};                    ///< events of the trace in the timing diagram
+    std::string against = {};                  ///< option of `test`: the command that runs the controller under test
+    std::optional<std::string> sequence = {};  ///< option of `test`: the table to run; empty: generated from the chart
     std::optional<std::uint64_t> response_timeout_ms =
-        {};                                            ///< of `test`: limit for one response; of `serve`: for one check
-    bool stop_on_failure = false, keep_going = false;  ///< of `test`
-    std::uint64_t max_evolutions = 1000;               ///< of `st`; in 32 bits
-    std::optional<std::string> script = {};            ///< of `simulate`
-    std::optional<std::string> exclusions = {};        ///< of `analyse`
+        {};                                            ///< `test`: limit for one response; `serve`: limit for one check
+    bool stop_on_failure = false, keep_going = false;  ///< options of `test`
+    std::uint64_t max_evolutions = 1000;               ///< option of `st`; must fit into 32 bits
+    std::optional<std::string> script = {};            ///< option of `simulate`
+    std::optional<std::string> exclusions = {};        ///< option of `analyse`
     std::optional<std::uint64_t> random_seed = {};
-    std::uint64_t steps = 100;   ///< of a random walk
-    std::string situation = {};  ///< of `draw`: names of steps, with commas
-    std::uint64_t columns = 0;   ///< of `draw`; 0: as many as fit on a page
+    std::uint64_t steps = 100;   ///< number of steps of a random walk
+    std::string situation = {};  ///< option of `draw`: names of steps, separated by commas
+    std::uint64_t columns = 0;   ///< option of `draw`; 0: as many as fit on a page
     Notation notation = Notation::Iec;
-    std::uint64_t port = 0;  ///< of `serve`; 0: any that is free
-    bool open = false;       ///< of `serve`: open a browser
-    bool stdio = false;      ///< of `lsp`: no effect, it always uses standard input and output
+    std::uint64_t port = 0;  ///< option of `serve`; 0: any free port
+    bool open = false;       ///< option of `serve`: open a browser
+    bool stdio = false;      ///< option of `lsp` without effect: the server always uses standard input and output
 };
 
-/// How a run uses the file that an option names; docs/reference/files.md states the rules of each use.
+/// Defines how a command uses the file that an option names. docs/reference/files.md states the rules for each use.
 enum class PathUse { Read, Written, Updated, WrittenFolder };
 
 struct PathOption {
@@ -138,7 +139,7 @@ struct PathOption {
     PathUse use = PathUse::Written;
 };
 
-/// Every option that names a file or folder, except `--include`. `--output` of `build` is a folder.
+/// Lists every option that names a file or folder, except `--include`. `--output` of `build` is a folder.
 inline constexpr std::array path_options = {
     PathOption{"output", &Options::output, PathUse::Written},
     PathOption{"junit", &Options::junit, PathUse::Written},
@@ -159,12 +160,12 @@ struct NamedPath {
     std::string path = {};
     PathUse use = PathUse::Written;
 };
-/// The paths that `options` name, in the order of the list.
+/// Returns the paths that `options` name, in the order of the list.
 std::vector<NamedPath> named_paths(const Options& options);
 
 /// The groups of options that a command may accept, in addition to those that all commands accept. File: commands that
 /// read a file; Timeout: commands without another time limit; Writes: commands that may write files; Command: a command
-/// that runs another command, to which all following arguments belong.
+/// that runs another command, and to which all following arguments belong.
 enum class OptionGroup {
     Always,
     File,
@@ -218,24 +219,24 @@ inline constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max(
 
 struct CliCommand {
     std::string name = {};
-    std::string operand = {};  ///< as shown in the usage line: `FILE`, `FILE...`, `[NAME]`
+    std::string operand = {};  ///< operand in the usage line: `FILE`, `FILE...`, `[NAME]`
     std::size_t least_operands = 1, most_operands = 1;
-    std::string summary = {};      ///< one line, for the list of commands
-    std::string description = {};  ///< for --help
+    std::string summary = {};      ///< one line for the list of commands
+    std::string description = {};  ///< text for --help
     std::vector<std::string> examples = {};
     std::vector<OptionGroup> accepts = {};
 };
 
-/// A deprecated name of an option, as passed, and the current one.
+/// A deprecated name of an option, as it was passed, and the current name.
 struct FormerName {
     std::string former = {}, name = {};
 };
 
-/// The options in `arguments` (without the command's name), or an error message.
+/// The options in `arguments`, which do not include the command's name, or an error message.
 struct ParsedOptions {
     std::optional<Options> options = {};
     std::string error_text = {};
-    std::vector<FormerName> former_names = {};  ///< in the order of the arguments
+    std::vector<FormerName> former_names = {};  ///< former names in the order of the arguments
 };
 ParsedOptions parse_options(const CliCommand& verb, std::span<const std::string> arguments);
 
@@ -244,15 +245,15 @@ bool accepts(const CliCommand& verb, OptionGroup what);
 
 /// The table entry of an option of a command, for help, manual pages and completion.
 struct OptionText {
-    std::string name = {};    ///< without dashes: `output`
-    std::string letter = {};  ///< `o`, or empty
-    std::string value = {};   ///< placeholder of its value: `FILE`, `text|json`; empty: it has none
+    std::string name = {};    ///< name without dashes: `output`
+    std::string letter = {};  ///< letter such as `o`; may be empty
+    std::string value = {};   ///< placeholder of its value: `FILE`, `text|json`; empty if it has no value
     std::string help = {};
 };
-/// The visible options of a command, in the order of --help.
+/// Returns the visible options of a command, in the order of --help.
 std::vector<OptionText> option_texts(const CliCommand& verb);
 
-/// `grafverif COMMAND --help`.
+/// Prints the text of `grafverif COMMAND --help`.
 void print_help(const CliCommand& verb, std::ostream& out);
 
 }  // namespace grafverif::app

@@ -47,8 +47,8 @@ bool is_no_input(const std::string& path, CommandContext& job) {
     return true;
 }
 
-/// The format that the extension of `path` names, if it is a picture or document format that is not written here: only
-/// `report` writes HTML, and it does not write SVG. Empty for any other extension.
+/// Returns the format that the extension of `path` names, if it is a picture or document format that the command does
+/// not write: only `report` writes HTML, and it does not write SVG. The result is empty for any other extension.
 std::string foreign_format(const std::filesystem::path& path, bool drawing, bool page) {
     constexpr std::array<std::string_view, 13> never = {"png",  "jpg", "jpeg", "gif", "webp", "bmp", "tif",
                                                         "tiff", "pdf", "ps",   "eps", "emf",  "docx"};
@@ -68,7 +68,7 @@ struct OutputStream {
     bool terminal = false;
 };
 
-/// The outlet that `path` names; a null stream denotes a file.
+/// Returns the output stream that `path` names; a null stream represents a file.
 OutputStream outlet_of(const std::filesystem::path& path, const Streams& streams) {
     if (names_output(path.string()))
         return streams.documents != nullptr ? OutputStream{streams.documents, streams.documents_screen.terminal}
@@ -129,7 +129,8 @@ bool folders_are_there(bool folder, CommandContext& job) {
     for (const auto& [option, path, use] : named_paths(job.options)) {
         if (use == PathUse::Read) continue;
         std::filesystem::path file(path);
-        if (use == PathUse::WrittenFolder && !file.has_filename()) file = file.parent_path();  // `DIR/`
+        // The path ends in a slash: `DIR/`.
+        if (use == PathUse::WrittenFolder && !file.has_filename()) file = file.parent_path();
         const bool is_folder = folder && option == "output";
         const std::filesystem::path needed = is_folder ? file : file.parent_path();
         std::error_code failure;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checks the outputs of a run against its inputs and each other: no file is both, and no two outputs are one file.
-// Paths that the options name are checked before any work begins.
+// Checks the outputs of a command against its inputs and against each other: no file may be both input and output, and
+// no two outputs may be one file. Paths that the options name are checked before any work begins.
 #pragma once
 
 #include <string>
@@ -13,28 +13,31 @@
 
 namespace grafverif::app {
 
-/// True if `path` is standard input or output, under any of its names: `-`, `/dev/stdin`.
+/// True if `path` is standard input or output under any of its names: `-`, `/dev/stdin`.
 bool names_input(const std::string& path);
 bool names_output(const std::string& path);
 
-/// True if a report or similar document goes to standard output, so that other messages must go elsewhere.
+/// True if a report or similar document is written to standard output, so that other messages must be written
+/// elsewhere.
 bool reports_on_output(const Options& options);
-/// True if the run must write files even after the reader of standard output has gone.
+/// True if files must be written even if the reader of standard output has gone.
 bool writes_files(const Options& options);
 
-/// Checks that the options name distinct files as outputs; false after an error.
+/// Checks that the options name distinct files as outputs. Returns false after an error.
 bool outputs_differ(CommandContext& job);
-/// Checks that no output is named after a format that the command does not write (`draw -o x.png`); false after an
-/// error.
+/// Checks that no output is named after a format that the command does not write (`draw -o x.png`). Returns false after
+/// an error.
 bool formats_are_written(std::string_view verb, CommandContext& job);
-/// Checks that the folders of the outputs exist or may be created; false after an error. `folder`: `-o` names a folder.
+/// Checks that the folders of the outputs exist or may be created. Returns false after an error. `folder` is true if
+/// `-o` names a folder.
 bool folders_are_there(bool folder, CommandContext& job);
 
-/// Records that this run reads the file at `path`; false after an error: it is also an output.
+/// Records that the command reads the file at `path`. Returns false after an error: the file is also an output.
 bool note_input(const std::string& path, CommandContext& job);
 
-/// Writes the set of files (see write_files), first the depfile if one is requested; `-` and other names of standard
-/// output and error go to the streams. False after an error: one of the files is an input, or is contained twice.
+/// Writes the set of files (see write_files), preceded by the depfile if one is requested. `-` and other names of
+/// standard output and error denote the streams. Returns false after an error: one of the files is an input, or occurs
+/// twice.
 bool write_outputs(const std::vector<OutputFile>& files, CommandContext& job, const Streams& streams);
 
 }  // namespace grafverif::app

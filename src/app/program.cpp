@@ -30,7 +30,7 @@ namespace {
 struct Entry {
     CliCommand (*usage)() = nullptr;
     ExitCode (*run)(CommandContext&, const Streams&) = nullptr;
-    void (*list)(CommandContext&) = nullptr;  ///< prints the list of all results when they are written
+    void (*list)(CommandContext&) = nullptr;  ///< prints a list of all results after they are written
 };
 
 constexpr std::array entries = {
@@ -119,7 +119,7 @@ WatchdogOptions orders(const CommandContext& job, const Streams& streams) {
     return orders;
 }
 
-/// Errors caused by a limit of this run, not by its input; with another limit they may not occur.
+/// True for errors that a limit of this run causes, and not its input. With another limit they may not occur.
 bool about_bounds(const Diagnostic& diagnostic) {
     return diagnostic.code == "stopped" || diagnostic.code == "out-of-memory" || diagnostic.code == "threads-refused" ||
            diagnostic.code == "bound-reached";
@@ -135,7 +135,7 @@ ExitCode exit_code(const CommandContext& job, ExitCode code) {
     return code == ExitCode::Verdict ? code : ExitCode::Unknown;
 }
 
-/// One invocation of the program: runs a command on each of its files, then writes the combined outputs.
+/// One invocation of the program: executes a command on each of its files, then writes the combined outputs.
 class Invocation {
 public:
     Invocation(const Entry& entry, const CliCommand& verb, const Options& options, const Streams& streams)
@@ -166,7 +166,7 @@ public:
     }
 
 private:
-    /// If a report uses standard output, messages go to standard error.
+    /// Returns the streams for messages. If a report uses standard output, messages are written to standard error.
     static Streams with_words_apart(const Streams& streams) {
         Streams apart{streams.in, streams.err, streams.err, streams.alone, streams.err_screen, streams.err_screen};
         apart.documents = &streams.out;
@@ -174,7 +174,7 @@ private:
         return apart;
     }
 
-    /// The operands of each run of the command.
+    /// Returns the operands of each execution of the command.
     std::vector<std::vector<std::string>> rounds_of() const {
         if (verb_.most_operands != any_number) return {requested_.operands};
         std::vector<std::vector<std::string>> rounds;
@@ -190,7 +190,7 @@ private:
         job_.closing.clear();
     }
 
-    /// Reports exceptions of the system like any other error.
+    /// Executes `work` and reports exceptions of the system like any other error.
     template <class Work>
     ExitCode attempt(const Work& work) {
         ExitCode code = ExitCode::Done;
@@ -250,7 +250,7 @@ private:
     Reports reports_ = {};
     ExitCode code_ = ExitCode::Done;
     bool failed_ = false;
-    bool reported_ = true;  ///< the reports were written
+    bool reported_ = true;  ///< true if the reports were written
 };
 
 ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, const Streams& streams) {
@@ -304,7 +304,7 @@ ExitCode run(std::span<const std::string> arguments, const Streams& streams) {
         streams.out << "grafverif " GRAFVERIF_VERSION "\n";
         return ExitCode::Done;
     }
-    const std::string& verb = asks ? arguments[1] : name;  // also for `help check` and `--help check`
+    const std::string& verb = asks ? arguments[1] : name;  // also applies to `help check` and `--help check`
     for (const Entry& entry : entries) {
         if (entry.usage().name == verb && asks) return print_help(entry.usage(), streams.out), ExitCode::Done;
         if (entry.usage().name == verb) return run_verb(entry, arguments.subspan(1), streams);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Progress line: one line on the terminal, overwritten until the work ends.
+// Progress line: one line on the terminal, which is overwritten until the work ends.
 #pragma once
 
 #include <chrono>
@@ -28,7 +28,7 @@ public:
         err_ << line << std::flush;
     }
 
-    /// Writes `text`, which consists of complete lines, above it.
+    /// Prints `text`, which consists of complete lines, above the progress line.
     void interrupt(std::string_view text) {
         erase();
         err_ << text << std::flush;

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// True if `text` ends as the findings of `analyse` do: `press: 1 error, 2 notes`.
+/// True if `text` ends in the same way as the findings of `analyse`: `press: 1 error, 2 notes`.
 bool ends_in_tally(std::string_view text) {
     if (!text.ends_with('\n')) return false;
     text.remove_suffix(1);
@@ -46,7 +46,7 @@ bool is_report(std::string_view text) {
            std::ranges::any_of(beginnings, [&](std::string_view each) { return text.starts_with(each); });
 }
 
-/// True if the file at `path` may be replaced before the inputs of the run are known.
+/// True if the file at `path` may be replaced before the inputs of the command are known.
 bool is_replaceable(const std::string& path, const CommandContext& job) {
     const std::string identity = path == "-" || own_descriptor(path) ? "" : file_identity(path);
     if (identity.empty()) return false;
@@ -69,7 +69,7 @@ std::string sarif_text(const SarifLog& log) {
     return std::move(text).str();
 }
 
-/// The file that a run is about, for display.
+/// Returns the displayed name of the file that a run concerns.
 std::string file_of(const CommandContext& job) {
     return job.options.operands.empty() ? "" : job.options.operands.front();
 }

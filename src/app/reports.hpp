@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Report files of a run: each belongs to the run that requested it, or does not exist. Before any work, an old JUnit or
-// SARIF report is replaced by one that states that the run did not finish. Other old reports (traces, pages, findings)
-// are removed, so that no report of an earlier run remains if this run is killed. After the work the reports are
-// written, also after errors. Until the inputs of a run are known, only missing files and reports are modified: a chart
-// that was named by mistake is kept.
+// Report files of an invocation. Each either belongs to the invocation that requested it or does not exist. Before any
+// work, an old JUnit or SARIF report is replaced by one that states that the run did not finish. Other old reports
+// (traces, pages, findings) are removed. Therefore no report of an earlier invocation remains if this one is killed.
+// The reports are written after the work, also after errors. Until the inputs are known, only missing files and reports
+// are modified, so that a chart that was named by mistake is kept.
 #pragma once
 
 #include <string>
@@ -16,14 +16,14 @@
 
 namespace grafverif::app {
 
-/// The results of all runs of one invocation.
+/// The results of all executions of one invocation.
 struct Reports {
-    std::string suites = {};  ///< of JUnit
+    std::string suites = {};  ///< test suites for JUnit
     SarifLog sarif = {};
-    std::vector<OutputFile> files = {};  ///< traces
+    std::vector<OutputFile> files = {};  ///< files of traces
 };
 
-/// `output`: the file of `-o` is a report too.
+/// Prepares the report files. `output` is true if the file given by `-o` is also a report.
 void begin_reports(bool output, CommandContext& job);
 
 /// Adds the verdicts of a model to the requested reports.
@@ -31,7 +31,7 @@ void note(const Decided& decided, const Model& model, CommandContext& job);
 /// Adds the diagnostics of a run; errors also become lines of `--json-lines`.
 void note_diagnostics(CommandContext& job, const Streams& streams);
 
-/// `failed`: after errors, which may have prevented a file from being recorded as an input.
+/// Writes the reports. `failed` is true after errors, which may have prevented a file from being recorded as an input.
 bool write_reports(bool failed, CommandContext& job, const Streams& streams);
 
 }  // namespace grafverif::app

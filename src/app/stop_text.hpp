@@ -9,7 +9,7 @@
 
 namespace grafverif::app {
 
-/// `reason` with the cause inserted after its word `stopped`: `by_user`, otherwise the time limit.
+/// Returns `reason` with the cause inserted after its word `stopped`: the user if `by_user`, otherwise the time limit.
 inline std::string with_who_stopped(std::string reason, bool by_user, const Options& options) {
     constexpr std::string_view word = "stopped", limit = " at the time limit";
     const std::size_t at = reason.find(word);
@@ -21,7 +21,7 @@ inline std::string with_who_stopped(std::string reason, bool by_user, const Opti
     return reason.insert(behind + limit.size(), " of " + seconds_text(static_cast<std::int64_t>(*options.timeout_ms)));
 }
 
-/// `reason` with the option that allows more of what was used up.
+/// Returns `reason` with the option that increases the limit that was reached.
 inline std::string with_remedy(std::string reason, const Options& options) {
     if (options.timeout_ms && reason.find(" at the time limit") != std::string::npos) reason += "; raise `--timeout`";
     else if (reason.find("memory limit") != std::string::npos) reason += "; raise `--max-memory`";

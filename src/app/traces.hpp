@@ -12,7 +12,7 @@
 
 namespace grafverif::app {
 
-/// `run` as the files of --trace-vcd and --trace-svg, if requested.
+/// Returns `run` as the files of --trace-vcd and --trace-svg, if requested.
 std::vector<OutputFile> trace_files(const ChartRun& run, std::string_view title, const Options& options);
 
 }  // namespace grafverif::app

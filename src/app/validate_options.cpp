@@ -130,7 +130,7 @@ std::string validate_limits(Options& options) {
     return {};
 }
 
-/// Options that only plant automata have select them.
+/// Options that exist only for plant automata select them.
 std::string validate_untimed(Options& options) {
     ScheduleOptions& untimed = options.untimed;
     const bool discrete = untimed.time == TimeModel::Discrete;

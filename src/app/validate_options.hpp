@@ -10,23 +10,24 @@
 
 namespace grafverif::app {
 
-/// Validates inputs and outputs: the options suffice to write the outputs, at most one option reads standard input, and
-/// at most one document goes to standard output. Returns an error message, or nothing.
+/// Validates inputs and outputs. The options must be sufficient to write the outputs, at most one option may read
+/// standard input, and at most one document may be written to standard output. Returns an error message or an empty
+/// string.
 std::string validate_outputs(const CliCommand& verb, const Options& options);
 
-/// Validates options that require or exclude another one. `given`: true if the option of that name was given.
+/// Validates options that require or exclude another option. `given` is true if the option of that name was given.
 std::string validate_combinations(const CliCommand& verb, const Options& options,
                                   const std::function<bool(const char* name)>& given);
 
-/// Validates limits; reduces a time that exceeds the range of the clock.
+/// Validates limits. Reduces a time that exceeds the range of the clock.
 std::string validate_limits(Options& options);
 
 /// Validates the options of the untimed model.
 std::string validate_untimed(Options& options);
 
-/// Parses `NAME=VALUE` each, no name twice; returns an error message, or nothing.
+/// Parses arguments of the form `NAME=VALUE` with distinct names. Returns an error message or an empty string.
 std::string take_constants(const std::vector<std::string>& given, Options& options);
-/// `--ablate CORRECTION`: models without one correction of the method, for the page that shows its effect.
+/// Handles `--ablate CORRECTION`: models without one correction of the method, for the page that shows its effect.
 std::string disable_corrections(const std::vector<std::string>& cures, Options& options);
 std::string take_jobs(const std::vector<std::string>& given, Options& options);
 

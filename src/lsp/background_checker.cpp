@@ -22,7 +22,8 @@ namespace {
 
 constexpr auto progress_interval = std::chrono::milliseconds(250);
 
-/// The main file of a root is its first source; locations in another file belong to the root of that file.
+/// True if the position belongs to the root. The main file of a root is its first source; positions in another file
+/// belong to the root of that file.
 bool is_of(const Root&, Span origin) { return origin.source.valid() && origin.source.index == 0; }
 
 std::string outcome_text(const Verdict& verdict) {
@@ -33,7 +34,7 @@ std::string outcome_text(const Verdict& verdict) {
     return words;
 }
 
-/// The output of `check` for this property alone.
+/// Returns the output of `check` for this property alone.
 std::string reported_by_check(const Report& report, const PropertyResult& answer) {
     Report one = report;
     one.answers = {answer};
@@ -99,7 +100,7 @@ void BackgroundChecker::work() {
     }
 }
 
-/// Calls `work` to fill in the results of `source` and reports them, or an exception of the system.
+/// Calls `work` to determine the results of `source`, and reports them. An exception of the system is also reported.
 template <class Work>
 void BackgroundChecker::run_and_report(const Task& task, const std::string& source, const Work& work) {
     Found outcome{task.root, source, {}, {}};
@@ -115,7 +116,7 @@ void BackgroundChecker::run_and_report(const Task& task, const std::string& sour
     if (!stop_) callbacks_.found(std::move(outcome));
 }
 
-/// Errors that are found only when the models are derived.
+/// Reports errors that are found only when the models are derived.
 void BackgroundChecker::make_models(const Task& task) {
     run_and_report(task, "models",
                    [&](Found& outcome) { outcome.told = told(refused_models(task), *task.root->places); });
@@ -176,7 +177,7 @@ void BackgroundChecker::prove_loop(const Root& root, Id<ClosedLoop> loop, Found&
     options.limits = limits(model.loops[loop].name);
     Diagnostics refused;
     const auto report = check(model, loop, ModelOptions{}, options, refused);
-    if (!report) return;  // the reason is reported with the models
+    if (!report) return;  // the reason is reported together with the models
     const TraceLocations story(model, loop, *root.places);
     for (const PropertyResult& answer : report->answers) {
         const Verdict& verdict = answer.verdict;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Background checks, executed sequentially on a separate thread: derivation of the models of a root, its
-// properties, and `analyse` of its charts. If a root is parsed again, its pending checks are cancelled.
+// Background checks, executed sequentially in a separate thread: derivation of the models of a root, its properties,
+// and `analyse` of its charts. If a root is parsed again, its pending checks are cancelled.
 #pragma once
 
 #include <atomic>
@@ -21,9 +21,9 @@
 
 namespace grafverif::lsp {
 
-/// A verdict for display.
+/// A verdict in the form in which it is displayed.
 struct VerdictDetails {
-    std::string word = {};  ///< `holds`, `violated, as expected`
+    std::string word = {};  ///< text such as `holds` or `violated, as expected`
     std::string text = {};  ///< output of `check`: the assumptions and the run
 };
 
@@ -31,24 +31,25 @@ struct Task {
     enum class What { Models, Proofs };
     std::shared_ptr<const Root> root = {};
     What what = What::Models;
-    std::string only = {};  ///< the loop or chart of that name; empty: all
+    std::string only = {};  ///< name of the loop or chart to check; empty: all
 };
 
-/// Result of a task, or of a part of it.
+/// The result of a task, or of a part of it.
 struct Found {
     std::shared_ptr<const Root> root = {};
-    std::string source = {};  ///< the source of the findings; replaces its earlier ones
+    std::string source = {};  ///< the source of the findings, whose earlier findings are replaced
     std::vector<LspDiagnostic> told = {};
-    std::map<std::string, VerdictDetails> verdicts = {};  ///< by key: `loop station/q P15`
+    std::map<std::string, VerdictDetails> verdicts = {};  ///< verdicts by key, such as `loop station/q P15`
 };
 
 class BackgroundChecker {
 public:
     struct Callbacks {
         std::function<void(Found)> found = {};
-        std::function<void(std::string words)> progress = {};  ///< an empty text: no check is running any more
+        /// Called with the state of the checks; an empty text means that no check is running.
+        std::function<void(std::string words)> progress = {};
     };
-    /// Both callbacks are called from the prover's thread.
+    /// Both callbacks are called from the checker's thread.
     BackgroundChecker(Callbacks ears, std::optional<std::chrono::milliseconds> patience);
     ~BackgroundChecker();
     BackgroundChecker(const BackgroundChecker&) = delete;

@@ -75,7 +75,7 @@ private:
         for (const Declaration* const part : names_.parts(owner))
             if (part->owner == owner && std::ranges::find(kinds, part->kind) != kinds.end()) thing(*part, prefix);
     }
-    /// The steps of one partial chart, or of all.
+    /// Proposes the steps of one partial chart, or of all.
     void steps(const std::string& chart, const std::string* partial, std::string_view prefix) {
         for (const Declaration* const part : names_.parts(chart))
             if (part->kind == DeclarationKind::Step &&
@@ -135,7 +135,7 @@ private:
         if (last() == "=") keywords({"true", "false"});
     }
 
-    /// `[NAME:] FROM -> TO when TERM do TARGET := TERM`
+    /// Handles `[NAME:] FROM -> TO when TERM do TARGET := TERM`.
     template <class Ends>
     void links(Ends ends) {
         if (has("do")) return assignments();
@@ -228,13 +228,13 @@ private:
             shared();
             if (parameter != nullptr && parameter->kind == DeclarationKind::InputParameter)
                 parts(owner_, {DeclarationKind::Constant});
-        } else if (is_operator(last())) {  // inside the term of an input
+        } else if (is_operator(last())) {  // the cursor is inside the term of an input
             shared();
             parts(owner_, {DeclarationKind::Constant});
         }
     }
 
-    /// `constant N: int LOW..HIGH = VALUE, ...`: the last constant is incomplete.
+    /// Handles `constant N: int LOW..HIGH = VALUE, ...`, whose last constant is incomplete.
     void constants() {
         const auto of = std::ranges::find(half_.words.rbegin(), half_.words.rend(), ",").base();
         const Words one(of, half_.words.end());
@@ -243,7 +243,7 @@ private:
         if (contains_word(one, "=")) constant();
     }
 
-    /// The terms allowed in a constant.
+    /// Proposes the terms that are allowed in a constant.
     void constant() {
         parts(owner_, {DeclarationKind::Constant});
         keywords({"true", "false"});

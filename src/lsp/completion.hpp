@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Completion: proposals at the cursor: names, with their declarations and comments, and the keywords that are valid
-// there.
+// Completion: proposals at the cursor. These are names, with their declarations and comments, and the keywords that are
+// valid at this position.
 #pragma once
 
 #include <string>
@@ -28,7 +28,7 @@ struct Proposal {
     std::string label = {};
     ProposalKind kind = ProposalKind::Keyword;
     std::string detail = {}, documentation = {};
-    std::string snippet = {};  ///< with placeholders; empty: the label
+    std::string snippet = {};  ///< text with placeholders; if empty, the label is inserted
 };
 
 std::vector<Proposal> proposals(const Names& names, const Parsed& file, std::size_t cursor);

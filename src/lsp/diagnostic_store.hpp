@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Diagnostic store: the current diagnostics of every open document and of every file that includes one. Each file is
-// parsed separately, as by `check`, and parsed again when one of its sources changes.
+// parsed separately, as by `check`, and is parsed again when one of its sources changes.
 #pragma once
 
 #include <map>
@@ -13,10 +13,10 @@
 
 namespace grafverif::lsp {
 
-/// A file that was parsed with its includes; immutable.
+/// A file that was parsed with its includes. It is immutable.
 struct Root {
     std::string path = {};
-    std::uint64_t number = 0;  ///< of the parse; unique
+    std::uint64_t number = 0;  ///< unique number of the parse
     Inputs inputs = {};
     ParseResult reading = {};
     std::shared_ptr<const Places> places = {};
@@ -25,17 +25,17 @@ struct Root {
 
 class DiagnosticStore {
 public:
-    /// Parses changed roots again and returns the new ones. A root that cannot be read has this as its only diagnostic,
-    /// and is read again by the next call.
+    /// Parses changed roots again and returns the new ones. If a root cannot be read, this error is its only
+    /// diagnostic, and the next call reads it again.
     std::vector<std::shared_ptr<const Root>> look(Workspace& workspace);
     std::shared_ptr<const Root> root(const std::string& path) const;
     std::vector<std::shared_ptr<const Root>> roots() const;
     bool is_current(const Root& root) const;
 
-    /// Adds further diagnostics of a root; they are discarded when it is parsed again.
+    /// Adds further diagnostics of a root. They are discarded when it is parsed again.
     void add(const Root& root, const std::string& source, std::vector<LspDiagnostic> told);
 
-    /// All diagnostics by path, sorted by location, without duplicates.
+    /// Returns all diagnostics by path, sorted by position, without duplicates.
     std::map<std::string, std::vector<LspDiagnostic>> all() const;
 
 private:
@@ -45,7 +45,7 @@ private:
     };
     std::shared_ptr<const Root> read(const std::string& path, Workspace& workspace);
 
-    std::map<std::string, Entry> entries_ = {};  ///< their roots are never null
+    std::map<std::string, Entry> entries_ = {};  ///< entries by path; their roots are never null
     std::uint64_t readings_ = 0;
 };
 

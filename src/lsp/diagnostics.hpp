@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Diagnostics for the editor, with their locations in its units.
+// Diagnostics for the editor, with positions in its units.
 #pragma once
 
 #include <compare>
@@ -25,7 +25,7 @@ struct Related {
     auto operator<=>(const Related&) const = default;
 };
 
-/// Replaces the text at the location.
+/// An edit that replaces the text at the position.
 struct Edit {
     Place where = {};
     std::string replacement = {};
@@ -38,14 +38,14 @@ struct LspDiagnostic {
     std::string code = {}, message = {};
     std::vector<Related> related = {};
     std::optional<Edit> fix = {};
-    std::string page = {};  ///< address of its documentation; empty: none
+    std::string page = {};  ///< address of its documentation; may be empty
     auto operator<=>(const LspDiagnostic&) const = default;
 };
 
-/// Locations of spans of `sources`; a span without location is mapped to the beginning of `main`.
+/// Positions of spans of `sources`. A span without position is mapped to the beginning of `main`.
 class Places {
 public:
-    /// `shown`: maps the name of a source to the path shown to the editor.
+    /// `shown` maps the name of a source to the path that the editor displays.
     Places(const Sources& sources, const std::string& main,
            const std::function<std::string(const std::string& path)>& shown);
 
@@ -53,11 +53,11 @@ public:
 
 private:
     std::string main_;
-    std::vector<Text> texts_ = {};         ///< per source
-    std::vector<std::string> paths_ = {};  ///< by source
+    std::vector<Text> texts_ = {};         ///< text of each source
+    std::vector<std::string> paths_ = {};  ///< path of each source
 };
 
-/// Converts diagnostics. A note without location is appended to the message.
+/// Converts diagnostics. A note without position is appended to the message.
 std::vector<LspDiagnostic> told(const Diagnostics& diagnostics, const Places& places);
 
 }  // namespace grafverif::lsp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Requests of the editor about names and locations.
+// Requests of the editor about names and positions.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -20,13 +20,13 @@ namespace {
 /// LSP 3.17, "SymbolKind".
 int symbol_kind(DeclarationKind kind) {
     switch (kind) {
-    case DeclarationKind::Chart: return 2;  // module
+    case DeclarationKind::Chart: return 2;  // kind: module
     case DeclarationKind::Loop:
     case DeclarationKind::Partial: return 3;    // namespace
-    case DeclarationKind::Component: return 5;  // class
+    case DeclarationKind::Component: return 5;  // kind: class
     case DeclarationKind::Property: return 7;
-    case DeclarationKind::Observer: return 11;    // interface
-    case DeclarationKind::Transition: return 12;  // function
+    case DeclarationKind::Observer: return 11;    // kind: interface
+    case DeclarationKind::Transition: return 12;  // kind: function
     case DeclarationKind::Input:
     case DeclarationKind::Output:
     case DeclarationKind::Internal:
@@ -34,11 +34,11 @@ int symbol_kind(DeclarationKind kind) {
     case DeclarationKind::OutputParameter:
     case DeclarationKind::Own:
     case DeclarationKind::Clock:
-    case DeclarationKind::PlantVariable: return 13;  // variable
+    case DeclarationKind::PlantVariable: return 13;  // kind: variable
     case DeclarationKind::Constant: return 14;
-    case DeclarationKind::Instance: return 19;  // object
-    case DeclarationKind::Location: return 22;  // enum member
-    case DeclarationKind::Step: return 24;      // event
+    case DeclarationKind::Instance: return 19;  // kind: object
+    case DeclarationKind::Location: return 22;  // kind: enum member
+    case DeclarationKind::Step: return 24;      // kind: event
     }
     unreachable();
 }
@@ -75,7 +75,7 @@ std::shared_ptr<const Parsed> Session::parsed(const Json& params) {
     return file;
 }
 
-/// The names of a file and all related files, valid until one of the texts changes.
+/// Returns the names of a file and all related files. They are valid until one of the texts changes.
 const Names& Session::names(const Parsed& file) {
     const ReserveUse use(false);
     if (workspace_.refresh()) dirty_ = true;
@@ -93,7 +93,7 @@ Session::Pointed Session::pointed(const Json& params) {
     const Names& all = names(*file);
     const std::size_t offset = file->text->offset(position_of(params.at("position")));
     if (const Use* const use = all.use_at(*file, offset)) return {file, &all, use->key, use->where, use->skipped};
-    for (const Word& word : words_of(file->text->bytes()))  // in incomplete text
+    for (const Word& word : words_of(file->text->bytes()))  // for incomplete text
         if (word.begin <= offset && offset <= word.end &&
             (word.kind == Word::Kind::Name || word.kind == Word::Kind::Number)) {
             const std::string name = file->text->bytes().substr(word.begin, word.end - word.begin);
@@ -121,7 +121,7 @@ Json Session::hover(const Json& params) {
 Json Session::definition(const Json& params) {
     const Pointed at = pointed(params);
     const Declaration* const thing = at.names->thing(at.key);
-    if (thing == nullptr || thing->file->path.starts_with('<')) return nullptr;  // library files are not on disk
+    if (thing == nullptr || thing->file->path.starts_with('<')) return nullptr;  // library files are not on the disk
     return place_json(*thing->file, thing->where);
 }
 
@@ -162,7 +162,7 @@ Json Session::rename(const Json& params) {
     std::string key = at.key;
     const Names* all = at.names;
     if (thing != nullptr && !thing->file->path.starts_with('<'))
-        all = &names(*workspace_.parsed(thing->file->path));  // all including files
+        all = &names(*workspace_.parsed(thing->file->path));  // names of all including files
     if (workspace_.cut_short()) throw RequestError{request_failed, "the workspace is too large to find all references"};
     Renaming renaming = renamed(*all, key, name);
     if (!renaming.obstacle.empty()) throw RequestError{request_failed, renaming.obstacle};
@@ -222,7 +222,7 @@ Json Session::completion(const Json& params) {
     return {{"isIncomplete", false}, {"items", std::move(items)}};
 }
 
-/// The text as formatted by `fmt`; nothing if it has syntax errors.
+/// Returns the text as formatted by `fmt`; empty if it has syntax errors.
 Json Session::formatting(const Json& params) {
     const auto file = parsed(params);
     if (file->broken || file->tree.declarations.empty()) return nullptr;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The base protocol of LSP: a sequence of messages `Content-Length: N`, empty line, N bytes of JSON.
+// The base protocol of LSP: a sequence of messages. Each consists of `Content-Length: N`, an empty line, and N bytes of
+// JSON.
 //
-// Bytes that are not a header are skipped up to the next one. A message that is too large, or for which memory is
-// refused, is skipped completely.
+// Bytes that do not form a header are skipped up to the next header. If a message is too large, or memory for it is
+// refused, it is skipped completely.
 #pragma once
 
 #include <array>
@@ -14,25 +15,27 @@
 
 namespace grafverif::lsp {
 
-/// Waits for bytes and stores some at the front of the buffer; returns their number, 0 at the end of the stream.
+/// Waits for bytes and stores some of them at the beginning of the buffer. Returns their number; 0 at the end of the
+/// stream.
 using Receive = std::function<std::size_t(std::span<char> room)>;
 /// Writes all bytes.
 using Send = std::function<void(std::string_view bytes)>;
 
-inline constexpr std::size_t largest_message = std::size_t{320} << 20U;  ///< bytes; a text of 256 MiB fits
+/// Maximum size of a message in bytes, sufficient for a text of 256 MiB.
+inline constexpr std::size_t largest_message = std::size_t{320} << 20U;
 
 /// A frame of the stream: the body of a message, or an error.
 struct Framed {
     std::string body = {};
-    std::string error_text = {};  ///< not empty: an error, without a body
+    std::string error_text = {};  ///< error message; if not empty, there is no body
 };
 
 class Framing {
 public:
     explicit Framing(Receive receive, std::size_t largest = largest_message);
 
-    /// The next message; nothing at the end of the stream. An incomplete last message is ignored. After std::bad_alloc
-    /// the next call returns the next message.
+    /// Returns the next message; empty at the end of the stream. An incomplete last message is ignored. After
+    /// std::bad_alloc, the next call returns the next message.
     std::optional<Framed> next();
 
 private:
@@ -42,12 +45,13 @@ private:
 
     Receive receive_;
     std::size_t largest_;
-    std::array<char, std::size_t{1} << 16U> room_ = {};  ///< received; not yet consumed from `begin_` to `end_`
+    /// Received bytes; those from `begin_` to `end_` are not consumed yet.
+    std::array<char, std::size_t{1} << 16U> room_ = {};
     std::size_t begin_ = 0, end_ = 0;
-    std::string line_ = {};  ///< of the header; its capacity is that of the longest
+    std::string line_ = {};  ///< line of the header; its capacity is that of the longest line
 };
 
-/// `body` with its header.
+/// Returns `body` with its header.
 std::string framed(std::string_view body);
 
 }  // namespace grafverif::lsp

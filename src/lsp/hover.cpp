@@ -10,14 +10,14 @@ namespace grafverif::lsp {
 
 namespace {
 
-/// Text of a file as a Markdown code block; no part of it is interpreted as markup.
+/// Returns text of a file as a Markdown code block. No part of it is interpreted as markup.
 std::string fenced(std::string_view text, const char* language) {
     std::string fence = "```";
     while (text.find(fence) != std::string_view::npos) fence += '`';
     return fence + language + "\n" + std::string(text) + "\n" + fence + "\n";
 }
 
-/// The equations of a step, a transition, an output or a stored variable; empty: none.
+/// Returns the equations of a step, a transition, an output or a stored variable; empty if there are none.
 std::string equation_of(const Declaration& thing, const Model& model) {
     const std::string name = thing.owner.substr(thing.owner.find(' ') + 1);
     const auto chart = find_chart(model, name);
@@ -56,7 +56,7 @@ std::string documentation_of(const Names& names, const Declaration& thing) {
     return comment_of(*thing.file, thing.whole);
 }
 
-/// Adds types that are implicit in the source.
+/// Returns the declaration with types that are implicit in the source.
 std::string shown_declaration(const Declaration& thing) {
     const std::string text = declaration_text(thing);
     const bool variable = thing.kind == DeclarationKind::Input || thing.kind == DeclarationKind::Output ||

@@ -9,8 +9,8 @@
 
 namespace grafverif::lsp {
 
-/// The declaration of the element, its comment and, if the model has no errors, its equation; as Markdown. `model`: of
-/// a file that includes the element's file; or null.
+/// Returns the declaration of the element, its comment and, if the model has no errors, its equation, as Markdown.
+/// `model` is a model of a file that includes the element's file, or null.
 std::string hover_text(const Names& names, const Declaration& thing, const Model* model);
 
 }  // namespace grafverif::lsp

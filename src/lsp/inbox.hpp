@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inbox: queue of messages of the client and results of other threads, in order.
+// Inbox: a queue of messages of the client and results of other threads, in order.
 #pragma once
 
 #include <chrono>
@@ -14,11 +14,11 @@
 
 namespace grafverif::lsp {
 
-/// A message, an error in one, or a function to call.
+/// A message, an error in a message, or a function to call.
 struct Item {
     std::shared_ptr<const nlohmann::json> message = {};
     std::string error_text = {};
-    bool refused = false;  ///< there was no memory for the message
+    bool refused = false;  ///< true if there was not enough memory for the message
     bool cancelled = false;
     std::function<void()> call = {};
 };
@@ -26,12 +26,12 @@ struct Item {
 class Inbox {
 public:
     void put(Item item);
-    /// Cancels the request with that id, given as JSON, if it is still queued.
+    /// Cancels the request with this id, given as JSON, if it is still in the queue.
     void cancel(const nlohmann::json& id);
     /// Closes the queue: no further items are added.
     void close();
 
-    /// The next item; nothing if none arrives within `patience`, or the queue is closed.
+    /// Returns the next item; empty if none arrives within `patience`, or if the queue is closed.
     std::optional<Item> take(std::chrono::milliseconds patience);
     bool closed() const;
 

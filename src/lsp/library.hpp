@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The component library as trees and names, built once.
+// The component library as trees and names, which are built once.
 #pragma once
 
 #include <memory>
@@ -9,9 +9,9 @@
 
 namespace grafverif::lsp {
 
-/// The file of the component of that name; null if there is none.
+/// Returns the file of the component with this name; null if there is none.
 std::shared_ptr<const Parsed> library_file(std::string_view component);
-/// The names of all components of the library.
+/// Returns the names of all components of the library.
 const Names& library_names();
 
 }  // namespace grafverif::lsp

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Names: resolves every name in some files, from their syntax trees alone, so that incomplete texts have names too.
+// Names: resolves every name in some files from their syntax trees alone, so that incomplete texts also have names.
 //
-// An element is identified by its key: `chart press/v START`. Inputs and outputs of the controllers of a loop that have
-// one name count as one element in searches for references, since the loop shares them by name.
+// A key such as `chart press/v START` identifies an element. Inputs and outputs of the controllers of a loop that have
+// the same name are treated as one element in searches for references, because the loop shares them by name.
 #pragma once
 
 #include <cstddef>
@@ -43,17 +43,17 @@ enum class DeclarationKind {
 struct Declaration {
     DeclarationKind kind = DeclarationKind::Chart;
     std::string name = {}, key = {};
-    std::string owner = {};  ///< the key of the element that contains it; empty: the file
+    std::string owner = {};  ///< key of the element that contains it; empty: the file
     const Parsed* file = nullptr;
-    Span where = {};  ///< its name
-    Span whole = {};  ///< its declaration
+    Span where = {};  ///< position of its name
+    Span whole = {};  ///< position of its declaration
 };
 
 /// A use of a name.
 struct Use {
     std::string key = {};
     Span where = {};
-    std::uint32_t skipped = 0;  ///< bytes at its beginning before the name: the `X` of `X2`
+    std::uint32_t skipped = 0;  ///< number of bytes at its beginning before the name: the `X` of `X2`
     bool declares = false, writes = false;
 };
 
@@ -67,23 +67,23 @@ public:
     explicit Names(Files files);
 
     const Files& files() const { return files_; }
-    /// All names of a file, in order; none for a path that is not among the files.
+    /// Returns all names of a file in order; empty for a path that is not among the files.
     const std::vector<Use>& uses(const Parsed& file) const;
     const Use* use_at(const Parsed& file, std::size_t offset) const;
     const Declaration* thing(const std::string& key) const;
-    /// The element that `name` would denote as a term, or as a step, at `offset`; empty if none.
+    /// Returns the element that `name` would denote as a term, or as a step, at `offset`; empty if there is none.
     std::string meaning(const Parsed& file, std::size_t offset, std::string_view name) const;
-    /// The elements of a chart, component or loop, or all elements of that kind in the files.
+    /// Return the elements of a chart, component or loop, or all elements of one kind in the files.
     std::vector<const Declaration*> parts(const std::string& owner) const;
     std::vector<const Declaration*> all(DeclarationKind kind) const;
-    /// The chart, component or loop whose declaration contains `offset`; null if none.
+    /// Returns the chart, component or loop whose declaration contains `offset`; null if there is none.
     const Declaration* around(const Parsed& file, std::size_t offset) const;
-    /// The charts that a loop controls.
+    /// Returns the charts that a loop controls.
     std::vector<std::string> controllers(const std::string& loop) const;
-    /// The component of an instance; empty: unknown.
+    /// Returns the component of an instance; empty if it is unknown.
     std::string component_of(const std::string& instance) const;
 
-    /// Every use of the element `key`, including declarations, file by file.
+    /// Returns every use of the element `key`, including declarations, file by file.
     std::vector<FileUse> everywhere(const std::string& key) const;
 
 private:
@@ -95,17 +95,18 @@ private:
 
     Files files_;
     std::map<std::string, Declaration> elements_ = {};
-    std::map<std::string, std::vector<std::string>> controllers_ = {};  ///< charts by loop, as keys
-    std::map<std::string, std::string> components_ = {};                ///< by instance, as keys
-    std::map<std::string, std::vector<std::string>> steps_ = {};  ///< keys by `chart C/NAME`, for any partial chart
+    std::map<std::string, std::vector<std::string>> controllers_ = {};  ///< charts of each loop, as keys
+    std::map<std::string, std::string> components_ = {};                ///< component of each instance, as keys
+    /// Keys of steps by `chart C/NAME`, for any partial chart.
+    std::map<std::string, std::vector<std::string>> steps_ = {};
     std::map<const Parsed*, std::vector<Use>> uses_ = {};
 };
 
-/// The text of the comment above a declaration, or at the end of its line.
+/// Returns the text of the comment above a declaration, or at the end of its line.
 std::string comment_of(const Parsed& file, Span whole);
-/// The line of a component's comment that describes a parameter: `order: rod in`.
+/// Returns the line of a component's comment that describes a parameter: `order: rod in`.
 std::string parameter_comment(const Parsed& file, Span component, std::string_view parameter);
-/// The declaration of an element, in one line.
+/// Returns the declaration of an element in one line.
 std::string declaration_text(const Declaration& thing);
 
 }  // namespace grafverif::lsp

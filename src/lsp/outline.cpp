@@ -107,7 +107,7 @@ std::vector<std::uint32_t> tokens(const Names& names, const Parsed& file) {
     const std::vector<Use>& uses = names.uses(file);
     auto use = uses.begin();
     const auto put = [&](std::size_t begin, std::size_t end, TokenType type, std::uint32_t modifiers) {
-        while (begin < end) {  // a token does not span lines
+        while (begin < end) {  // a token must not span several lines
             const std::size_t stop = std::min(std::string_view(text).substr(0, end).find('\n', begin), end);
             const Position from = file.text->position(begin), to = file.text->position(stop);
             if (from.line == to.line && from.character < to.character) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Structure of a text for the editor: outline, folding ranges, and semantic tokens.
+// The structure of a text for the editor: outline, folding ranges, and semantic tokens.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace grafverif::lsp {
 
-/// The declared elements of a file, in order of location; `parent` is an earlier one, or none.
+/// An element declared in a file, in the order of position. `parent` is the index of an earlier element, or none.
 struct Entry {
     const Declaration* thing = nullptr;
     std::optional<std::size_t> parent = {};
@@ -25,12 +25,12 @@ struct Fold {
 };
 std::vector<Fold> folds(const Names& names, const Parsed& file);
 
-// Semantic tokens: the LSP names of types and modifiers; tokens refer to them by index.
+// LSP names of types and modifiers of semantic tokens. Tokens refer to them by index.
 inline constexpr std::array<std::string_view, 12> token_types = {"keyword",  "comment",   "string",     "number",
                                                                  "variable", "parameter", "class",      "namespace",
                                                                  "function", "event",     "enumMember", "property"};
 inline constexpr std::array<std::string_view, 3> token_modifiers = {"declaration", "readonly", "modification"};
-/// Five numbers for each token, with locations relative to the previous token.
+/// Returns five numbers for each token, with positions relative to the previous token.
 std::vector<std::uint32_t> tokens(const Names& names, const Parsed& file);
 
 }  // namespace grafverif::lsp

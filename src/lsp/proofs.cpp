@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks of a session: started on save and on demand, shown as code lenses of loops and properties.
+// Checks of a session. They are started after a save and on demand, and shown as code lenses of loops and properties.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -15,7 +15,7 @@ void Session::request_client(const std::string& id, const std::string& method, c
 // -- checks in the background
 // ---------------------------------------------------------------------------------------------
 
-/// Checks the saved file and all that include it, open ones first.
+/// Checks the saved file and all files that include it, starting with open files.
 void Session::saved() {
     dirty_ = true;
     settle();
@@ -32,7 +32,7 @@ void Session::prove(const std::string& path, const std::string& only) {
 
 void Session::found(Found outcome) {
     if (!board_.is_current(*outcome.root)) return;
-    dirty_ = true;  // until it is published
+    dirty_ = true;  // until the diagnostics are published
     board_.add(*outcome.root, outcome.source, std::move(outcome.told));
     Verdicts& known = verdicts_[outcome.root->path];
     if (known.number != outcome.root->number) known = {outcome.root->number, {}};
@@ -72,14 +72,14 @@ void Session::progress_is_requested() {
 // -- results
 // --------------------------------------------------------------------------------------------------------------
 
-/// The verdict on the property of that key for the current texts; null if there is none.
+/// Returns the verdict on the property with this key for the current texts; null if there is none.
 const VerdictDetails* Session::shown(const std::string& path, const std::string& key) const {
     const auto root = board_.root(path);
     const auto known = verdicts_.find(path);
     if (root == nullptr || known == verdicts_.end() || known->second.number != root->number) return nullptr;
     const auto found = known->second.by_key.find(key);
     if (found != known->second.by_key.end()) return &found->second;
-    const auto part = known->second.by_key.lower_bound(key + ".");  // the first step of an expanded property
+    const auto part = known->second.by_key.lower_bound(key + ".");  // refers to the first step of an expanded property
     return part != known->second.by_key.end() && part->first.starts_with(key + ".") ? &part->second : nullptr;
 }
 
@@ -151,7 +151,7 @@ Json Session::show(const std::string& uri, bool elsewhere, const std::string& wo
 
 Json Session::show_verdict(const std::string& path, const std::string& loop, const std::string& property) {
     const VerdictDetails* known = shown(path, "loop " + loop + "/q " + property);
-    if (property.empty()) {  // the complete file, from a command palette
+    if (property.empty()) {  // the command palette requests the complete file
         const auto all = verdicts_.find(path);
         if (all != verdicts_.end() && !all->second.by_key.empty()) known = &all->second.by_key.begin()->second;
     }

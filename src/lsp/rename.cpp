@@ -16,7 +16,7 @@ namespace {
 
 bool is_of_library(const Parsed& file) { return file.path.starts_with("<library>"); }
 
-/// The reason why an element cannot be renamed to any name; empty if it can.
+/// Returns the reason why an element cannot be renamed to any name; empty if it can.
 std::string obstacle_of(const Names& names, const Declaration& thing) {
     if (is_of_library(*thing.file))
         return fmt::format("`{}` belongs to the component library and cannot be renamed", thing.name);
@@ -42,7 +42,8 @@ std::string obstacle_of(const Names& names, const Declaration& thing) {
     return {};
 }
 
-/// All names of all files, numbered by the first use of their element: equal for texts of the same meaning.
+/// Returns all names of all files, numbered by the first use of their element. The result is equal for texts with the
+/// same meaning.
 std::vector<std::size_t> shape_of(const Names& names) {
     std::vector<std::size_t> shape;
     std::map<std::string, std::size_t> numbers;
@@ -87,7 +88,7 @@ Renaming renamed(const Names& names, const std::string& key, const std::string& 
     }
     Files files;
     for (const auto& file : names.files()) {
-        if (is_of_library(*file)) continue;  // it is included again
+        if (is_of_library(*file)) continue;  // library files are included again
         const auto changed = edits.find(file.get());
         files.push_back(changed == edits.end() ? file : with_edits(*file, changed->second));
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rename: renames an element at all its uses. The texts are parsed again with their new names, and every name must
-// denote the same element as before: a change of meaning is rejected.
+// Rename: renames an element at all its uses. The texts are parsed again with the new name. Every name must then denote
+// the same element as before; a change of meaning is rejected.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace grafverif::lsp {
 
 struct Renaming {
     std::vector<Edit> edits = {};
-    std::string obstacle = {};  ///< not empty: there are no edits
+    std::string obstacle = {};  ///< reason for rejection; if not empty, there are no edits
 };
 
 Renaming renamed(const Names& names, const std::string& key, const std::string& name);

@@ -25,14 +25,14 @@ constexpr std::array<std::string_view, 69> contextual = {
     "in",           "within",      "holds",     "most",     "least",      "every",    "since",    "before",
     "between",      "until",       "precedes",  "constant", "times"};
 
-/// True if a name may begin with the character that contains this byte; for characters beyond ASCII the lexer decides.
+/// True if a name may begin with the character that contains this byte. For characters beyond ASCII, the lexer decides.
 bool begins_name(char byte) {
     return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '_' ||
            static_cast<unsigned char>(byte) >= 0x80;
 }
 bool is_digit(char byte) { return byte >= '0' && byte <= '9'; }
 
-/// The end of the sequence of bytes from `at` on for which `goes_on` holds.
+/// Returns the end of the sequence of bytes, starting at `at`, for which `goes_on` holds.
 template <class GoesOn>
 std::size_t end_of_run(std::string_view text, std::size_t at, GoesOn goes_on) {
     while (at < text.size() && goes_on(text[at])) ++at;
@@ -105,8 +105,8 @@ bool is_name(std::string_view word, bool numbers) {
     return identifier_length(word) == word.size();
 }
 
-/// A missing `;` or `}` affects only the current declaration: a keyword that begins a declaration at the beginning of a
-/// line starts a new one.
+/// Returns the incomplete declaration at the cursor. A missing `;` or `}` affects only the current declaration, because
+/// a keyword that begins both a declaration and a line starts a new one.
 IncompleteDeclaration half_at(std::string_view text, std::size_t cursor) {
     IncompleteDeclaration half;
     int brackets = 0;

@@ -21,14 +21,14 @@ std::vector<Word> words_of(std::string_view text);
 bool is_keyword(std::string_view word);
 /// True if it is a keyword in every context.
 bool is_reserved(std::string_view word);
-/// True if `word` is a valid name; `numbers`: numbers are valid too, as for steps and locations.
+/// True if `word` is a valid name. If `numbers`, numbers are also valid, as for steps and locations.
 bool is_name(std::string_view word, bool numbers);
 
-/// An incomplete declaration: the tokens before the cursor, those of the enclosing blocks first.
+/// An incomplete declaration: the tokens before the cursor, preceded by those of the enclosing blocks.
 struct IncompleteDeclaration {
     std::vector<std::vector<std::string>> blocks = {};  ///< the tokens before each open `{`
-    std::vector<std::string> words = {};                ///< after the last `;` or brace, without the one at the cursor
-    bool in_text = false;                               ///< in a comment or a string: no proposals
+    std::vector<std::string> words = {};  ///< tokens after the last `;` or brace, without the token at the cursor
+    bool in_text = false;                 ///< true if the cursor is in a comment or a string: there are no proposals
 };
 IncompleteDeclaration half_at(std::string_view text, std::size_t cursor);
 

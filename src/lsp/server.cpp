@@ -51,7 +51,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Interval for polling the client process and the files.
+/// Interval at which the client process and the files are polled.
 constexpr auto check_interval = 250ms;
 
 std::string method_of(const Json& message) {
@@ -75,7 +75,7 @@ void put(Item item, Inbox& inbox) {
     else inbox.put(std::move(item));
 }
 
-/// Puts the next message or its error into the inbox; false after the last message.
+/// Puts the next message, or its error, into the inbox. Returns false after the last message.
 bool receive_next(Framing& framing, Inbox& inbox) {
     Item item;
     bool last = false;
@@ -93,24 +93,24 @@ bool receive_next(Framing& framing, Inbox& inbox) {
     return !last;
 }
 
-/// Receives until the end of the stream, or until the client sends `exit`.
+/// Receives messages until the end of the stream, or until the client sends `exit`.
 void receive_all(const Receive& receive, Inbox& inbox, std::atomic<bool>& ending) {
     try {
         Framing framing(receive);
         for (bool more = true; more;) {
             try {
                 more = receive_next(framing, inbox);
-            } catch (const std::bad_alloc&) {  // a message for which not even the memory that is kept back is enough
+            } catch (const std::bad_alloc&) {  // even the reserved memory is not sufficient for the message
             }
         }
-    } catch (const std::bad_alloc&) {  // no buffer to receive into
+    } catch (const std::bad_alloc&) {  // there is no buffer for receiving
     } catch (const std::system_error&) {
     }
     ending = true;
     inbox.close();
 }
 
-/// A thread that receives; joined also after an exception.
+/// A thread that receives messages. It is joined even after an exception.
 class Receiver {
 public:
     Receiver(const Receive& receive, Inbox& inbox, std::atomic<bool>& ending, const std::function<void()>& hang_up)
@@ -139,7 +139,7 @@ Ending converse(const Receive& receive, const Send& send, const ServerEnvironmen
     while (!session.over() && !gone) {
         if (surroundings.keep_memory_back) surroundings.keep_memory_back();
         try {
-            const ReserveUse use(true);  // a failure has to be reported
+            const ReserveUse use(true);  // a failure must be reported
             auto item = inbox.take(0ms);
             if (!item) {
                 session.settle();
@@ -151,7 +151,7 @@ Ending converse(const Receive& receive, const Send& send, const ServerEnvironmen
                 session.refuse(item->refused ? "there is not enough memory for the message" : item->error_text);
             else if (inbox.closed()) gone = true;
             else if (session.client() && surroundings.is_alive) gone = !surroundings.is_alive(*session.client());
-        } catch (const std::bad_alloc&) {  // the response is dropped: there is no memory for an error either
+        } catch (const std::bad_alloc&) {  // the response is omitted, because there is not even memory for an error
         } catch (const std::system_error&) {
         }
     }

@@ -2,8 +2,8 @@
 // The language server: LSP 3.17 over a byte stream, until the client sends `exit` or disappears.
 //
 // One thread receives, so that a request can be cancelled, and a change can stop a check, while a response is computed.
-// A second one responds in the order of arrival, and a third one checks. Invalid input does not end the server: it is
-// answered with an error, if the protocol has one for it.
+// A second thread responds in the order of arrival, and a third one checks. Invalid input does not end the server: the
+// response is an error, if the protocol defines one for this case.
 #pragma once
 
 #include <chrono>
@@ -23,20 +23,21 @@ struct ServerEnvironment {
     std::vector<std::string> include_folders = {};
     /// True if the client's process exists; called periodically.
     std::function<bool(std::int64_t process)> is_alive = {};
-    /// Time limit of the check of a loop or the analysis of a chart; empty: unlimited.
+    /// Time limit for the check of a loop or the analysis of a chart; empty: unlimited.
     std::optional<std::chrono::milliseconds> patience = {};
-    /// The address of a page that draws and simulates the file, created if necessary; may throw std::system_error.
-    /// Empty: pages are not available.
+    /// Returns the address of a page that draws and simulates the file. The page is created if necessary, which may
+    /// throw std::system_error. Empty: pages are not available.
     std::function<std::string(const std::string& path)> simulator = {};
-    /// Stores a text temporarily, under this name, for another program; returns its path. Empty: not available.
+    /// Stores a text temporarily under this name for another program, and returns its path. Empty: not available.
     std::function<std::string(const std::string& name, const std::string& text)> keep = {};
-    /// Reserves memory for the report of the next failed allocation; called between messages. Empty: none is reserved.
+    /// Reserves memory for the report of the next failed allocation. It is called between messages. Empty: no memory is
+    /// reserved.
     std::function<void()> keep_memory_back = {};
-    /// Ends a waiting `Receive` if the client is gone without closing the stream.
+    /// Ends a waiting `Receive` if the client has disappeared without closing the stream.
     std::function<void()> hang_up = {};
 };
 
-/// `exit` after `shutdown`; `exit` without it; the client disappeared.
+/// Requested: `exit` after `shutdown`; Unrequested: `exit` without `shutdown`; Gone: the client disappeared.
 enum class Ending { Requested, Unrequested, Gone };
 
 Ending converse(const Receive& receive, const Send& send, const ServerEnvironment& surroundings);

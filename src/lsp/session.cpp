@@ -191,7 +191,7 @@ void Session::settle() {
         for (; !unmade_.empty(); unmade_.pop_back())
             if (board_.is_current(*unmade_.back())) prover_->ask({unmade_.back(), Task::What::Models, ""});
         dirty_ = false;
-    } catch (const std::bad_alloc&) {  // it is tried again
+    } catch (const std::bad_alloc&) {  // the operation is tried again
     } catch (const std::system_error&) {
     }
 }

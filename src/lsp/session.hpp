@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Session: state of one client, and the handlers of its messages. Used by one thread only.
+// Session: the state of one client, and the handlers of its messages. Only one thread uses it.
 #pragma once
 
 #include <atomic>
@@ -21,12 +21,12 @@ namespace grafverif::lsp {
 
 class Session {
 public:
-    /// `later` schedules a call on the session's thread; thread-safe.
+    /// Schedules a call on the session's thread. Thread-safe.
     using Later = std::function<void(std::function<void()>)>;
-    /// `ending`: the client has sent `exit`, or is gone.
+    /// `ending` is set when the client has sent `exit` or has disappeared.
     Session(const Send& send, const ServerEnvironment& surroundings, Later later, const std::atomic<bool>& ending);
 
-    /// Handles a message, and responds if it is a request.
+    /// Handles a message. Responds if it is a request.
     void take(const Json& message, bool cancelled);
     /// Responds to invalid input.
     void refuse(const std::string& error_text);
@@ -56,11 +56,11 @@ private:
 
     Json code_actions(const Json& params);
 
-    // features.cpp
+    // Defined in features.cpp:
     struct Pointed {
         std::shared_ptr<const Parsed> file = {};
         const Names* names = nullptr;
-        std::string key = {};  ///< of the element pointed at; empty: none
+        std::string key = {};  ///< key of the element at the position; may be empty
         Span where = {};
         std::uint32_t skipped = 0;
     };
@@ -82,7 +82,7 @@ private:
     Json formatting(const Json& params);
     std::string verdict_text(const Declaration& thing) const;
 
-    // proofs.cpp
+    // Defined in proofs.cpp:
     void saved();
     void prove(const std::string& path, const std::string& only);
     void found(Found outcome);
@@ -93,12 +93,12 @@ private:
     Json show_verdict(const std::string& path, const std::string& loop, const std::string& property);
     Json draw(const std::string& path, const std::string& chart);
     Json simulate(const std::string& path);
-    /// Shows the document at an address if the client can; otherwise shows the message `words`.
+    /// Shows the document at an address if the client supports this; otherwise shows the message `words`.
     Json show(const std::string& uri, bool elsewhere, const std::string& words);
     const VerdictDetails* shown(const std::string& path, const std::string& key) const;
     void request_client(const std::string& id, const std::string& method, const Json& params);
 
-    /// The path of the document in `params`; throws if it is not open.
+    /// Returns the path of the document in `params`. Throws if it is not open.
     std::string document(const Json& params) const;
     UriOf uris() const;
 
@@ -116,23 +116,23 @@ private:
     Workspace workspace_;
     std::unique_ptr<const Names> names_ = {};
     DiagnosticStore board_ = {};
-    bool dirty_ = false;                                    ///< a text has changed, or the client lacks the diagnostics
+    bool dirty_ = false;  ///< true if a text has changed, or the client lacks the diagnostics
     std::vector<std::shared_ptr<const Root>> unmade_ = {};  ///< roots whose models have not been requested yet
-    std::map<std::string, std::string> published_ = {};     ///< by address: the diagnostics last published
+    std::map<std::string, std::string> published_ = {};     ///< diagnostics that were last published for each address
 
     struct Client {
         bool takes_snippets = false, shows_documents = false, shows_progress = false, refreshes_lenses = false;
     };
     Client can_ = {};
     struct Verdicts {
-        std::uint64_t number = 0;  ///< of the parse that they belong to
+        std::uint64_t number = 0;  ///< number of the parse to which they belong
         std::map<std::string, VerdictDetails> by_key = {};
     };
-    std::map<std::string, Verdicts> verdicts_ = {};  ///< by path of the root
+    std::map<std::string, Verdicts> verdicts_ = {};  ///< verdicts by path of the root
     enum class ProgressState { Nothing, Requested, Going };
-    ProgressState telling_ = ProgressState::Nothing;  ///< kind of progress reports to the client
+    ProgressState telling_ = ProgressState::Nothing;  ///< type of progress reports to the client
     std::uint64_t token_ = 0;
-    std::unique_ptr<BackgroundChecker> prover_;  ///< last member: destroyed first
+    std::unique_ptr<BackgroundChecker> prover_;  ///< declared last, so that it is destroyed first
 };
 
 }  // namespace grafverif::lsp

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Conversions between values and LSP 3.17 JSON. Readers throw nlohmann::json::exception for JSON of another shape.
+// Conversions between values and LSP 3.17 JSON. Readers throw nlohmann::json::exception for JSON with another
+// structure.
 #pragma once
 
 #include <functional>
@@ -14,26 +15,26 @@ namespace grafverif::lsp {
 
 using Json = nlohmann::json;
 
-/// The address by which the editor refers to a file.
+/// Returns the address by which the editor refers to a file.
 using UriOf = std::function<std::string(const std::string& path)>;
 
 Json json_of(Position position);
 Json json_of(Range range);
 Json json_of(const Place& place, const UriOf& uri_of);
 Json json_of(const LspDiagnostic& told, const UriOf& uri_of);
-/// A WorkspaceEdit.
+/// Returns a WorkspaceEdit.
 Json json_of(const std::vector<Edit>& edits, const UriOf& uri_of);
-/// A CodeAction that applies the hint of `told`.
+/// Returns a CodeAction that applies the hint of `told`.
 Json quick_fix(const LspDiagnostic& told, const UriOf& uri_of);
 
 Position position_of(const Json& json);
 Range range_of(const Json& json);
 std::vector<Change> changes_of(const Json& json);
 
-/// A member of nested objects; `fallback` if it or an object on the path is missing or has another type.
+/// Return a member of nested objects; `fallback` if it, or an object on the path, is missing or has another type.
 bool flag(const Json& object, std::initializer_list<const char*> path);
 
-/// True if brackets nest deeper than in any valid message; such a text is not parsed.
+/// True if brackets are nested deeper than in any valid message. Such a text is not parsed.
 bool nests_too_deep(std::string_view json);
 
 }  // namespace grafverif::lsp

@@ -13,10 +13,10 @@ namespace {
 
 struct Character {
     std::size_t bytes = 1;
-    std::uint32_t units = 1;  ///< of UTF-16
+    std::uint32_t units = 1;  ///< number of UTF-16 units
 };
 
-/// The character at the beginning of `text`; of a truncated one, the available bytes.
+/// Returns the character at the beginning of `text`; for a truncated character, the available bytes.
 Character first_character(std::string_view text) {
     const auto byte = static_cast<unsigned char>(text[0]);
     const std::size_t most = byte >= 0xF0 ? 4 : byte >= 0xE0 ? 3 : byte >= 0xC0 ? 2 : 1;
@@ -25,7 +25,7 @@ Character first_character(std::string_view text) {
     return {bytes, bytes == 4 ? 2U : 1U};
 }
 
-constexpr std::size_t between_anchors = 256;  ///< bytes
+constexpr std::size_t between_anchors = 256;  ///< distance in bytes
 
 }  // namespace
 
@@ -83,7 +83,7 @@ std::string path_of_uri(std::string_view uri) {
     constexpr std::string_view scheme = "file://";
     if (!uri.starts_with(scheme)) return std::string(uri);
     uri.remove_prefix(scheme.size());
-    uri.remove_prefix(std::min(uri.find('/'), uri.size()));  // the host is the local one
+    uri.remove_prefix(std::min(uri.find('/'), uri.size()));  // the host is the local one, and is skipped
     std::string path;
     for (std::size_t at = 0; at < uri.size(); ++at) {
         unsigned byte = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Text: conversion between byte offsets, which grafverif uses, and positions of editors, in one place. For editors a
-// line ends in `\n`, `\r\n` or `\r`, and a character is a UTF-16 unit (LSP 3.17, "Position").
+// Text: conversion between byte offsets, which grafverif uses, and positions of editors. For editors, a line ends in
+// `\n`, `\r\n` or `\r`, and a character is a UTF-16 unit (LSP 3.17, "Position").
 #pragma once
 
 #include <cstdint>
@@ -11,34 +11,34 @@
 
 namespace grafverif::lsp {
 
-/// Both are zero-based.
+/// A position of an editor. Both numbers start at 0.
 struct Position {
     std::uint32_t line = 0;
-    std::uint32_t character = 0;  ///< in UTF-16 units; beyond the end of a line: its end
+    std::uint32_t character = 0;  ///< in UTF-16 units; beyond the end of a line, it denotes the end
     auto operator<=>(const Position&) const = default;
 };
-/// From the first position to the one after the last.
+/// A range from the first position to the position after the last character.
 struct Range {
     Position start = {}, end = {};
     auto operator<=>(const Range&) const = default;
 };
 
-/// An immutable text. Conversions take logarithmic time, also in a long line.
+/// An immutable text. Conversions take logarithmic time, even in a long line.
 class Text {
 public:
     explicit Text(std::string bytes);
 
     const std::string& bytes() const { return bytes_; }
-    /// The position of byte `offset`; beyond the end: the end.
+    /// Returns the position of byte `offset`; beyond the end of the text, the position of the end.
     Position position(std::size_t offset) const;
-    /// The byte at `position`; beyond the end of the line, or of the text: that end.
+    /// Returns the byte at `position`; beyond the end of the line or of the text, the byte at that end.
     std::uint32_t offset(Position position) const;
     Range range(std::size_t begin, std::size_t end) const { return {position(begin), position(end)}; }
     std::size_t lines() const { return anchors_.back().position.line + std::size_t{1}; }
 
 private:
-    /// The beginning of a line or, within a long line, of a character at regular intervals, so that no conversion
-    /// traverses the complete line.
+    /// The beginning of a line, or of a character at regular intervals within a long line. Therefore no conversion
+    /// traverses a complete line.
     struct Anchor {
         std::uint32_t offset = 0;
         Position position = {};
@@ -48,16 +48,17 @@ private:
     std::vector<Anchor> anchors_ = {{}};
 };
 
-/// An edit of a text; without a range it replaces the complete text.
+/// An edit of a text. Without a range, it replaces the complete text.
 struct Change {
     std::optional<Range> range = {};
     std::string text = {};
 };
 std::string changed(const Text& before, const Change& change);
 
-/// `file:///a%20b` as a path; for other schemes the address itself.
+/// Returns the path of `file:///a%20b`; for other schemes, the address itself.
 std::string path_of_uri(std::string_view uri);
-/// The inverse; for files that are not on disk, such as components of the library, the scheme is `grafverif`.
+/// Returns the address of a path. For files that are not on the disk, such as components of the library, the scheme is
+/// `grafverif`.
 std::string uri_of_path(std::string_view path);
 
 }  // namespace grafverif::lsp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Locations of a trace in the source: cleared transitions and moving instances, in order, each with event and time.
+// Positions of a trace in the source: cleared transitions and moving instances, in order, each with its event and time.
 #pragma once
 
 #include <string>
@@ -17,7 +17,8 @@ public:
     TraceLocations(const Model& model, Id<Chart> chart, const Places& places)
         : model_(model), chart_(chart), places_(places) {}
 
-    /// Limited to a readable number: of a longer run the first and the last rows.
+    /// Returns the positions of a run. Their number is limited for readability: for a longer run, only the first and
+    /// the last rows are included.
     std::vector<Related> of(const ChartRun& run) const;
 
 private:

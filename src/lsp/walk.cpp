@@ -73,7 +73,7 @@ public:
 
     void declare(const tree::Include&) {}
 
-    /// Declares the variables that an output of the plant is bound to and that no controller declares.
+    /// Declares the variables to which an output of the plant is bound and which no controller declares.
     void declare_plant(const tree::ClosedLoop& loop) {
         const std::string key = "loop " + text(loop.name);
         const Declaration* const owner = names_.thing(key);
@@ -97,7 +97,7 @@ private:
 
     std::string add(Declaration thing) {
         std::string key = thing.key;
-        names_.elements_.try_emplace(key, std::move(thing));  // of two with one name, the first is kept
+        names_.elements_.try_emplace(key, std::move(thing));  // if two elements have one name, the first is kept
         return key;
     }
     std::string top(DeclarationKind kind, const char* word, const tree::Name& name, Span whole) {
@@ -172,7 +172,7 @@ public:
         return std::move(found_);
     }
 
-    /// The step of a chart that `name` denotes in a partial chart, or outside it if the name is unique.
+    /// Returns the step of a chart that `name` denotes in a partial chart, or outside of it if the name is unique.
     static std::string step_key(const Names& names, const std::string& chart, std::string_view partial,
                                 std::string_view name) {
         const auto same = names.steps_.find(chart + "/" + std::string(name));
@@ -198,7 +198,7 @@ private:
         found_.push_back({key, where, 0, first, false});
     }
 
-    // Terms
+    // Terms.
 
     std::uint32_t skipped(const std::string& key) const {
         const Declaration* const thing = names_.thing(key);
@@ -223,7 +223,7 @@ private:
         }
     }
 
-    /// `owner.name`: the name is the last token of the node.
+    /// Handles `owner.name`, whose name is the last token of the node.
     void member(const Declaration& owner, const tree::Expr& expr) {
         const std::string name(file_.tree.text(expr.word));
         const Span where = {expr.where.source, expr.where.end - static_cast<std::uint32_t>(name.size()),
@@ -276,7 +276,7 @@ private:
         }
     }
 
-    // Charts
+    // Charts.
 
     void find(const tree::Include&) {}
 
@@ -335,13 +335,14 @@ private:
         assignments(chart, partial, transition.assignments);
     }
 
-    /// `accept CODE X4 "...";`: the tree has no location of the subject, which is the last token before the reason.
+    /// Handles `accept CODE X4 "...";`. The tree does not contain the position of the subject, which is the last token
+    /// before the reason.
     void subject(const Declaration& chart, const tree::Accept& accept) {
         if (accept.subject.empty()) return;
         const std::string_view all = file_.bytes(accept.where);
         const std::size_t at = all.substr(0, all.find('"')).rfind(accept.subject);
         if (at == std::string_view::npos) return;
-        const std::size_t dot = accept.subject.rfind('.') + 1;  // npos + 1 == 0
+        const std::size_t dot = accept.subject.rfind('.') + 1;  // without a dot, npos + 1 is 0
         const std::string name = accept.subject.substr(dot);
         const auto begin = static_cast<std::uint32_t>(accept.where.begin + at + dot);
         const Span where = {accept.where.source, begin, begin + static_cast<std::uint32_t>(name.size())};
@@ -351,7 +352,7 @@ private:
         use(key, where, skipped(key));
     }
 
-    // Components
+    // Components.
 
     void find(const tree::Component& component) {
         const std::string key = "component " + text(component.name);
@@ -382,7 +383,7 @@ private:
                        item);
     }
 
-    // Closed loops
+    // Closed loops.
 
     void find(const tree::ClosedLoop& loop) {
         const std::string key = "loop " + text(loop.name);

@@ -10,15 +10,14 @@
 
 namespace grafverif::lsp {
 
-/// Adds the declarations of the file to `names`. The variables of its plants are declared separately, after all other
-/// declarations.
+/// Adds the declarations of the file to `names`. The variables of its plants are declared after all other declarations.
 void declare_all(const Parsed& file, Names& names);
 void declare_plant(const Parsed& file, Names& names);
-/// Sorted by location.
+/// Returns the uses of names, sorted by position.
 std::vector<Use> uses_in(const Parsed& file, const Names& names);
 
-/// The element that a term's `name` denotes in `owner`, a chart, component or loop, and its partial chart; empty if
-/// none.
+/// Returns the element that a term's `name` denotes in `owner`, a chart, component or loop, and its partial chart;
+/// empty if there is none.
 std::string term_key(const Names& names, const Declaration& owner, std::string_view partial, std::string_view name);
 
 }  // namespace grafverif::lsp

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Workspace: the current texts. A document that is open in the editor replaces the file on disk, for itself and for all
-// files that include it. All other files are read from disk, and read again when they change.
+// Workspace: the current texts. A document that is open in the editor replaces the file on the disk, for itself and for
+// all files that include it. All other files are read from the disk, and read again when they change.
 #pragma once
 
 #include <atomic>
@@ -21,13 +21,13 @@ namespace grafverif::lsp {
 
 struct OpenText {
     std::string uri = {}, path = {};
-    std::string identity = {};  ///< of the file on disk, if there is one
+    std::string identity = {};  ///< identity of the file on the disk, if it exists
     std::int64_t version = 0;
     std::shared_ptr<const Text> text = {};
-    bool out_of_step = false;  ///< an edit could not be applied: the text differs from the editor's
+    bool out_of_step = false;  ///< true if an edit could not be applied: the text differs from that of the editor
 };
 
-/// A text, with a tree of its valid parts. For other formats than grafverif's the tree is empty.
+/// A text with a tree of its valid parts. For formats other than the input language, the tree is empty.
 struct Parsed {
     std::string path = {};
     std::shared_ptr<const Text> text = {};
@@ -40,7 +40,7 @@ struct Parsed {
 };
 using Files = std::vector<std::shared_ptr<const Parsed>>;
 
-/// The texts that a parse was made from; it is valid while they are unchanged.
+/// The texts from which a parse was made. The parse is valid while they are unchanged.
 using Inputs = std::vector<std::pair<std::string, std::shared_ptr<const Text>>>;
 
 class Workspace {
@@ -52,30 +52,30 @@ public:
     /// Adds a folder to search for files that include open documents.
     void add_folder(const std::string& path) { folders_.push_back(path), scanned_ = false; }
 
-    /// If memory is refused for its text, the document is open and out of step.
+    /// Opens a document. If memory for its text is refused, the document is open and out of step.
     void open(const std::string& uri, std::int64_t version, const std::string& text);
     void change(const std::string& uri, std::int64_t version, const std::vector<Change>& changes);
     void close(const std::string& uri);
     const OpenText* find(const std::string& uri) const;
     const OpenText* open_at(const std::string& path) const;
-    /// The address under which the editor has the file open, otherwise one derived from the path.
+    /// Returns the address under which the file is open in the editor, otherwise an address derived from the path.
     std::string uri_of(const std::string& path) const;
-    /// The path of the file in the editor, if it is open; otherwise the path itself.
+    /// Returns the path of the file in the editor if it is open, otherwise the path itself.
     std::string shown(const std::string& path) const;
     std::vector<OpenText> open_texts() const;
 
-    /// True if files on disk have changed since they were read; updates them.
+    /// Returns true if files on the disk have changed since they were read. The files are updated.
     bool refresh();
-    /// Null if it does not exist.
+    /// Returns the text of a file; null if it does not exist.
     std::shared_ptr<const Text> text(const std::string& path);
     std::shared_ptr<const Parsed> parsed(const std::string& path);
-    /// The file and all that it includes.
+    /// Returns the file and all files that it includes.
     Files closure(const std::string& path);
-    /// The file and all that include it.
+    /// Returns the file and all files that include it.
     std::vector<std::string> roots(const std::string& path);
-    /// All files whose names may be connected with those of `path`: the files of all its roots.
+    /// Returns all files whose names may be connected with those of `path`: the files of all its roots.
     Files related(const std::string& path);
-    /// True if the workspace was too large to search completely: there may be further roots.
+    /// True if the workspace was too large for a complete search, so that further roots may exist.
     bool cut_short() const { return cut_short_; }
 
     /// Parses the file with its includes.
@@ -89,11 +89,11 @@ private:
 
     std::vector<std::string> include_folders_, folders_ = {};
     const std::atomic<bool>* stop_;
-    std::map<std::string, OpenText> open_ = {};  ///< by address
+    std::map<std::string, OpenText> open_ = {};  ///< open documents by address
     FileWatcher watch_ = {};
-    std::map<std::string, std::shared_ptr<const Text>> disk_ = {};      ///< by path; null: it cannot be read
-    std::map<std::string, std::shared_ptr<const Parsed>> parsed_ = {};  ///< by path
-    std::vector<std::string> files_ = {};                               ///< of the folders
+    std::map<std::string, std::shared_ptr<const Text>> disk_ = {};  ///< texts by path; null if the file cannot be read
+    std::map<std::string, std::shared_ptr<const Parsed>> parsed_ = {};  ///< parsed files by path
+    std::vector<std::string> files_ = {};                               ///< files in the folders
     bool scanned_ = false, cut_short_ = false;
 };
 

@@ -66,7 +66,7 @@ std::string common_text(const CheckSettings& settings) {
     return fmt::format("{}, untimed: {}; {}{}{}", settings.engine, settings.untimed, settings.mode, grain, constants);
 }
 
-/// The additional parts of a verdict: states, subsystems, input abstraction, implication for the timed loop. Each may
+/// The additional parts of a verdict: states, subsystems, implication for the timed loop, input abstraction. Each may
 /// be empty.
 using Parts = std::array<std::string, 4>;
 Parts parts_of(const PropertyResult& answer) {

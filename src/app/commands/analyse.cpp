@@ -21,7 +21,7 @@ std::string printed(const Analysis& analysis, const CommandContext& job, const S
     const Colour colour = colour_on(to_file ? Screen{} : streams.out_screen, job.options);
     switch (job.options.format) {
     case Format::Json: print_findings_json(analysis, job.sources, out); break;
-    case Format::Sarif: break;  // written with the other reports
+    case Format::Sarif: break;  // written together with the other reports
     case Format::Text:
     case Format::JsonLines:
     case Format::Latex:
@@ -70,7 +70,7 @@ ExitCode analyse_one(const Model& model, Id<Chart> chart, CommandContext& job, c
     const std::string text = printed(analysis, job, streams);
     work_is_done();
     if (job.options.output) deliver(text, job, streams);
-    else streams.out << text;  // text without control characters, except for the colour codes
+    else streams.out << text;  // text contains no control characters, except for colour codes
     if (job.options.sarif) add_findings(analysis, job.sources, job.reports->sarif);
     for (const std::string& failure : analysis.failures)
         streams.err << "grafverif: internal error: " << failure << '\n';

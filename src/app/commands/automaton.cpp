@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `automaton` and `mealy`: the behaviour of a controller as a location automaton and as a Mealy machine.
+// `automaton` and `mealy`: show the behaviour of a controller as a location automaton and as a Mealy machine.
 #include "syntax/print/automaton.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// To the file of `-o`, otherwise directly to standard output: an automaton may be large.
+/// Prints to the file given by `-o`, otherwise directly to standard output, because an automaton may be large.
 template <class Print>
 void print_to_output(CommandContext& job, const Streams& streams, Print print) {
     if (!job.options.output) return print(streams.out);
@@ -24,7 +24,7 @@ void print_to_output(CommandContext& job, const Streams& streams, Print print) {
     deliver(std::move(text).str(), job, streams);
 }
 
-/// False after an error.
+/// Writes the drawing. Returns false after an error.
 bool draw(const Diagram& drawn, CommandContext& job, const Streams& streams) {
     const std::size_t nodes = job.options.format == Format::Svg ? drawn.nodes.size() : 0;
     if (nodes > largest_table) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `build`: translates a closed loop to a UPPAAL project and a NuSMV model, both or none.
+// `build`: translates a closed loop to a UPPAAL project and a NuSMV model. Either both or none are written.
 #include <fmt/format.h>
 
 #include <filesystem>

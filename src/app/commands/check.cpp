@@ -24,8 +24,8 @@ namespace grafverif::app {
 
 namespace {
 
-/// The trace written to files: of the first model error; without one, of the first unexpected verdict; without one, of
-/// the first verdict that has a trace.
+/// The trace that is written to files. It is the trace of the first model error, otherwise of the first unexpected
+/// verdict, otherwise of the first verdict with a trace.
 struct Chosen {
     const ChartRun* trace = nullptr;
     std::string title = {};
@@ -49,7 +49,7 @@ void note_trace(const Report& report, CommandContext& job, const Streams& stream
         streams.err << "note: no verdict has a trace, so no trace file was written\n";
 }
 
-/// The expected verdicts of a loop may refer to its schedule, which timed models do not have.
+/// Adds a note if the expected verdicts of a loop may refer to its schedule, which timed models do not have.
 void point_to_schedule(const ClosedLoop& loop, const CommandContext& job, const Streams& streams) {
     if (!loop.schedule || job.options.quiet) return;
     streams.err << fmt::format(
@@ -58,7 +58,7 @@ void point_to_schedule(const ClosedLoop& loop, const CommandContext& job, const 
         loop.name, printable(job.options.operands[0]));
 }
 
-/// The models to check in a file, one by one: each loop, and each chart that belongs to none.
+/// The models to check in a file, one after another: each loop, and each chart that does not belong to a loop.
 struct ModelSelection {
     std::optional<std::string> loop = {}, chart = {};
 };

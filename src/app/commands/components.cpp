@@ -17,7 +17,8 @@ namespace grafverif::app {
 
 namespace {
 
-/// The component in a library entry; the library is part of the program, so a parse error is an internal failure.
+/// Returns the component of a library entry. The library is part of the program; therefore a parse error is an internal
+/// failure.
 Component component_of(const LibraryEntry& entry) {
     Sources sources;
     Diagnostics diagnostics;

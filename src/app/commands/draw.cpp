@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `draw`: a chart as a drawing of IEC 60848.
+// `draw`: draws a chart according to IEC 60848.
 #include <algorithm>
 
 #include "app/commands.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `equations`: the meaning of a chart as equations (11) to (13) of CEP13, in the notation of its Fig. 19.
+// `equations`: prints the semantics of a chart as equations (11) to (13) of CEP13, in the notation of its Fig. 19.
 #include "syntax/print/equations.hpp"
 
 #include <sstream>
@@ -22,7 +22,7 @@ std::string printed(const Equations& equations, Format format) {
     case Format::Sarif:
     case Format::Dot:
     case Format::Svg:
-    case Format::Csv: break;  // not supported
+    case Format::Csv: break;  // this format is not supported
     }
     return out.str();
 }

@@ -18,8 +18,8 @@ ExitCode import_chart(CommandContext& job, const Streams& streams) {
     if (format_of(text) == FileFormat::Unknown) job.diagnostics.add(messages::unknown_format({*source, 0, 0}, ""));
     if (job.diagnostics.has_errors()) return ExitCode::Input;
     tree::File file = read_any(*source, job.sources, {job.options.lossy}, job.diagnostics);
-    // All commands must accept the result: errors that they would report in the text are reported here, with their
-    // location in the source file.
+    // All commands must accept the result: errors that they would report in the text are reported now, with their
+    // position in the source file.
     const auto model = model_of({&file, 1}, false, job.sources, {}, job.diagnostics);
     if (model)
         for (const Chart& chart : model->charts) derive(chart, job.diagnostics);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `lsp`: the language server, started by an editor.
+// `lsp`: the language server, which an editor starts.
 #include <poll.h>
 #include <signal.h>
 #include <unistd.h>
@@ -28,7 +28,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// Standard input until `end_requested`, with a way to cancel waiting for it.
+/// Reads standard input until `end_requested`. Waiting for input can be cancelled.
 class CancellableInput {
 public:
     explicit CancellableInput(const std::atomic<bool>& end_requested) : end_requested_(end_requested) {
@@ -42,7 +42,8 @@ public:
     CancellableInput& operator=(const CancellableInput&) = delete;
 
     std::size_t receive(std::span<char> room) const {
-        constexpr int poll_interval = 200;  // milliseconds: a signal may have come to another thread
+        // Milliseconds; necessary because another thread may have received the signal.
+        constexpr int poll_interval = 200;
         while (!end_requested_) {
             std::array<pollfd, 2> waited = {pollfd{STDIN_FILENO, POLLIN, 0}, pollfd{ends_[0], POLLIN, 0}};
             const int ready = ::poll(waited.data(), waited.size(), poll_interval);
@@ -70,7 +71,7 @@ bool is_alive(std::int64_t process) {
     return process <= 0 || ::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH;
 }
 
-/// Runs `serve` pages, one for each requested file, until the end.
+/// Runs pages of `serve`, one for each requested file, until the server ends.
 class Pages {
 public:
     explicit Pages(const Options& options) : options_(options) {}
@@ -91,7 +92,7 @@ public:
         try {
             threads_.emplace_back([this, &shown] { shown.run(stop_); });
         } catch (...) {
-            pages_.erase(kept);  // without its thread there is no answer
+            pages_.erase(kept);  // without a thread, the page cannot respond
             throw;
         }
         return shown.address();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `uppaal`, `pins`, `nusmv`, `aiger` and `btor2`: writes one model to a file or to standard output.
+// `uppaal`, `pins`, `nusmv`, `aiger` and `btor2`: write one model to a file or to standard output.
 #include "pipeline/models.hpp"
 
 #include <utility>
@@ -12,7 +12,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// The timed model of the selected loop.
+/// Returns the timed model of the selected loop.
 std::optional<Network> timed_model(CommandContext& job) {
     auto model = read_model(job.options.operands[0], job);
     const auto loop = model ? chosen_loop(*model, job) : std::nullopt;
@@ -39,13 +39,13 @@ ExitCode pins(CommandContext& job, const Streams& streams) {
 
 namespace {
 
-/// The untimed model of the selected loop or chart.
+/// Returns the untimed model of the selected loop or chart.
 std::optional<TransitionSystem> untimed_model(CommandContext& job) {
     auto model = read_model(job.options.operands[0], job);
     if (!model) return {};
     if (is_of_a_chart(*model, job.options)) {
         const auto chart = chosen_chart(*model, job);
-        ClosedLoop none;  // a chart alone has no properties
+        ClosedLoop none;  // a chart without a loop has no properties
         if (!chart || !keep_requested(none, job)) return {};
         return grafverif::transition_system_of(*model, *chart, model_options(job.options), job.diagnostics);
     }

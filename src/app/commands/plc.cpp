@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// `plc`: runs a chart as a PLC does, on standard input and output; a sample controller under test for `test --against`.
-// One line of inputs is one scan: read inputs, search for stability if the mode does so, write outputs.
+// `plc`: executes a chart as a PLC does, on standard input and output. It can be the controller under test for `test
+// --against`. One line of inputs is one scan: the inputs are read, the situation becomes stable if the mode requires
+// it, and the outputs are written.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -23,7 +24,7 @@ std::vector<ScanColumn> scan_columns(const Chart& chart, const Scanner& plc) {
     return columns;
 }
 
-/// Reads the next line; characters beyond `longest` are discarded.
+/// Reads the next line. Characters after the first `longest` are discarded.
 bool next_line(std::istream& in, std::size_t longest, std::string& line) {
     line.clear();
     std::streambuf& bytes = *in.rdbuf();
@@ -34,7 +35,7 @@ bool next_line(std::istream& in, std::size_t longest, std::string& line) {
     return true;
 }
 
-/// Executes the lines: each valid line is obeyed, each invalid one is answered with an error message.
+/// Executes the lines. A valid line is executed; the response to an invalid line is an error message.
 class PlcSession {
 public:
     PlcSession(const Chart& chart, ExecutionMode mode, Clock clock, const Streams& streams)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `report`: results of `check` and `analyse`, drawn charts, plant and equations as one page.
+// `report`: writes the results of `check` and `analyse`, drawn charts, plant and equations as one page.
 #include "report/report.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// The runs of the charts in the test of `--sequence`; nothing after an error.
+/// Returns the runs of the charts in the test given by `--sequence`; empty after an error.
 std::optional<std::vector<ChartRun>> tests_of(const Model& model, const std::vector<Id<Chart>>& charts,
                                               CommandContext& job) {
     if (charts.size() > 1) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `serve`: a page on this machine that shows the current file, checks it with every save, and simulates it.
+// `serve`: a page on this computer that shows the current file, checks it after every save, and simulates it.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
@@ -25,7 +25,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// Opens `page` in the user's browser, which continues after this program ends.
+/// Opens `page` in the user's browser, which continues after this program has ended.
 void open_in_browser(const std::filesystem::path& page, const Streams& streams) {
     std::string program = "xdg-open", operand = page.string();
     char* arguments[] = {program.data(), operand.data(), nullptr};
@@ -43,8 +43,8 @@ void open_in_browser(const std::filesystem::path& page, const Streams& streams) 
     if (failure != 0) streams.err << "note: `xdg-open` is not installed; open the address in a browser\n";
 }
 
-/// A page that redirects to `address`: the browser's command line is readable by other users and must not contain the
-/// token.
+/// Returns a page that redirects to `address`. It is necessary because other users can read the browser's command line,
+/// which must not contain the token.
 std::string redirect_to(const std::string& address) {
     return fmt::format(
         "<!doctype html>\n<meta charset=\"utf-8\">\n"
@@ -84,7 +84,8 @@ ExitCode serve(CommandContext& job, const Streams& streams) {
                        "Press Ctrl-C to stop.\n",
                        printable(job.options.operands[0]), address)
                 << std::flush;
-    std::optional<TemporaryFolder> folder;  // readable by this user only, kept until the end: the browser may be slow
+    // Only this user can read it; it is kept until the end, because the browser may be slow.
+    std::optional<TemporaryFolder> folder;
     if (job.options.open) {
         folder.emplace();
         folder->write("open.html", redirect_to(address));

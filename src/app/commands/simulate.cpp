@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `simulate`: moves a closed loop, or a chart alone, interactively, by a script, or at random. The run is printed like
-// a counterexample and finally replayed by the interpreter.
+// `simulate`: executes a closed loop, or a chart without a loop, interactively, with a script, or at random. The run is
+// printed in the form of a counterexample. At the end, the interpreter replays it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,13 +37,13 @@ namespace grafverif::app {
 
 namespace {
 
-/// An interactive session: each line is a command, answered by the steps that it caused.
+/// An interactive session. Each line is a command, and the response shows the steps that it caused.
 class Session {
 public:
     Session(Simulation& simulation, const Streams& streams)
         : simulation_(simulation), recording_(simulation), out_(streams.out) {}
 
-    /// `prompts`: show the choices, followed by `prompt`.
+    /// Starts the session. If `prompts`, the choices are shown, followed by `prompt`.
     void begin(bool prompts, std::string_view prompt = "") {
         prompts_ = prompts;
         prompt_ = prompt;
@@ -51,7 +51,7 @@ public:
         answer(simulation_.begin());
     }
 
-    /// The error message; empty: none. `line`: the command as typed.
+    /// Returns the error message; empty if there is none. `line` is the text of the command.
     std::string execute(const Command& command, std::string_view line) {
         over_ = over_ || std::holds_alternative<QuitCommand>(command);
         if (std::holds_alternative<HelpCommand>(command)) out_ << help;
@@ -114,7 +114,7 @@ private:
         }
     }
 
-    /// An existing file is overwritten only if it is a saved session.
+    /// Saves the session. An existing file is overwritten only if it is a saved session.
     std::string saved(const std::string& file) {
         std::string why;
         const bool is_there = std::filesystem::exists(std::filesystem::symlink_status(file));
@@ -133,7 +133,7 @@ private:
         return {};
     }
 
-    /// Reports each constraint when it becomes violated.
+    /// Reports each constraint when it is first violated.
     void report_violated_constraints() {
         std::vector<std::string> now = simulation_.violated_constraints();
         for (const std::string& constraint : now)
@@ -159,7 +159,7 @@ private:
     std::string_view prompt_ = {};
     bool over_ = false;
     std::size_t shown_ = 0;
-    std::vector<std::string> broken_ = {};  ///< constraints
+    std::vector<std::string> broken_ = {};  ///< names of violated constraints
 };
 
 ExitCode converse(Simulation& simulation, const Streams& streams, CommandContext& job) {
@@ -187,20 +187,22 @@ ExitCode converse(Simulation& simulation, const Streams& streams, CommandContext
     return ExitCode::Done;
 }
 
-/// The results of the expectations on one line of a script.
+/// The results of the expectations in one line of a script.
 struct ExpectationResult {
     std::string text = {};
-    std::string unmet = {};  ///< the first time; empty: met at each evaluation
+    std::string unmet = {};  ///< description of the first failure; empty if the expectation was met at each evaluation
 };
 
-/// A script stops at its first command that fails; an unmet expectation is reported, and the script continues.
+/// Executes a script, which stops at the first command that fails. An unmet expectation is reported, and the script
+/// continues.
 class ScriptRun {
 public:
     ScriptRun(const Script& script, std::string path, Session& session, Simulation& simulation, const Streams& streams)
         : script_(script), path_(std::move(path)), session_(session), simulation_(simulation), streams_(streams) {}
 
     ExitCode run() {
-        std::vector<std::pair<std::size_t, std::uint64_t>> rounds;  // per open `repeat`: its position, remaining count
+        // Per open `repeat`: its position and remaining count.
+        std::vector<std::pair<std::size_t, std::uint64_t>> rounds;
         for (std::size_t at = 0; at < script_.lines.size() && !session_.over();) {
             const Script::Line& line = script_.lines[at++];
             if (const auto* const repeat = std::get_if<RepeatCommand>(&line.command)) {
@@ -241,7 +243,7 @@ private:
     Session& session_;
     Simulation& simulation_;
     const Streams& streams_;
-    std::map<std::uint32_t, ExpectationResult> expectations_ = {};  ///< by line
+    std::map<std::uint32_t, ExpectationResult> expectations_ = {};  ///< expectations by line
     std::string ended_ = {};                                        ///< the command that failed
 };
 
@@ -277,7 +279,8 @@ std::string walk(Simulation& simulation, std::uint64_t seed, std::uint64_t steps
     return {};
 }
 
-/// Moves `simulation` according to the options, replays the run by the interpreter, and writes the requested files.
+/// Executes `simulation` according to the options, replays the run with the interpreter, and writes the requested
+/// files.
 ExitCode move(Simulation& simulation, const std::vector<const Chart*>& charts, CommandContext& job,
               const Streams& streams) {
     ExitCode code = ExitCode::Done;
@@ -288,7 +291,7 @@ ExitCode move(Simulation& simulation, const std::vector<const Chart*>& charts, C
     const ChartRun run = job.options.random_seed ? simulation.with_trace_rows(detail_of(job)) : simulation.told();
     if (job.options.random_seed) print_trace(run, streams.out);
     if (!problem.empty()) streams.out << "! " << printable(problem) << '\n';
-    const bool is_what_if = simulation.what_if_row().has_value();  // trials need not follow the rules
+    const bool is_what_if = simulation.what_if_row().has_value();  // a run with forced steps need not follow the rules
     if (const auto found = is_what_if ? std::nullopt : disagreement(run, charts)) {
         streams.err << "grafverif: internal error: " << replay_failure("this run", *found) << '\n';
         return ExitCode::Failure;
@@ -307,7 +310,7 @@ ExitCode simulate_loop(const Model& model, CommandContext& job, const Streams& s
     const auto loop = chosen_loop(model, job);
     const auto network = loop ? network_of(model, *loop, job) : std::nullopt;
     if (!network) return ExitCode::Input;
-    // Random walks draw each edge separately.
+    // In a random walk, each edge is chosen separately.
     const std::vector<const Chart*> charts = charts_of(model, model.loops[*loop]);
     Simulation simulation(*network, charts, job.options.random_seed ? Detail::Everything : detail_of(job));
     return move(simulation, charts, job, streams);
@@ -315,7 +318,7 @@ ExitCode simulate_loop(const Model& model, CommandContext& job, const Streams& s
 
 ExitCode simulate_chart(const Model& model, CommandContext& job, const Streams& streams) {
     const auto chart = chosen_chart(model, job);
-    if (!chart || !equations_of(model, *chart, job)) return ExitCode::Input;  // no interpreter without equations
+    if (!chart || !equations_of(model, *chart, job)) return ExitCode::Input;  // the interpreter requires equations
     Simulation simulation(model.charts[*chart], execution_mode(model, *chart, job), detail_of(job));
     return move(simulation, {&model.charts[*chart]}, job, streams);
 }

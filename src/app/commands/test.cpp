@@ -29,15 +29,15 @@ namespace grafverif::app {
 
 namespace {
 
-// The test bench drives a controller through a test sequence line by line and compares its outputs in every scan
-// (JESA13 section 6). Each sequence restarts the controller, which is its power-on.
+// Test bench: drives a controller through a test sequence line by line and compares its outputs in every scan (JESA13
+// section 6). Each sequence restarts the controller, which is its power-on.
 
 struct BenchOptions {
-    std::string controller = {};  ///< the shell command that runs it
+    std::string controller = {};  ///< the shell command that runs the controller
     Clock clock = Clock::Simulated;
-    bool keep_going = false;                         ///< after a failure, if possible
-    std::chrono::milliseconds patience{10'000};      ///< for one response
-    const std::atomic<bool>* stop = nullptr;         ///< cancellation flag: run no further step
+    bool keep_going = false;                         ///< continue after a failure if possible
+    std::chrono::milliseconds patience{10'000};      ///< time limit for one response
+    const std::atomic<bool>* stop = nullptr;         ///< cancellation flag: execute no further step
     std::function<void(std::size_t)> progress = {};  ///< called with the number of completed rows
 };
 
@@ -54,7 +54,7 @@ public:
             report_.verdicts.emplace_back(rows_of(sequence).size(), StepVerdict::NotRun);
     }
 
-    /// False if the shell found no such program.
+    /// Runs the test. Returns false if the shell did not find such a program.
     bool run() {
         const auto start = std::chrono::steady_clock::now();
         for (std::size_t k = 0; k < report_.test.sequences.size() && !stopped(); ++k) {
@@ -93,7 +93,8 @@ private:
         return true;
     }
 
-    /// The first failure of the scans of `step`; the remaining scans run only if the test continues after a failure.
+    /// Returns the first failure of the scans of `step`. The remaining scans are executed only if the test continues
+    /// after a failure.
     std::optional<Failure> run_row(LineProcess& dialogue, const TestSequence::Step& step) {
         std::optional<Failure> first;
         if (step.wait_ms != 0) wait(dialogue, step.wait_ms);
@@ -107,7 +108,8 @@ private:
         return first;
     }
 
-    /// A real controller gets a slightly longer wait: its clock may tick less often than the test bench's.
+    /// Waits. With a real controller, the wait is slightly longer, because its clock may tick less often than that of
+    /// the test bench.
     void wait(LineProcess& dialogue, std::int64_t wait_ms) const {
         if (options_.clock == Clock::Simulated) return dialogue.send("wait " + duration_text(wait_ms));
         constexpr std::chrono::milliseconds margin{20}, nap{50};
@@ -158,14 +160,16 @@ private:
     std::size_t done_ = 0;
 };
 
-/// Empty if the shell finds no such program. Throws std::system_error if it cannot be started.
+/// Runs the test; empty if the shell does not find such a program. Throws std::system_error if the program cannot be
+/// started.
 std::optional<TestReport> run_test(const TestSequence& test, const BenchOptions& options) {
     TestBench bench(test, options);
     if (!bench.run()) return {};
     return bench.take();
 }
 
-/// The table of `--sequence`, or a test generated from the chart, which passes on the interpreter before it is run.
+/// Returns the table given by `--sequence`, or a test generated from the chart. The interpreter must pass the test
+/// before it is run.
 std::optional<TestSequence> sequence_to_run(const Model& model, Id<Chart> chart, CommandContext& job,
                                             const Limits& limits) {
     if (job.options.sequence) return test_sequence(model, chart, job);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `testgen`: generates a test sequence for a PLC program; each sequence passes on the interpreter before it is written.
+// `testgen`: generates a test sequence for a PLC program. The interpreter must pass each sequence before it is written.
 #include <fmt/format.h>
 
 #include <ostream>

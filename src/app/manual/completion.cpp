@@ -9,11 +9,11 @@ namespace grafverif::app {
 
 namespace {
 
-/// The values that can be typed for `text|json`, `FILE`, `DIR` and `NAME` in the option table.
+/// The values that can be entered for `text|json`, `FILE`, `DIR` and `NAME` in the option table.
 struct Completed {
     enum class Kind { Words, Files, Folders, Other };
     Kind kind = Kind::Other;
-    std::string words = {};  ///< of Kind::Words, separated by blanks
+    std::string words = {};  ///< words of Kind::Words, separated by blanks
 };
 
 std::string command_names(std::span<const CliCommand> verbs) {
@@ -40,7 +40,7 @@ std::string replaced(std::string text, char what, std::string_view by) {
     return text;
 }
 
-/// Quotes text for use within single quotes.
+/// Escapes text for use within single quotes.
 std::string quoted(const std::string& text) { return replaced(text, '\'', "'\\''"); }
 
 std::string option_completions(const CliCommand& verb) {

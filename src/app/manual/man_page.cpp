@@ -10,7 +10,8 @@ namespace grafverif::app {
 
 namespace {
 
-/// Text as man(7) source, with the text between backticks in bold; no line of it is a request.
+/// Returns text as man(7) source, with the text between backticks in bold. No line of the text is interpreted as a
+/// request.
 std::string troff(std::string_view text) {
     std::string result;
     bool bold = false;
@@ -25,7 +26,7 @@ std::string troff(std::string_view text) {
     return result;
 }
 
-/// An option as it is typed: `-o, --output FILE`.
+/// Returns an option as it is entered: `-o, --output FILE`.
 std::string troff(const OptionText& option) {
     std::string text = option.letter.empty() ? "" : fmt::format("\\fB\\-{}\\fR, ", option.letter);
     text += fmt::format("\\fB\\-\\-{}\\fR", troff(option.name));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Manual pages in man(7) format: the content of --help.
+// Manual pages in man(7) format, with the content of --help.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace grafverif::app {
 
-/// grafverif(1): the program, its commands, its exit codes.
+/// Returns grafverif(1): the program, its commands, its exit codes.
 std::string man_page(std::span<const CliCommand> verbs, std::string_view version);
 
-/// grafverif-COMMAND(1).
+/// Returns grafverif-COMMAND(1).
 std::string man_page(const CliCommand& verb, std::string_view version);
 
 }  // namespace grafverif::app

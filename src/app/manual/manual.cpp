@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `manual` and `completion`: the tables of commands and options as manual pages and shell scripts.
+// `manual` and `completion`: write the tables of commands and options as manual pages and shell scripts.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 using namespace std::chrono_literals;
 
 constexpr auto file_poll_interval = 50ms, progress_interval = 250ms;
-/// Programs that replace a file may delete it first.
+/// Maximum time for which a file is missing while a program replaces it.
 constexpr auto absence = 100ms;
 
 bool is_in_a_loop(const Model& model, Id<Chart> chart) {
@@ -36,7 +36,8 @@ bool is_in_a_loop(const Model& model, Id<Chart> chart) {
     });
 }
 
-/// `text`: the property as the file has it; `claim`: its formula, if known. All of it is untrusted text.
+/// Returns a result as JSON. `text` is the property as in the file; `claim` is its formula, if known. All of this is
+/// untrusted text.
 Json json_of(const PropertyResult& answer, const std::string& claim) {
     const Verdict& verdict = answer.verdict;
     Json notes = Json::array();
@@ -88,10 +89,10 @@ public:
     }
 
 private:
-    /// The check of one model, and the verdicts so far.
+    /// The check of one model, with the verdicts so far.
     struct Proof {
         bool is_loop = false;
-        std::uint32_t place = 0;  ///< among the loops or charts
+        std::uint32_t place = 0;  ///< index among the loops or charts
         std::string name = {}, state = "waiting", progress = {};
         Json properties = Json::array(), error_traces = Json::array();
 
@@ -110,7 +111,7 @@ private:
         wake_.notify_all();
     }
 
-    // One thread polls the files for changes ...
+    // Polls the files for changes, in one thread.
 
     void watch() {
         while (sleep(file_poll_interval)) {
@@ -122,13 +123,13 @@ private:
         }
     }
 
-    /// False at the end.
+    /// Waits. Returns false if the checker must end.
     bool sleep(std::chrono::milliseconds time) {
         std::unique_lock hold(door_);
         return !wake_.wait_for(hold, time, [this] { return over_.load(); });
     }
 
-    // ... and another one reads them and checks until they change.
+    // Reads the files and checks them until they change, in another thread.
 
     void work() {
         while (!over_) {
@@ -162,7 +163,7 @@ private:
             if (text) read(path, std::move(*text), *piece);
             else piece->reading.diagnostics.add(messages::cannot_read(path, why));
         }
-        if (stale_ && !piece->reading.model) return;  // cut short: what has changed is read next
+        if (stale_ && !piece->reading.model) return;  // reading was interrupted; the changed files are read next
         if (piece->reading.model) make_networks(*piece);
         proofs_ = proofs_of(*piece);
         take_up(std::move(piece));
@@ -170,7 +171,7 @@ private:
 
     void begin() {
         const std::lock_guard hold(door_);
-        stale_ = over_.load();  // the destructor has set both
+        stale_ = over_.load();  // the destructor has set both flags
     }
 
     void read(const std::string& path, std::string text, CheckedFile& piece) {
@@ -181,7 +182,7 @@ private:
         context.constants.insert(options_.constants.begin(), options_.constants.end());
         context.stop = &stale_;
         context.identity = [this](const std::string& included) {
-            watch_.note(included);  // a missing file may appear later
+            watch_.note(included);  // includes missing files, which may appear later
             return identity_of_existing(included);
         };
         reading.model = read_text(file, reading.sources, context, reading.diagnostics);
@@ -199,7 +200,7 @@ private:
         }
     }
 
-    /// Includes rejected models, which are reported.
+    /// Returns the checks, including those of rejected models, which are reported.
     static std::vector<Proof> proofs_of(const CheckedFile& piece) {
         std::vector<Proof> proofs;
         if (!piece.reading.model) return proofs;
@@ -307,7 +308,7 @@ private:
     const Options& options_;
     std::function<void()> changed_;
 
-    std::mutex watching_ = {};  ///< acquired before `door_`
+    std::mutex watching_ = {};  ///< always acquired before `door_`
     FileWatcher watch_ = {};
 
     mutable std::mutex door_ = {};
@@ -322,7 +323,7 @@ private:
     std::vector<Proof> proofs_ = {};
     std::uint64_t readings_ = 0;
 
-    std::jthread worker_ = {}, watcher_ = {};  ///< last: the threads use all members above
+    std::jthread worker_ = {}, watcher_ = {};  ///< declared last, because the threads use all members above
 };
 
 FileChecker::FileChecker(const Options& options, std::function<void()> changed)

@@ -31,7 +31,7 @@ constexpr std::size_t largest_header = 16384;
 constexpr auto longest_transfer = std::chrono::seconds(5);
 constexpr std::size_t answering_threads = 4;
 
-/// Constant-time comparison of texts of equal length.
+/// Compares texts of equal length in constant time.
 bool equal(std::string_view one, std::string_view other) {
     bool same = one.size() == other.size();
     for (std::size_t k = 0; k < one.size() && k < other.size(); ++k) same = (one[k] == other[k]) & same;
@@ -44,7 +44,7 @@ int digit_of(char c) {
     return small >= 'a' && small <= 'f' ? small - 'a' + 10 : -1;
 }
 
-/// Decodes `%41` to `A`.
+/// Decodes escapes such as `%41` (`A`).
 std::string decoded(std::string_view text) {
     std::string plain;
     for (std::size_t k = 0; k < text.size(); ++k) {
@@ -73,7 +73,7 @@ std::string_view text_of(boost::beast::string_view view) { return {view.data(), 
     throw std::system_error(error.value(), std::generic_category(), what);
 }
 
-/// Headers of every response: no caching, no embedding, no type guessing, requests to this server only.
+/// Sets the headers of every response: no caching, no embedding, no type guessing, requests only to this server.
 template <class Message>
 void set_headers(Message& message) {
     message.set(http::field::cache_control, "no-store");
@@ -83,8 +83,9 @@ void set_headers(Message& message) {
     message.set("Cross-Origin-Resource-Policy", "same-origin");
 }
 
-/// Threads for the handler: up to `answering_threads`, as many as the system starts. Throws if it starts none.
-/// asio::thread_pool waits forever in its constructor if the first thread is started and another one is refused.
+/// Threads for the handler: up to `answering_threads`, as many as the system permits. Throws if none can be started.
+/// asio::thread_pool is not suitable: its constructor waits forever if the first thread is started and another one is
+/// refused.
 class HandlerThreads {
 public:
     HandlerThreads() {
@@ -101,7 +102,7 @@ public:
 
     asio::io_context& context() { return context_; }
     void stop() { context_.stop(); }
-    /// Returns when no work is left.
+    /// Returns when no work remains.
     void join() {
         work_.reset();
         threads_.clear();
@@ -186,10 +187,10 @@ private:
                 } catch (const std::exception&) {
                     answer = HttpAnswer{500, "text/plain", "internal error\n"};
                 }
-                Impl& server = self->server_;  // its thread alone releases connections
+                Impl& server = self->server_;  // only the thread of the server releases connections
                 asio::post(server.context_, [self = std::move(self), notices, answer = std::move(answer)]() mutable {
                     if (answer) return self->answer(std::move(*answer));
-                    // If something changed during the call of the handler, it may be what the request waits for.
+                    // If an event occurred during the call of the handler, the request may be waiting for it.
                     self->server_.notices_ == notices ? self->wait() : self->ask(false);
                 });
             });
@@ -242,7 +243,8 @@ private:
             });
         }
 
-        /// Detects that the client has disconnected, which frees its place; ignores what it sends.
+        /// Detects that the client has disconnected, so that another connection can be accepted. Data that it sends is
+        /// ignored.
         void watch() {
             stream_.async_read_some(asio::buffer(rest_),
                                     [self = shared_from_this()](beast::error_code error, std::size_t) {
@@ -271,7 +273,7 @@ private:
                               [self = shared_from_this()](beast::error_code, std::size_t) { self->linger(); });
         }
 
-        /// Reads and ignores remaining input for a while: closing at once would discard the response.
+        /// Reads and ignores remaining input for a short time: closing immediately would discard the response.
         void linger() {
             beast::error_code ignored;
             stream_.socket().shutdown(Tcp::socket::shutdown_send, ignored);
@@ -303,8 +305,8 @@ private:
         bool watched_ = false, gone_ = false;
     };
 
-    /// Listens on both addresses at one port. If the port is chosen freely and is in use on one of them, tries another
-    /// one.
+    /// Listens on both addresses at one port. If the system chooses the port and it is in use on one of them, another
+    /// port is tried.
     void listen(int tries) {
         std::vector<Tcp::acceptor> acceptors;
         acceptors.push_back(listening({asio::ip::address_v4::loopback(), options_.port}));
@@ -340,20 +342,20 @@ private:
             if (!error && !full()) std::make_shared<Connection>(*this, std::move(socket))->begin();
             if (error == asio::error::operation_aborted) return;
             if (!error) return accept(acceptor);
-            // No connection can be accepted now: the machine, or this process, has too many open files.
+            // No connection can be accepted now, because the computer or this process has too many open files.
             const auto pause = std::make_shared<asio::steady_timer>(context_, std::chrono::milliseconds(100));
             pause->async_wait([this, &acceptor, pause](boost::system::error_code) { accept(acceptor); });
         });
     }
 
-    /// Only the address of this server is accepted as Host.
+    /// True if the Host is an address of this server, which is the only accepted one.
     bool is_internal_error(std::string_view host) const {
         const std::string end = ":" + std::to_string(port());
         return host == "127.0.0.1" + end || host == "[::1]" + end || host == "localhost" + end ||
                (port() == 80 && (host == "127.0.0.1" || host == "[::1]" || host == "localhost"));
     }
 
-    /// The reason to reject `request` before its body is read; status 0: accepted.
+    /// Returns the reason to reject `request` before its body is read; the status is 0 if it is accepted.
     template <class Request>
     std::pair<unsigned, std::string> preservation_obstacle(const Request& request) const {
         if (!is_internal_error(text_of(request[http::field::host])) || request.count(http::field::host) != 1)
@@ -364,7 +366,7 @@ private:
             return {403, "cross-origin request refused"};
         if (request.method() != http::verb::get && request.method() != http::verb::post)
             return {405, "only GET and POST are supported"};
-        // The parts of every page are public.
+        // The parts of the pages are public.
         if (text_of(request.target()).starts_with("/web/") || has_token(request)) return {0, ""};
         return {403, "the token is missing; open the address that `grafverif serve` printed"};
     }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// HttpServer: serves pages to browsers of this user on this machine. It listens on 127.0.0.1 and, if available, on
+// HttpServer: serves pages to browsers of this user on this computer. It listens on 127.0.0.1 and, if available, on
 // [::1]. A request must name one of these as its Host, must not come from another page (Origin), and must contain the
-// token. So neither pages of other sites nor other users of the machine have access. Requests are bounded in size, time
-// and number.
+// token. Therefore neither pages of other sites nor other users of the computer have access. The size, duration and
+// number of requests are bounded.
 //
-// One thread reads and writes; a few others compute responses. A response may be delayed until an event.
+// One thread reads and writes; other threads compute responses. A response may be delayed until an event.
 #pragma once
 
 #include <atomic>
@@ -20,8 +20,8 @@ namespace grafverif::app {
 
 struct HttpRequest {
     bool post = false;
-    std::string path = {};                          ///< `/state`
-    std::map<std::string, std::string> query = {};  ///< decoded
+    std::string path = {};                          ///< path such as `/state`
+    std::map<std::string, std::string> query = {};  ///< decoded query parameters
     std::string body = {};
 };
 
@@ -31,22 +31,23 @@ struct HttpAnswer {
     std::string body = {};
 };
 
-/// The response, or nothing: the request waits for `notify`. With `at_once` a response is required. Called from several
-/// threads.
+/// Returns the response. An empty result means that the request waits for `notify`. If `at_once` is true, a response is
+/// required. Called from several threads.
 using HttpHandler = std::function<std::optional<HttpAnswer>(const HttpRequest&, bool at_once)>;
 
 struct HttpOptions {
-    std::uint16_t port = 0;  ///< 0: any free port
+    std::uint16_t port = 0;  ///< 0 selects any free port
     std::string token = {};
     std::size_t largest_body = std::size_t{1} << 20U;
-    /// Above this number the oldest connection whose token has not been read is closed; if there is none, the new one.
+    /// Maximum number of connections. Above it, the oldest connection whose token has not been read is closed; if there
+    /// is none, the new connection.
     std::size_t most_connections = 64;
-    int longest_wait = 20;  ///< seconds, of a delayed response
+    int longest_wait = 20;  ///< maximum delay of a response in seconds
 };
 
 class HttpServer {
 public:
-    /// Listens. Throws std::system_error if this fails, for example because the port is in use.
+    /// Starts listening. Throws std::system_error if this fails, for example because the port is in use.
     HttpServer(const HttpOptions& options, HttpHandler handler);
     ~HttpServer();
     HttpServer(const HttpServer&) = delete;

@@ -23,7 +23,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// 128 unpredictable bits.
+/// Returns 128 unpredictable bits.
 std::string random_token() {
     std::random_device source;
     std::string token;
@@ -44,7 +44,7 @@ HttpAnswer file_named(std::string_view name) {
 
 constexpr std::uint64_t longest_report_ms = 120'000;
 
-/// The version that the client has, from the query; 0 if it is not a number.
+/// Returns the version that the client has, from the query; 0 if it is not a number.
 std::uint64_t known_version(const HttpRequest& request) {
     std::uint64_t version = 0;
     if (const auto after = request.query.find("after"); after != request.query.end())
@@ -80,7 +80,7 @@ private:
         return {};
     }
 
-    /// At most two at a time, so that a thread remains for the state.
+    /// Performs a simulation. At most two run at a time, so that a thread remains for the state.
     std::optional<HttpAnswer> simulation(const HttpRequest& request, bool at_once) const {
         if (!simulating_.try_acquire()) {
             if (at_once) return HttpAnswer{503, "text/plain", "too many simulations are running; try again later\n"};
@@ -94,7 +94,7 @@ private:
         return HttpAnswer{.body = play(*bench_->workpiece(), options_, request.body)};
     }
 
-    /// The page that `report` writes; one at a time.
+    /// Returns the page that `report` writes. Only one is computed at a time.
     HttpAnswer report_page(const HttpRequest& request) const {
         const std::unique_lock hold(reporting_, std::try_to_lock);
         if (!hold) return {503, "text/plain", "another report is being generated; try again later\n"};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// LivePage: serves a file as a page on this machine (docs/how-to/serve.md), updated with every change of the file, with
-// reports and simulations on request.
+// LivePage: serves a file as a page on this computer (docs/how-to/serve.md). The page is updated after every change of
+// the file, and provides reports and simulations on request.
 #pragma once
 
 #include <atomic>
@@ -19,7 +19,7 @@ public:
     LivePage(const LivePage&) = delete;
     LivePage& operator=(const LivePage&) = delete;
 
-    /// Includes the token.
+    /// Returns the address, which includes the token.
     std::string address() const;
     /// Serves until `stop` is set.
     void run(const std::atomic<bool>& stop);

@@ -25,16 +25,16 @@ using Json = nlohmann::ordered_json;
 
 /// A request of a page.
 struct PlayRequest {
-    std::string loop = {}, chart = {};  ///< exactly one is set
+    std::string loop = {}, chart = {};  ///< exactly one of them is not empty
     std::vector<std::string> moves = {};
-    std::uint64_t seed = 0, random = 0;  ///< random moves after the given ones
-    bool everything = false;             ///< of a loop: each edge is a separate choice
+    std::uint64_t seed = 0, random = 0;  ///< number of random moves after the given ones, and their seed
+    bool everything = false;             ///< for a loop: each edge is a separate choice
 };
 
 Json error_text(const std::string& words) { return {{"error", printable(words)}}; }
 
 std::optional<PlayRequest> wish_of(const std::string& request) {
-    // No exceptions and no deep nesting: invalid input is treated as no request.
+    // Throws no exceptions and rejects deep nesting: invalid input is treated as no request.
     const Json::parser_callback_t shallow = [](int depth, Json::parse_event_t, Json&) { return depth < 4; };
     const Json json = Json::parse(request, shallow, false);
     if (!json.is_object()) return {};
@@ -59,7 +59,7 @@ std::optional<PlayRequest> wish_of(const std::string& request) {
     return wish;
 }
 
-/// The script line that is equivalent to a randomly chosen command.
+/// Returns the script line that is equivalent to a randomly chosen command.
 std::string line_of(const Command& command, const Simulation& simulation) {
     if (const auto* const wait = std::get_if<WaitCommand>(&command))
         return "wait " + duration_text(*wait->milliseconds);
@@ -69,7 +69,7 @@ std::string line_of(const Command& command, const Simulation& simulation) {
 /// Executes the moves sequentially and records the state after each.
 class MovePlayer {
 public:
-    /// `writers`: of a loop, per shared variable `environment` or `plant`.
+    /// `writers` maps, for a loop, each shared variable to `environment` or `plant`.
     MovePlayer(Simulation& simulation, std::vector<ElementIds> ids, std::map<std::string, std::string> writers)
         : simulation_(simulation), ids_(std::move(ids)), writers_(std::move(writers)) {}
 
@@ -102,7 +102,7 @@ private:
         ends_.push_back(rows());
     }
 
-    /// The ids, in the drawings of the charts, of the active steps.
+    /// Returns the ids of the active steps in the drawings of the charts.
     Json lit(const ChartRun::State& state) const {
         const ChartRun& run = simulation_.told();
         Json list = Json::array();
@@ -128,7 +128,7 @@ private:
         return list;
     }
 
-    /// The last rows, as many as a page shows, each with the move that caused it.
+    /// Returns the last rows, as many as a page shows, each with the move that caused it.
     Json rows_json() const {
         const ChartRun& run = simulation_.told();
         Json list = Json::array();
@@ -210,7 +210,7 @@ private:
     std::string problem_ = {};
 };
 
-/// Per shared variable that an instance writes, the kind of the instance.
+/// Returns the type of the instance that writes each shared variable.
 std::map<std::string, std::string> writers_of(const Model& model, const ClosedLoop& loop) {
     std::map<std::string, std::string> writers;
     for (const ClosedLoop::Instance& instance : loop.instances) {
@@ -223,7 +223,7 @@ std::map<std::string, std::string> writers_of(const Model& model, const ClosedLo
     return writers;
 }
 
-/// Highlighting data of a drawing: per transition its ids and the steps that enable it, per action its step.
+/// Returns data for highlighting a drawing: per transition its ids and the steps that enable it, per action its step.
 Json marks_of(const Chart& chart, const ElementIds& ids) {
     const Json known = chart_json(chart);
     Json transitions = Json::array(), actions = Json::array();
@@ -268,7 +268,7 @@ Json played(const CheckedFile& piece, const Options& options, const PlayRequest&
 std::string drawing_prefix(Id<Chart> chart) { return "c" + std::to_string(chart.index) + "-"; }
 
 std::string drawings(const CheckedFile& piece) {
-    constexpr std::size_t most_steps = 5'000;  // more are of no use to a user
+    constexpr std::size_t most_steps = 5'000;  // a larger number is not useful for a user
     Json list = Json::array(), marks = Json::array();
     if (piece.reading.model)
         for (const Id<Chart> id : piece.reading.model->charts.ids()) {

@@ -28,7 +28,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The running child processes, readable by a signal handler. Those that exceed its size are not in it.
+/// The running child processes, in a form that a signal handler can read. Child processes beyond its size are not
+/// included.
 std::array<std::atomic<pid_t>, 64> running = {};
 static_assert(std::atomic<pid_t>::is_always_lock_free);
 
@@ -46,7 +47,8 @@ void strike_out(pid_t pid) {
     }
 }
 
-/// Parent of the process `pid`; 0: unknown. /proc/PID/stat is `PID (NAME) STATE PARENT ...`; NAME is arbitrary.
+/// Returns the parent of the process `pid`; 0 if unknown. The format of /proc/PID/stat is `PID (NAME) STATE PARENT
+/// ...`, where NAME is arbitrary.
 pid_t parent_of(std::string_view pid) {
     const Descriptor file(::open(("/proc/" + std::string(pid) + "/stat").c_str(), O_RDONLY | O_CLOEXEC));
     std::string line(1024, '\0');
@@ -79,7 +81,7 @@ void reap(pid_t pid) {
     }
 }
 
-/// State shared by all running children: this process as their subreaper.
+/// State that all running children share: this process is their subreaper.
 class ChildRegistry {
 public:
     void begin() {
@@ -98,8 +100,8 @@ public:
     }
 
 private:
-    /// When a child ends, this process adopts its children; the next round finds them. Children that it may not end are
-    /// left.
+    /// Ends adopted processes. When a child ends, this process adopts its children, and the next iteration finds them.
+    /// Children that it may not end remain.
     void end_adopted() {
         constexpr int most_rounds = 1000;
         for (int round = 0; round < most_rounds; ++round) {
@@ -180,10 +182,10 @@ void Child::send(int signal) const {
     if (!over_) ::kill(-pid_, signal);
 }
 
-/// The id is not reused before the child is reaped; afterwards no signal is sent to it.
+/// The id is not reused before the child is reaped. After that, no signal is sent to it.
 void Child::end() {
     if (over_) return;
-    const SignalBlocker whole;  // an interruption here would leave processes running
+    const SignalBlocker whole;  // an interruption in this section would leave processes running
     ::kill(-pid_, SIGKILL);
     strike_out(pid_);
     reap(pid_);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Child: a started program with all its descendants. A descendant that leaves its process group or session is adopted
-// when its parent ends (PR_SET_CHILD_SUBREAPER) and ends with the child. While several children run, adopted
-// descendants end with the last of them. Children that this process had before the first one are not ended.
+// when its parent ends (PR_SET_CHILD_SUBREAPER), and is ended together with the child. While several children run,
+// adopted descendants end with the last of them. Children that this process had before its first Child are not ended.
 #pragma once
 
 #include <sys/types.h>
@@ -14,10 +14,10 @@
 namespace grafverif::app {
 
 struct ChildStreams {
-    int input = 0, output = 1, error = 2;  ///< descriptors that become its standard streams
+    int input = 0, output = 1, error = 2;  ///< descriptors that become the standard streams of the program
 };
 
-/// How a program ended.
+/// The way in which a program ended.
 struct ChildEnd {
     bool by_signal = false;
     int status = 0;  ///< the signal, or the exit code
@@ -25,8 +25,9 @@ struct ChildEnd {
 
 class Child {
 public:
-    /// Starts the program at the path `arguments[0]` in `folder` (empty: the current one), in a process group named by
-    /// its id, without the signal mask and ignored signals of this process. Throws std::system_error.
+    /// Starts the program at the path `arguments[0]` in `folder` (empty: the current folder). It runs in a process
+    /// group whose number is its id, without the signal mask and the ignored signals of this process. Throws
+    /// std::system_error.
     Child(const std::vector<std::string>& arguments, const ChildStreams& streams,
           const std::filesystem::path& folder = {});
     Child(const Child&) = delete;
@@ -34,7 +35,7 @@ public:
     /// Kills all processes that still run.
     ~Child() { end(); }
 
-    /// How it ended, if it has; does not wait.
+    /// Returns how the program ended, if it has ended. Does not wait.
     std::optional<ChildEnd> ended();
     /// Sends a signal to the program and its process group.
     void send(int signal) const;
@@ -47,10 +48,11 @@ private:
     std::optional<ChildEnd> ended_ = {};
 };
 
-/// True if a program runs that is not being ended. Does not wait.
+/// True if a program is running that is not being ended. Does not wait.
 bool children_run() noexcept;
 
-/// Kills the process groups of all running programs. For signal handlers that end this process: does not wait.
+/// Kills the process groups of all running programs. It is called by signal handlers that end this process, and does
+/// not wait.
 void kill_children_at_once() noexcept;
 
 }  // namespace grafverif::app

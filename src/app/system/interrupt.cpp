@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
 
-// A signal handler accesses only these objects.
+// A signal handler accesses only the following objects.
 std::atomic<bool> interrupted = false;
-std::atomic<int> listeners = 0;                            ///< number of Interrupts
-std::atomic<int> guards = 0;                               ///< number of Uninterrupteds
-std::atomic<int> put_off = 0;                              ///< the pending signal, raised after the last guard
-std::array<struct sigaction, signals.size()> before = {};  ///< written while this handler is not installed
+std::atomic<int> listeners = 0;  ///< number of Interrupt objects
+std::atomic<int> guards = 0;     ///< number of SignalBlocker objects
+std::atomic<int> put_off = 0;    ///< the pending signal, which is raised after the last SignalBlocker
+std::array<struct sigaction, signals.size()> before = {};  ///< written only while this handler is not installed
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 /// Serializes constructors and destructors; no handler locks it.
@@ -88,7 +88,7 @@ SignalBlocker::SignalBlocker() {
 
 bool SignalBlocker::none_from_now_on() {
     if (!door().try_lock()) return false;
-    if (guards == 0) return true;  // the lock is kept: no guard can be created any more
+    if (guards == 0) return true;  // the lock is kept, so that no SignalBlocker can be created any more
     door().unlock();
     return false;
 }

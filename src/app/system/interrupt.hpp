@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Interrupt: while one exists, Ctrl-C (SIGINT), SIGTERM and SIGHUP request an end instead of ending the program. A
-// second one ends the program and its children. Signals that were ignored before stay ignored (`nohup`).
+// Interrupt: while an object exists, Ctrl-C (SIGINT), SIGTERM and SIGHUP request an end instead of ending the program.
+// A second signal ends the program and its children. Signals that were ignored before remain ignored (`nohup`).
 #pragma once
 
 #include <atomic>
@@ -17,8 +17,8 @@ public:
     const std::atomic<bool>& requested() const;
 };
 
-/// While one exists, none of these signals ends the program; a pending one does so afterwards. For short sections that
-/// must not be left half done.
+/// While an object exists, none of these signals ends the program; a pending signal does so afterwards. It is for short
+/// sections that must be completed.
 class SignalBlocker {
 public:
     SignalBlocker();
@@ -26,8 +26,8 @@ public:
     SignalBlocker(const SignalBlocker&) = delete;
     SignalBlocker& operator=(const SignalBlocker&) = delete;
 
-    /// For code that ends the process other than by a signal: true if none exists, and then no new one can be created.
-    /// Does not wait.
+    /// For code that ends the process other than by a signal: returns true if no object exists; after that, none can be
+    /// created. Does not wait.
     static bool none_from_now_on();
 };
 

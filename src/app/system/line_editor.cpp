@@ -24,7 +24,7 @@ struct LineEditor::Parts {
     const std::atomic<bool>* stop = nullptr;
     EditLine* editor = nullptr;
     History* history = nullptr;
-    bool gave_up = false;  ///< of the current line
+    bool gave_up = false;  ///< true if the user discarded the current line
 
     static Parts& of(EditLine* editor) {
         void* parts = nullptr;
@@ -32,7 +32,7 @@ struct LineEditor::Parts {
         return *static_cast<Parts*>(parts);
     }
 
-    /// The next character; 0: end of input. Also detects a signal while no character is available.
+    /// Returns the next character; 0 at the end of input. Also detects a signal while no character is available.
     static int character(EditLine* editor, wchar_t* read) {
         constexpr int poll_interval_ms = 50;
         std::mbstate_t state = {};
@@ -44,7 +44,7 @@ struct LineEditor::Parts {
             if (count < 0 && errno == EINTR) continue;
             if (count <= 0) return 0;
             const std::size_t used = std::mbrtowc(read, &byte, 1, &state);
-            if (used == static_cast<std::size_t>(-2)) continue;  // the character is incomplete
+            if (used == static_cast<std::size_t>(-2)) continue;  // the character is still incomplete
             if (used == static_cast<std::size_t>(-1)) *read = L'?';
             return 1;
         }
@@ -53,7 +53,7 @@ struct LineEditor::Parts {
 
     static char* shown_prompt(EditLine* editor) { return of(editor).prompt.data(); }
 
-    /// Ctrl-C: discards the line.
+    /// Handles Ctrl-C: discards the line.
     static unsigned char give_up(EditLine* editor, int) {
         const LineInfo* const line = el_line(editor);
         el_cursor(editor, static_cast<int>(line->lastchar - line->cursor));
@@ -68,7 +68,7 @@ struct LineEditor::Parts {
         return CC_REDISPLAY;
     }
 
-    /// Tab: inserts the common prefix of the candidates; if it adds nothing, lists them.
+    /// Handles Tab: inserts the common prefix of the candidates. If it adds nothing, the candidates are listed.
     static unsigned char tab(EditLine* editor, int) {
         const Parts& parts = of(editor);
         const LineInfo* const info = el_line(editor);
@@ -103,7 +103,7 @@ LineEditor::LineEditor(std::string prompt, Complete complete, std::size_t (*last
     el_set(editor, EL_GETCFN, Parts::character);
     el_set(editor, EL_PROMPT, Parts::shown_prompt);
     el_set(editor, EL_EDITOR, "emacs");
-    el_set(editor, EL_SIGNAL, 1);  // restores the terminal when a signal ends the program
+    el_set(editor, EL_SIGNAL, 1);  // the library restores the terminal if a signal ends the program
     el_set(editor, EL_HIST, history, parts_->history);
     // The library keeps copies of narrow names forever.
     el_wset(editor, EL_ADDFN, L"grafverif-complete", L"complete the word", Parts::tab);
@@ -112,7 +112,7 @@ LineEditor::LineEditor(std::string prompt, Complete complete, std::size_t (*last
     el_set(editor, EL_BIND, "^I", "grafverif-complete", nullptr);
     el_set(editor, EL_BIND, "^R", "em-inc-search-prev", nullptr);
     el_source(editor, nullptr);
-    el_set(editor, EL_SETTY, "-d", "-isig", nullptr);  // while a line is edited, its keys raise no signals
+    el_set(editor, EL_SETTY, "-d", "-isig", nullptr);  // while a line is edited, its keys do not raise signals
     el_set(editor, EL_BIND, "^C", "grafverif-give-up", nullptr);
     el_set(editor, EL_BIND, "^Z", "grafverif-stop", nullptr);
 }
@@ -124,7 +124,8 @@ LineEditor::~LineEditor() {
 
 std::optional<std::string> LineEditor::line() {
     std::fflush(stdout);
-    el_set(parts_->editor, EL_PREP_TERM, 1);  // before the prompt is shown, so that immediate input is edited too
+    // Before the prompt is shown, so that input that is already available is also edited.
+    el_set(parts_->editor, EL_PREP_TERM, 1);
     int count = 0;
     const char* const read = el_gets(parts_->editor, &count);
     if (std::exchange(parts_->gave_up, false)) return "";

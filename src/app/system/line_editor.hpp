@@ -15,18 +15,19 @@ namespace grafverif::app {
 
 class LineEditor {
 public:
-    /// Candidates for the last word of a line, given the line up to the cursor.
+    /// Returns candidates for the last word of a line, given the line up to the cursor.
     using Complete = std::function<std::vector<std::string>(std::string_view line)>;
 
-    /// `last_word`: the position of the last word of a line; `stop`: cancellation flag, which ends the input. Requires
-    /// that standard input and output are a terminal.
+    /// `last_word` returns the position of the last word of a line. `stop` is a cancellation flag, which ends the
+    /// input. Requires that standard input and output are a terminal.
     LineEditor(std::string prompt, Complete complete, std::size_t (*last_word)(std::string_view),
                const std::atomic<bool>& stop);
     LineEditor(const LineEditor&) = delete;
     LineEditor& operator=(const LineEditor&) = delete;
     ~LineEditor();
 
-    /// A line without its terminator; Ctrl-C returns an empty one. Nothing: end of input, by Ctrl-D or by `stop`.
+    /// Returns a line without its terminator; after Ctrl-C, an empty line. The result is empty at the end of input,
+    /// which Ctrl-D or `stop` causes.
     std::optional<std::string> line();
 
 private:

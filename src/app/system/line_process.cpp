@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads and writes all three pipes as they become ready, so that a program that writes before it reads, or never reads,
-// does not block the caller. Output is kept up to a limit; of standard error the end is kept.
+// does not block the caller. Output is kept up to a limit; for standard error, the end is kept.
 #include "app/system/line_process.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// Reads available bytes, at most `most`; closes the descriptor at the end of file.
+/// Reads available bytes, at most `most`. Closes the descriptor at the end of file.
 std::string taken(Descriptor& from, std::size_t most) {
     std::string text(most, '\0');
     const ssize_t count = ::read(from.number(), text.data(), text.size());
@@ -32,7 +32,7 @@ std::string taken(Descriptor& from, std::size_t most) {
     return text;
 }
 
-constexpr std::size_t bytes_at_once = 65'536;  ///< bytes read per call
+constexpr std::size_t bytes_at_once = 65'536;  ///< number of bytes read per call
 constexpr int shell_found_nothing = 127, shell_could_not_run = 126;
 
 }  // namespace
@@ -46,7 +46,7 @@ LineProcess::LineProcess(const std::string& command, const LineProcessLimits& li
     from_ = std::move(out.read);
     errors_ = std::move(err.read);
     for (const Descriptor* ours : {&to_, &from_, &errors_}) set_nonblocking(*ours);
-    pipe_signal_before_ = std::signal(SIGPIPE, SIG_IGN);  // a program that has ended does not read
+    pipe_signal_before_ = std::signal(SIGPIPE, SIG_IGN);  // writing to a program that has ended must not raise a signal
 }
 
 LineProcess::~LineProcess() {
@@ -58,7 +58,7 @@ LineProcess::~LineProcess() {
         wait_for_end(std::chrono::milliseconds(200));
     }
     program_->end();
-    if (stopped()) work_is_done();  // from here on the results are reported
+    if (stopped()) work_is_done();  // from this point on, the results are reported
     std::signal(SIGPIPE, pipe_signal_before_);
 }
 
@@ -87,7 +87,7 @@ Reply LineProcess::result_for(const std::string& line) {
     }
 }
 
-/// True if there is a line, more than a line, or the stream has ended.
+/// Returns a reply if there is a line, more than a line, or the end of the stream.
 Reply LineProcess::result_so_far() {
     const std::size_t end = heard_.find('\n');
     if (end == std::string::npos && heard_.size() <= limits_.longest_line) return {Reply::Kind::Ended, heard_};
@@ -115,7 +115,7 @@ void LineProcess::listen() {
     if (said_.size() > kept) said_.erase(0, said_.size() - kept);
 }
 
-/// Waits until a pipe is ready, but no longer than an acceptable reaction time to a stop request.
+/// Waits until a pipe is ready, but not longer than an acceptable reaction time to a stop request.
 void LineProcess::wait(std::chrono::milliseconds longest) {
     constexpr std::chrono::milliseconds most{20};
     const auto writing = static_cast<short>(unsent_.empty() ? 0 : POLLOUT);
@@ -124,7 +124,7 @@ void LineProcess::wait(std::chrono::milliseconds longest) {
     ::poll(waited.data(), waited.size(), static_cast<int>(std::min(longest, most).count()));
 }
 
-/// Reads standard error in the meantime: a program blocked on a full pipe cannot end.
+/// Waits for the end, and reads standard error at the same time: a program that is blocked by a full pipe cannot end.
 bool LineProcess::wait_for_end(std::chrono::milliseconds longest) {
     const Steady::time_point deadline = Steady::now() + longest;
     while (!program_->ended() && Steady::now() < deadline) {
@@ -147,7 +147,7 @@ std::string LineProcess::end_text() {
     listen();
     std::string_view last = said_;
     while (last.ends_with('\n')) last.remove_suffix(1);
-    last.remove_prefix(last.rfind('\n') + 1);  // npos + 1 is 0
+    last.remove_prefix(last.rfind('\n') + 1);  // correct without a line feed, because npos + 1 is 0
     if (!last.empty()) text += fmt::format("; its error output: {}", shown_line(last));
     return text;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// An external program that answers line by line and keeps running between the lines. If the program ends, is
-// silent or writes without end, the connection stays within its limits of time and memory. The destructor ends the
-// program and all its descendants.
+// An external program that responds line by line and keeps running between the lines. Even if the program ends, does
+// not respond or writes without end, the time and memory limits are observed. The destructor ends the program and all
+// its descendants.
 #pragma once
 
 #include <atomic>
@@ -15,9 +15,10 @@
 namespace grafverif::app {
 
 struct LineProcessLimits {
-    std::chrono::milliseconds patience{10'000};         ///< for one response
-    std::size_t longest_line = std::size_t{64} << 10U;  ///< bytes; a longer response is a flood
-    const std::atomic<bool>* stop = nullptr;            ///< cancellation flag
+    std::chrono::milliseconds patience{10'000};  ///< time limit for one response
+    /// Maximum length of a line in bytes; a longer response is a Flood.
+    std::size_t longest_line = std::size_t{64} << 10U;
+    const std::atomic<bool>* stop = nullptr;  ///< cancellation flag
 };
 
 struct Reply {
@@ -42,14 +43,15 @@ public:
     LineProcess& operator=(const LineProcess&) = delete;
     ~LineProcess();
 
-    /// Sends `line` and waits for the response. After any reply other than Line the connection is over.
+    /// Sends `line` and waits for the response. After any reply other than Line, the connection has ended.
     Reply ask(const std::string& line);
-    /// Sends `line`, which has no response, before the next one.
+    /// Sends `line`, which has no response, together with the next one.
     void send(const std::string& line) { unsent_ += line + '\n'; }
 
-    /// After Ended: how the program ended, with its last line on standard error. Waits briefly for its end.
+    /// Only after Ended: returns how the program ended, with its last line on standard error. Waits briefly for its
+    /// end.
     std::string end_text();
-    /// After Ended: true if the shell found no such program, or could not run it.
+    /// Only after Ended: true if the shell did not find such a program, or could not execute it.
     bool not_found();
 
 private:
@@ -67,10 +69,10 @@ private:
     LineProcessLimits limits_;
     Descriptor to_, from_, errors_;
     std::optional<Child> program_ = {};
-    bool over_ = false;        ///< the last reply was not a line: do not wait for the end of the program
-    std::string unsent_ = {};  ///< not yet written to the program
-    std::string heard_ = {};   ///< the response so far
-    std::string said_ = {};    ///< the end of its standard error
+    bool over_ = false;        ///< the last reply was not a line, so that the end of the program is not awaited
+    std::string unsent_ = {};  ///< text that has not been written to the program yet
+    std::string heard_ = {};   ///< the response received so far
+    std::string said_ = {};    ///< the end of its output on standard error
     void (*pipe_signal_before_)(int) = nullptr;
 };
 

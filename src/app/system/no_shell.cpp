@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Replaces `popen`, with which the solver library reads compressed files (linker option `--wrap`). So the only shell
-// that the program starts is that of a command given by the user.
+// Replaces `popen`, with which the solver library reads compressed files (linker option `--wrap`). Therefore the
+// program starts a shell only for a command that the user gives.
 #include <cstdio>
 
 extern "C" FILE* __wrap_popen(const char* command, const char* mode);

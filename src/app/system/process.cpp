@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The input of the program is an unnamed file: nothing has to be written while it runs, and a program that does not
-// read it breaks no pipe.
+// The input of the program is an unnamed file. Therefore this process need not write while the program runs, and a
+// program that does not read its input does not cause a broken pipe.
 #include "app/system/process.hpp"
 
 #include <fcntl.h>
@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Throws std::system_error.
+/// Writes all of `text`. Throws std::system_error.
 void write_all(const Descriptor& to, std::string_view text) {
     while (!text.empty()) {
         const ssize_t count = ::write(to.number(), text.data(), text.size());
@@ -50,7 +50,7 @@ struct Stream {
     Descriptor from = Descriptor();
     std::string text = {};
 
-    /// Reads available data, but little more than `most` bytes in total.
+    /// Reads available data, but only slightly more than `most` bytes in total.
     void take(std::size_t most) {
         std::array<char, 65536> buffer = {};
         while (from.open() && text.size() <= most) {
@@ -66,7 +66,7 @@ struct Stream {
 
 void wait_for_output(const Stream& out, const Stream& err, int milliseconds) {
     std::array<pollfd, 2> waited = {pollfd{out.from.number(), POLLIN, 0}, pollfd{err.from.number(), POLLIN, 0}};
-    ::poll(waited.data(), waited.size(), milliseconds);  // a closed descriptor is negative: poll ignores it
+    ::poll(waited.data(), waited.size(), milliseconds);  // a closed descriptor is negative, so that poll ignores it
 }
 
 }  // namespace
@@ -117,7 +117,7 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const std::
     {
         const SignalBlocker whole;
         child.end();
-        if (result.end == ProgramResult::End::Stopped) work_is_done();  // from here on the results are reported
+        if (result.end == ProgramResult::End::Stopped) work_is_done();  // from this point on, the results are reported
     }
     out.take(limits.max_output);
     err.take(limits.max_output);
@@ -132,17 +132,18 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const std::
 
 namespace {
 
-/// Created after the lock; a folder without it belongs to another program.
+/// Created after the folder is locked; a folder without it belongs to another program.
 constexpr const char* lock_mark = ".grafverif-run";
 constexpr std::string_view folder_name = "grafverif-run-", random_part = "XXXXXX";
 
-/// The folder at `path`, locked; nothing if another process holds the lock, or it is not a folder.
+/// Returns the folder at `path`, locked. The result is empty if another process holds the lock, or if `path` is not a
+/// folder.
 Descriptor locked_folder(const fs::path& path) {
     Descriptor folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
     return folder.open() && ::flock(folder.number(), LOCK_EX | LOCK_NB) == 0 ? std::move(folder) : Descriptor();
 }
 
-/// Removes the folders that killed runs of the same user left in `where`.
+/// Removes the folders of killed runs of the same user in `where`.
 void remove_litter(const fs::path& where) {
     std::error_code failure;
     for (auto entry = fs::directory_iterator(where, failure); !failure && entry != fs::directory_iterator();

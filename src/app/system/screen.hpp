@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Screen: terminal properties of a stream.
+// Screen: the terminal properties of a stream.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +9,18 @@ namespace grafverif::app {
 
 struct Screen {
     bool terminal = false;
-    bool rewrites = false;  ///< a terminal on which a line can be overwritten
+    bool rewrites = false;  ///< true for a terminal on which a line can be overwritten
     bool colours = false;
-    std::size_t columns = 0;  ///< 0: unlimited
+    std::size_t columns = 0;  ///< number of columns; 0: unlimited
 };
 
-/// Default colour choice: `NO_COLOR` (no-color.org) disables colours; `CLICOLOR_FORCE` (bixense.com/clicolors) enables
-/// them in any case. Otherwise a terminal has colours unless its `TERM` is `dumb` or missing. An empty variable, and
-/// `CLICOLOR_FORCE=0`, count as missing.
+/// Returns the default colour choice. `NO_COLOR` (no-color.org) disables colours; `CLICOLOR_FORCE`
+/// (bixense.com/clicolors) enables them in any case. Otherwise a terminal has colours unless its `TERM` is `dumb` or
+/// missing. An empty variable, and `CLICOLOR_FORCE=0`, are treated as missing.
 bool has_colours(bool terminal, const std::string& no_color, const std::string& clicolor_force,
                  const std::string& term);
 
-/// The screen of a descriptor of this process, according to the environment.
+/// Returns the screen of a descriptor of this process, according to the environment.
 Screen screen_of(int descriptor);
 
 }  // namespace grafverif::app

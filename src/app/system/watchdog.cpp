@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The watchdog's thread allocates nothing and acquires only its own lock: the run may hold any other lock, and memory
-// may be exhausted.
+// The watchdog's thread allocates no memory and acquires only its lock, because the run may hold any other lock, and
+// memory may be exhausted.
 #include "app/system/watchdog.hpp"
 
 #include <fcntl.h>
@@ -37,14 +37,15 @@ constexpr bool sanitized = true;
 constexpr bool sanitized = false;
 #endif
 
-constexpr std::uint64_t own_memory = std::uint64_t{32} << 20U;  ///< of the program itself: code, library, buffers
-constexpr std::size_t kept_back = std::size_t{2} << 20U;        ///< reserve for reporting that memory is exhausted
-constexpr std::size_t kept_to_land = std::size_t{1} << 20U;     ///< reserve for allocations that must not fail
+/// Memory of the program itself: code, library, buffers.
+constexpr std::uint64_t own_memory = std::uint64_t{32} << 20U;
+constexpr std::size_t kept_back = std::size_t{2} << 20U;     ///< reserve for reporting that memory is exhausted
+constexpr std::size_t kept_to_land = std::size_t{1} << 20U;  ///< reserve for allocations that must not fail
 constexpr auto program_timeout = 3s, reader_timeout = 3s;
 constexpr auto grace = 400ms, longest_grace = 60'000ms, poll_interval = 25ms;
 
-std::atomic<std::int64_t> telling = 0;        ///< since when results are printed, on the steady clock; 0: not yet
-std::atomic<std::int64_t> reporting_cpu = 0;  ///< the processor time used until then, in nanoseconds
+std::atomic<std::int64_t> telling = 0;        ///< time on the steady clock since which results are printed; 0: not yet
+std::atomic<std::int64_t> reporting_cpu = 0;  ///< processor time used until then, in nanoseconds
 std::atomic<void*> reserve = nullptr, landing = nullptr;
 thread_local bool keeping_back = false;
 
@@ -72,7 +73,7 @@ std::uint64_t number_in(const char* file) {
     return number;
 }
 
-/// Memory available to this process on the machine or in the container; 0: unknown.
+/// Returns the memory available to this process on the computer or in the container; 0 if unknown.
 std::uint64_t memory_of_machine() {
     const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
     const std::uint64_t machine =
@@ -81,14 +82,14 @@ std::uint64_t memory_of_machine() {
     return container != 0 && (machine == 0 || container < machine) ? container : machine;
 }
 
-/// Bytes of this process in memory that no file backs; 0: unknown.
+/// Returns the number of bytes of this process in memory that no file backs; 0 if unknown.
 std::uint64_t resident() {
     std::array<char, 128> text = {};
     const int descriptor = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) return 0;
     const ssize_t count = ::read(descriptor, text.data(), text.size() - 1);
     ::close(descriptor);
-    std::array<std::uint64_t, 3> pages = {};  // size, resident, shared
+    std::array<std::uint64_t, 3> pages = {};  // numbers of pages: size, resident, shared
     const char* at = text.data();
     const char* const end = text.data() + std::max<ssize_t>(count, 0);
     for (std::uint64_t& each : pages) {
@@ -105,14 +106,14 @@ void allow_memory(std::uint64_t bytes) {
     ::setrlimit(RLIMIT_DATA, &limit);
 }
 
-/// Processor time of all threads, in nanoseconds.
+/// Returns the processor time of all threads in nanoseconds.
 std::int64_t processor_time() {
     timespec now = {};
     ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
     return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
 }
 
-/// False if the memory was released before.
+/// Releases the reserved memory. Returns false if it was released before.
 bool give_back(std::atomic<void*>& kept) {
     void* const memory = kept.exchange(nullptr);
     ::operator delete(memory);
@@ -133,7 +134,7 @@ bool keep(std::atomic<void*>& kept, std::size_t size) {
     keeping_back = false;
     if (memory == nullptr) return false;
     std::memset(memory, 1, size);
-    memory = kept.exchange(memory);  // another thread may have been as quick
+    memory = kept.exchange(memory);  // another thread may have stored memory at the same time
     ::operator delete(memory);
     return true;
 }
@@ -152,22 +153,22 @@ bool keep(std::atomic<void*>& kept, std::size_t size) {
     ::_exit(static_cast<int>(code));
 }
 
-/// Touches that many stack pages below the caller, page by page: a single large object would skip the guard page of
-/// a small stack.
+/// Touches this number of stack pages below the caller, page by page: a single large object would skip the guard page
+/// of a small stack.
 [[gnu::noinline]] void touch_stack(std::size_t pages) {  // NOLINT(misc-no-recursion)
     std::array<volatile char, 4096> page;
     page[0] = 0;
     if (pages > 0) touch_stack(pages - 1);
-    page[1] = page[0];  // after the call, to prevent a tail call, which would stay in this frame
+    page[1] = page[0];  // after the call, to prevent a tail call, which would use the same frame
 }
 
-/// Allocates stack memory now if that may fail later: a stack that cannot grow raises a signal.
+/// Allocates stack memory now, if that may fail later: if a stack cannot grow, a signal is raised.
 void grow_stack() {
     rlimit addresses = {}, stack = {};
     if (::getrlimit(RLIMIT_AS, &addresses) != 0 || addresses.rlim_cur == RLIM_INFINITY) return;
     if (::getrlimit(RLIMIT_STACK, &stack) != 0) return;
     constexpr rlim_t most = rlim_t{2} << 20U;
-    touch_stack(std::min(most, stack.rlim_cur / 2) / 4096);  // arguments and environment take up to a quarter
+    touch_stack(std::min(most, stack.rlim_cur / 2) / 4096);  // arguments and environment use up to a quarter
 }
 
 }  // namespace
@@ -211,7 +212,7 @@ Watchdog::Watchdog(WatchdogOptions orders) : orders_(std::move(orders)) {
 
     sigset_t all, before;
     ::sigfillset(&all);
-    ::pthread_sigmask(SIG_SETMASK, &all, &before);  // only the threads of the run handle signals
+    ::pthread_sigmask(SIG_SETMASK, &all, &before);  // signals are handled only by the threads of the run
     pthread_attr_t attributes;
     ::pthread_attr_init(&attributes);
     ::pthread_attr_setstacksize(&attributes, std::size_t{256} << 10U);
@@ -223,7 +224,7 @@ Watchdog::Watchdog(WatchdogOptions orders) : orders_(std::move(orders)) {
 
 Watchdog::~Watchdog() {
     {
-        const std::lock_guard lock(mutex_);  // if the run is being ended, wait for that
+        const std::lock_guard lock(mutex_);  // if the watchdog is ending the run, this waits until it has ended
         done_ = true;
     }
     over_.notify_one();
@@ -244,8 +245,9 @@ void Watchdog::watch() {
 const std::string* Watchdog::reason() {
     const Steady::time_point now = Steady::now();
     if (!interrupted_ && interrupt_.requested()) interrupted_ = now;
-    // Results may be printed after the time limit, for the margin in processor time: neither a slow reader nor a loaded
-    // machine truncates them. After Ctrl-C, reader_timeout is the limit for a reader that does not read at all.
+    // Results may be printed after the time limit. The margin is measured in processor time, so that neither a slow
+    // reader nor a loaded computer truncates them. After Ctrl-C, reader_timeout is the limit for a reader that does not
+    // read at all.
     const std::chrono::nanoseconds used(telling == 0 ? 0 : processor_time() - reporting_cpu);
     const Steady::time_point told(Steady::duration(telling.load()));
     const auto waited = interrupted_ ? now - std::max(*interrupted_, told) : Steady::duration(0);
@@ -258,8 +260,8 @@ const std::string* Watchdog::reason() {
     return nullptr;
 }
 
-/// Files that are being written are completed first, and started programs are given time to end: the thread that runs
-/// them observes the same limits and ends their descendants.
+/// Files that are being written are completed first. Started programs are given time to end: the thread that runs them
+/// observes the same limits and ends their descendants.
 void Watchdog::end(const std::string& why) {
     if (!ending_) ending_ = Steady::now();
     if (children_run() && Steady::now() - *ending_ < program_timeout) return;

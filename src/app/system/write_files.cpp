@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Drafts and backups exist only while the lock on their folder is held: if the holder of the lock finds one, a killed
-// run left it.
+// Drafts and backups exist only while the lock on their folder is held. Therefore, if the holder of the lock finds one,
+// it remains from a killed run.
 #include "app/system/write_files.hpp"
 
 #include <fcntl.h>
@@ -42,7 +42,7 @@ void write_all(const Descriptor& to, std::string_view text, const fs::path& path
     }
 }
 
-/// Flushes to the disk, if the file can be flushed at all.
+/// Flushes to the disk if the file can be flushed.
 void flush(const Descriptor& file, const fs::path& path) {
     if (::fsync(file.number()) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS && errno != EBADF)
         cannot_write(path);
@@ -75,7 +75,7 @@ struct Folder {
     ino_t node = 0;
 };
 
-/// A folder that may be entered but not read is neither locked nor flushed.
+/// Opens a folder. A folder that may be entered but not read is neither locked nor flushed.
 Folder opened(const fs::path& path, const fs::path& file) {
     Folder folder{path.empty() ? "." : path};
     constexpr int how = O_DIRECTORY | O_CLOEXEC;
@@ -100,13 +100,13 @@ void remove_litter(const Folder& folder) {
     }
 }
 
-/// Waits for the lock on the folder; while it is held, no other run uses drafts there.
+/// Waits for the lock on the folder. While it is held, no other run uses drafts in the folder.
 void lock(const Folder& folder) {
     constexpr std::chrono::seconds patience{60};
     constexpr std::chrono::milliseconds nap{3};
     for (const auto end = std::chrono::steady_clock::now() + patience;
          ::flock(folder.open.number(), LOCK_EX | LOCK_NB) != 0;) {
-        if (errno != EWOULDBLOCK && errno != EINTR) return;  // no such locks on this file system
+        if (errno != EWOULDBLOCK && errno != EINTR) return;  // this file system does not support such locks
         if (std::chrono::steady_clock::now() > end)
             fail(ETIMEDOUT, fmt::format("another process has locked the directory `{}`", folder.path.string()));
         std::this_thread::sleep_for(nap);
@@ -116,7 +116,7 @@ void lock(const Folder& folder) {
 
 // -- a set of files --------------------------------------------------------------------------------------------------
 
-/// `path` with the symbolic links in its last part resolved, even if the target does not exist.
+/// Returns `path` with the symbolic links in its last part resolved, even if the target does not exist.
 fs::path followed(const fs::path& path) {
     fs::path place = path;
     for (int links = 0; links < 40; ++links) {
@@ -128,7 +128,7 @@ fs::path followed(const fs::path& path) {
     cannot_write(path, ELOOP);
 }
 
-/// Undone completely if any part fails.
+/// A set of files to write. If any part fails, all changes are undone.
 class FileSet {
 public:
     FileSet() = default;
@@ -151,7 +151,7 @@ public:
                 cannot_write(file.path, EEXIST);
     }
 
-    /// Locks every folder, in an order that is the same for every run: no deadlock.
+    /// Locks every folder in an order that is the same for every run, so that no deadlock is possible.
     void wait_for_turn() {
         std::vector<Folder*> in_order;
         for (Folder& folder : folders_) in_order.push_back(&folder);
@@ -162,7 +162,8 @@ public:
     void write() {
         try {
             for (One& one : files_) draft(one);
-            for (One& one : files_) back_up(one);  // also a single file: folders are flushed after its renaming
+            // Also for a single file, because folders are flushed after it is renamed.
+            for (One& one : files_) back_up(one);
             for (One& one : files_) rename(one);
             for (const Folder& folder : folders_) flush(folder.open, folder.path);
             for (const fs::path& made : made_) flush(opened(made.parent_path(), made).open, made);
@@ -180,7 +181,7 @@ private:
         const OutputFile* file = nullptr;
         const Folder* folder = nullptr;
         std::string name = {};
-        std::string draft = {}, backup = {};  ///< names in the folder, while the files exist
+        std::string draft = {}, backup = {};  ///< names in the folder while the files exist
         bool renamed = false;
     };
 
@@ -199,7 +200,7 @@ private:
         return &folders_.emplace_back(std::move(found));
     }
 
-    /// Creates a file in the folder of `one`; stores its name in `name` as soon as it exists.
+    /// Creates a file in the folder of `one`. Stores its name in `name` as soon as it exists.
     static Descriptor created(const One& one, mode_t mode, std::string& name) {
         constexpr int attempts = 8;
         for (int k = 0; k < attempts; ++k) {
@@ -212,7 +213,7 @@ private:
         cannot_write(one.file->path);
     }
 
-    /// Status of the existing file; false if there is none.
+    /// Determines the status of the existing file. Returns false if there is none.
     static bool is_there(const One& one, struct stat& status) {
         if (::fstatat(one.folder->open.number(), one.name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0) return true;
         if (errno != ENOENT) cannot_write(one.file->path);
@@ -227,14 +228,15 @@ private:
             cannot_write(one.file->path);
         const Descriptor file = created(one, replaces ? S_IRUSR | S_IWUSR : 0666, one.draft);
         if (replaces) {
-            [[maybe_unused]] const int may_fail = ::fchown(file.number(), old.st_uid, old.st_gid);  // requires root
+            // Requires root permissions.
+            [[maybe_unused]] const int may_fail = ::fchown(file.number(), old.st_uid, old.st_gid);
             if (::fchmod(file.number(), old.st_mode & 0777U) != 0) cannot_write(one.file->path);
         }
         write_all(file, one.file->content, one.file->path);
         flush(file, one.file->path);
     }
 
-    /// Creates a hard link to a file that will be replaced or, if the file system has no links, a copy.
+    /// Creates a hard link to a file that will be replaced or, if the file system does not support links, a copy.
     static void back_up(One& one) {
         struct stat old = {};
         if (!is_there(one, old)) return;
@@ -268,7 +270,7 @@ private:
         else if (!one.backup.empty()) ::unlinkat(folder, one.backup.c_str(), 0);
     }
 
-    std::deque<Folder> folders_ = {};  // its elements do not move
+    std::deque<Folder> folders_ = {};  // a deque, because its elements do not move
     std::deque<One> files_ = {};
     std::vector<fs::path> made_ = {};
 };

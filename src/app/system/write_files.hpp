@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes files completely or not at all. Guarantees, and how they are achieved:
+// Writes files completely or not at all. The guarantees, and their implementation, are:
 //
 //   a file    A reader sees the old content or the new one, never a part. The new content is written to a draft of an
 //             unpredictable name in the same folder, flushed to the disk, and renamed.
@@ -22,10 +22,10 @@ struct OutputFile {
     std::string content = {};
 };
 
-/// Writes the set with these guarantees. Symbolic links are kept and their targets written, even missing ones. Missing
-/// folders are created. The permissions of a file are kept; a file without write permission is not replaced. Pipes,
-/// devices and descriptors of this process are written last, sequentially and without guarantees. Throws
-/// std::system_error.
+/// Writes the set with these guarantees. Symbolic links are kept, and their targets are written, even if they do not
+/// exist. Missing folders are created. The permissions of a file are kept. A file without write permission is not
+/// replaced. Pipes, devices and descriptors of this process are written last, sequentially and without guarantees.
+/// Throws std::system_error.
 void write_files(const std::vector<OutputFile>& files);
 
 }  // namespace grafverif::app

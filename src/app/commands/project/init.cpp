@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `init`: creates a complete project, which can be checked, built and tested as it is.
+// `init`: creates a complete project, which can be checked, built and tested without changes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file of a project called NAME, which is the placeholder in path and text.
+/// A file of a project whose name replaces the placeholder NAME in path and text.
 struct ProjectFile {
     std::string path = {}, use = {}, text = {};
 };
@@ -109,7 +109,7 @@ grafverif_check(NAME NAME CHART NAME.grafcet)
 }
 
 std::string named(std::string text, const std::string& name) {
-    // `grafverif_check(NAME NAME ...)`: the first is a keyword of CMake.
+    // In `grafverif_check(NAME NAME ...)`, the first NAME is a keyword of CMake.
     constexpr std::string_view placeholder = "NAME", of_cmake = "(NAME ";
     for (std::size_t at = text.find(placeholder); at != std::string::npos; at = text.find(placeholder, at)) {
         const bool word = at > 0 && text.compare(at - 1, of_cmake.size(), of_cmake) == 0 && text[at + 5] == 'N';

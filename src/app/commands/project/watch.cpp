@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `watch`: runs another command, and runs it again whenever its inputs change. Each run is a separate process, which
-// may end in any way; the inputs are read here first and then polled.
+// `watch`: executes another command, and executes it again whenever its inputs change. Each execution is a separate
+// process, which may end in any way. This process first reads the inputs and then polls them.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -29,8 +29,8 @@ using namespace std::chrono_literals;
 using std::chrono::steady_clock;
 
 constexpr auto poll_interval = 50ms;
-constexpr auto run_timeout = 1s;   ///< time for runs to end on request
-constexpr auto save_timeout = 1s;  ///< time between deletion and replacement of a file by an editor
+constexpr auto run_timeout = 1s;   ///< time for executions to end after a request
+constexpr auto save_timeout = 1s;  ///< maximum time between deletion and replacement of a file by an editor
 constexpr int closed_pipe = 128 + SIGPIPE;
 
 /// The watched command with its arguments.
@@ -64,12 +64,12 @@ Command command_of(const std::vector<std::string>& words) {
     return command;
 }
 
-/// Records all inputs of the command. The command itself reports their errors.
+/// Records all inputs of the command. The command itself reports errors in them.
 void note(const Command& command, FileWatcher& seen) {
     CommandContext job{.options = command.options};
     job.watch = &seen;
     for (const auto& [name, place, use] : path_options) {
-        if (use != PathUse::Read) (job.options.*place).reset();  // nothing is written
+        if (use != PathUse::Read) (job.options.*place).reset();  // no file is written
         else if (const auto& file = job.options.*place) seen.note(*file);
     }
     for (const std::string& file : command.options.operands) {
@@ -81,7 +81,7 @@ void note(const Command& command, FileWatcher& seen) {
     }
 }
 
-/// How the run ended; nothing if it was ended by a change or by Ctrl-C.
+/// Returns how the execution ended; empty if a change or Ctrl-C ended it.
 std::optional<ChildEnd> run_once(const Command& command, const FileWatcher& seen,
                                  const std::atomic<bool>& end_requested) {
     const Descriptor nothing(::open("/dev/null", O_RDONLY | O_CLOEXEC));
@@ -102,7 +102,7 @@ std::optional<ChildEnd> run_once(const Command& command, const FileWatcher& seen
     return {};
 }
 
-/// Waits for a change, and then until a file that an editor has moved away exists again.
+/// Waits for a change. Then, if an editor has moved a file away, waits until the file exists again.
 void wait_for_change(const FileWatcher& seen, const std::atomic<bool>& end_requested) {
     while (!end_requested && !seen.changed()) std::this_thread::sleep_for(poll_interval);
     for (const auto end = steady_clock::now() + save_timeout;
@@ -128,7 +128,8 @@ ExitCode watch(CommandContext& job, const Streams& streams) {
         FileWatcher seen;
         note(command, seen);
         const auto end = run_once(command, seen, interrupt.requested());
-        if (end && !end->by_signal && end->status == closed_pipe) return ExitCode::Done;  // the reader has gone
+        // The reader of standard output has gone.
+        if (end && !end->by_signal && end->status == closed_pipe) return ExitCode::Done;
         if (end)
             print(fmt::format("{} {}; watching {} file{}, press Ctrl-C to stop",
                               end->by_signal ? "terminated by signal" : "exit code", end->status, seen.size(),

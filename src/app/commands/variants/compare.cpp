@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `compare`: checks that two charts have equal outputs for all inputs, and lists other differences of their texts.
+// `compare`: checks that two charts have equal outputs for all inputs, and lists other textual differences.
 #include <ostream>
 #include <sstream>
 
@@ -12,7 +12,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// `3,5` applies to both charts, `3,5:W3,W5` to each separately.
+/// Returns the initial situations: `3,5` applies to both charts, `3,5:W3,W5` to each chart separately.
 std::array<std::vector<Id<Chart::Step>>, 2> beginnings(const Chart& a, const Chart& b, CommandContext& job) {
     if (!job.options.from_situation) return {};
     const std::string_view requested = *job.options.from_situation;
@@ -32,13 +32,13 @@ ExitCode exit_code(const Comparison& comparison) {
     return ExitCode::Failure;
 }
 
-/// An empty mode is that of the loop in FILE.
+/// Returns the requested modes. An empty mode is the mode of the loop in FILE.
 std::vector<std::optional<ExecutionMode>> requested_modes(const Options& options) {
     if (!options.all_modes) return {options.mode};
     return {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle};
 }
 
-/// One object, or a list with `--all-modes`; in text output, differences of the texts are printed once, at the end.
+/// Prints one object, or a list with `--all-modes`. In text output, textual differences are printed once, at the end.
 void print(const std::vector<Comparison>& all, const Options& options, Colour colour, std::ostream& out) {
     const bool json = options.format == Format::Json, list = options.all_modes;
     if (json && list) out << "[\n";
@@ -80,7 +80,7 @@ ExitCode compare(CommandContext& job, const Streams& streams) {
     print(all, job.options, colour_on(to_file ? Screen{} : streams.out_screen, job.options), out);
     work_is_done();
     if (job.options.output) deliver(std::move(out).str(), job, streams);
-    else streams.out << std::move(out).str();  // text without control characters, except for the colour codes
+    else streams.out << std::move(out).str();  // text contains no control characters, except for colour codes
     ExitCode code = ExitCode::Done;
     for (const Comparison& found : all) {
         for (const std::string& failure : found.failures)

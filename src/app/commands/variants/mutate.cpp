@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// `mutate`: mutation testing of a chart. Finds mutants that are equivalent, that violate a property, and that the test
-// sequence detects. Several threads check mutants; results are stored in a file, so that a stopped run can continue.
+// `mutate`: mutation testing of a chart. It determines which mutants are equivalent, which violate a property, and
+// which the test sequence detects. Several threads check mutants. Results are stored in a file, so that a stopped run
+// can be continued.
 #include "pipeline/variants/mutate.hpp"
 
 #include <fmt/format.h>
@@ -46,8 +47,8 @@ std::uint64_t hashed(std::uint64_t hash, const std::string& text) {
     return hash;
 }
 
-/// FNV-1a hash of all inputs of a fate besides the mutant: the program, every file that was read, including library
-/// components, and the options. Limits are not included: see StateFile.
+/// Returns the FNV-1a hash of all inputs of a result besides the mutant: the program, every file that was read,
+/// including library components, and the options. Limits are not included (see StateFile).
 std::uint64_t hash_of_query(const CommandContext& job) {
     std::uint64_t hash = hashed(14695981039346656037U, GRAFVERIF_VERSION);
     for (const Source& source : job.sources) hash = hashed(hash, source.text);
@@ -71,10 +72,11 @@ nlohmann::ordered_json stored(const std::string& key, const std::string& bounds,
             {"scans", fate.scans}};
 }
 
-/// True if other limits may lead to another fate.
+/// True if other limits may lead to another result.
 bool depends_on_bounds(const MutantFate& fate) { return fate.kind == Kind::Unknown || !fate.undecided.empty(); }
 
-/// Nothing if the line is not a stored fate, or if it depends on limits other than `bounds`.
+/// Reads a stored result; empty if the line does not contain one, or if the result depends on limits other than
+/// `bounds`.
 std::optional<std::pair<std::string, MutantFate>> restored(const std::string& line, const std::string& bounds) {
     const auto json = nlohmann::json::parse(line, nullptr, false);
     if (!json.is_object()) return {};
@@ -102,15 +104,17 @@ std::chrono::milliseconds each_of(const Options& options) {
     return std::chrono::milliseconds(options.mutant_timeout_ms.value_or(60'000));
 }
 
-/// The fates of a previous run and of this one. The file is replaced like every output (see write_files): at the start,
-/// so that an unwritable file is rejected before the work, then at most once a second, and at the end.
+/// The results of a previous run and of this run. The file is replaced in the same way as every output (see
+/// write_files). This happens at the start, so that an unwritable file is rejected before the work, then at most once
+/// per second, and at the end.
 class StateFile {
 public:
     explicit StateFile(const Options& options)
         : path_(options.state_file),
           bounds_(fmt::format("{} ms, {} bytes", each_of(options).count(), options.max_memory.value_or(0))) {}
 
-    /// False after an error: the file cannot be read, or is not a state file. Throws std::system_error.
+    /// Opens the file. Returns false after an error: the file cannot be read, or is not a state file. Throws
+    /// std::system_error.
     bool open(Diagnostics& diagnostics) {
         if (!path_) return true;
         std::string why;
@@ -140,10 +144,11 @@ public:
         try {
             save();
         } catch (const std::system_error&) {
-            next_save_ = std::chrono::steady_clock::now() + between_saves;  // the final save reports it
+            // If saving fails again at the end, the error is reported then.
+            next_save_ = std::chrono::steady_clock::now() + between_saves;
         }
     }
-    /// Throws std::system_error.
+    /// Saves the results. Throws std::system_error.
     void save() {
         if (!path_ || saved_) return;
         write_files({{*path_, text_}});
@@ -156,7 +161,7 @@ private:
     static constexpr std::chrono::seconds between_saves{1};
 
     std::optional<std::string> path_;
-    std::string bounds_;  ///< limits of the work on each mutant
+    std::string bounds_;  ///< limits for the work on each mutant
     std::map<std::string, MutantFate> known_ = {};
     std::string text_ = {};
     bool saved_ = false;
@@ -165,7 +170,7 @@ private:
 
 // -- a run ------------------------------------------------------------------------------------------------------------
 
-/// A random sample of `most` mutants, chosen by `seed`, in their original order.
+/// Selects a random sample of `most` mutants according to `seed`. Their order is unchanged.
 void sample(std::vector<Mutant>& all, std::uint64_t most, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::vector<std::size_t> order(all.size());
@@ -178,7 +183,7 @@ void sample(std::vector<Mutant>& all, std::uint64_t most, std::uint64_t seed) {
     all = std::move(chosen);
 }
 
-/// Checks all mutants in parallel. A fate stays empty if the run was stopped before.
+/// Checks all mutants in parallel. If the run is stopped, results of unchecked mutants are empty.
 class MutantChecks {
 public:
     MutantChecks(const MutantChecker& bench, Mutation& mutation, StateFile& state, const CommandContext& job,
@@ -198,7 +203,7 @@ public:
             try {
                 for (unsigned k = 0; k < std::min<std::size_t>(jobs, mutation_.mutants.size()); ++k)
                     threads.emplace_back([this] { work(); });
-            } catch (const std::system_error&) {  // the threads that were started do all the work
+            } catch (const std::system_error&) {  // the threads that were started perform all the work
                 if (threads.empty()) work();
             }
         }
@@ -254,8 +259,8 @@ private:
     std::size_t done_ = 0;
 };
 
-/// Writes text and drawing of the original and of each mutant that no property detects; both drawings mark the elements
-/// that the other one does not have.
+/// Writes text and drawing of the original and of each mutant that no property detects. Both drawings mark the elements
+/// that the other one does not contain.
 bool write_survivors(const Mutation& mutation, const Model& model, Id<Chart> chart, const std::string& original,
                      const ReadOptions& read, CommandContext& job, const Streams& streams) {
     if (!job.options.survivors) return true;
@@ -323,7 +328,7 @@ ExitCode mutate(CommandContext& job, const Streams& streams) {
     try {
         state.save();
     } catch (const std::system_error& failure) {
-        job.diagnostics.add(messages::io_error(failure.what()));  // the results are printed anyway
+        job.diagnostics.add(messages::io_error(failure.what()));  // the results are printed nevertheless
     }
     if (!write_survivors(mutation, *model, *chart, original, read, job, streams)) return ExitCode::Input;
     std::ostringstream out;
