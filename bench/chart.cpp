@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bench_chart SIZE: prints a generated ring of SIZE steps; bench_chart line CELLS: prints a production line of CELLS
+// bench_chart SIZE prints a generated ring of SIZE steps. bench_chart line CELLS prints a production line of CELLS
 // cells.
 #include <cstdio>
 #include <cstdlib>

@@ -50,7 +50,7 @@ Network renamed(Network network, const std::string& suffix) {
     return network;
 }
 
-/// The union of both networks; the indices of the second one follow those of the first.
+/// Returns the union of both networks. The indices of the second network follow those of the first.
 Network beside(Network left, const Network& right) {
     const auto variables = static_cast<std::uint32_t>(left.variables.size());
     const auto processes = static_cast<std::uint32_t>(left.processes.size());
@@ -76,12 +76,12 @@ Network beside(Network left, const Network& right) {
     return left;
 }
 
-/// The declared names of a file, renamed so that several copies of it can be combined.
+/// The names declared in a file, which are renamed so that several copies of it can be combined.
 class Numbered {
 public:
     explicit Numbered(const std::string& text) {
-        // declared names: after `grafcet`, `plant`, `environment`, `property`, in lists of inputs and outputs, and
-        // names bound to ports (the word after `=`, unless it is a component)
+        // Declared names: after `grafcet`, `plant`, `environment`, `property`, in lists of inputs and outputs, and
+        // names bound to ports (the word after `=`, unless it is a component).
         static const std::regex declared("(?:grafcet|plant|environment|property) (\\w+)|[(,]\\s*\\w+ = ([A-Z]\\w*)");
         for (std::sregex_iterator found(text.begin(), text.end(), declared), end; found != end; ++found)
             names_.insert((*found)[1].matched ? (*found)[1].str() : (*found)[2].str());
@@ -94,7 +94,7 @@ public:
             if (text.find("grafcet " + name + " {") != std::string::npos) chart_ = name;
     }
 
-    /// `text` with `_k` appended to each name; steps in verdicts are those of the chart.
+    /// Returns `text` with `_k` appended to each name. Steps in verdicts are those of the chart.
     std::string with(int k, const std::string& text) const {
         static const std::regex word("[A-Za-z_]\\w*");
         const std::string number = "_" + std::to_string(k);

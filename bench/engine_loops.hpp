@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Closed loops for measurements of the engines, read from the samples or generated as text, and composed.
+// Closed loops for measurements of the engines. They are read from the samples or generated as text, and composed.
 #pragma once
 
 #include <string>
@@ -11,34 +11,36 @@
 
 namespace grafverif::bench {
 
-/// The text of `samples/PATH`.
+/// Returns the text of `samples/PATH`.
 std::string sample(const std::string& path);
 
-/// The first loop of a model: its controllers' equations, in order, and its plant alone.
+/// The first loop of a model: the equations of its controllers, in order, and its plant.
 struct LoopParts {
     Model model = {};
     std::vector<Equations> equations = {};
     Network plant = {};
 };
 
-/// The parts of the first loop of `text`. Throws std::invalid_argument with the first errors if it is invalid.
+/// Returns the parts of the first loop of `text`. Throws std::invalid_argument with the first errors if the text is
+/// invalid.
 LoopParts parts(const std::string& text);
 
-/// The first loop of `text`, composed. Throws std::invalid_argument if it is invalid.
+/// Returns the first loop of `text`, composed. Throws std::invalid_argument if the text is invalid.
 Network loop(const std::string& text, Grain grain = Grain::Phased);
 
-/// Two testing stations in one network, which share only time.
+/// Returns two testing stations in one network, which share only time.
 Network two_stations(Grain grain = Grain::Phased);
 
-/// `count` testing stations in one loop, each with a separate controller, which share only time: the text of the sample
-/// once per station, its names numbered (`P15_2`).
+/// Returns the text of a loop with `count` testing stations, each with a separate controller. The stations share only
+/// time. The text of the sample is repeated for each station with numbered names (`P15_2`).
 std::string stations(int count);
 
-/// A transfer line of `cells` drilling cells between buffers, controlled by one PLC; the sample with three cells is
-/// this text.
+/// Returns a transfer line of `cells` drilling cells between buffers, which one PLC controls. With three cells, it is
+/// the text of the sample.
 std::string transfer_line(int cells);
 
-/// One chart that drives `cylinders` cylinders, each out and in again with its three sensors, all started together.
+/// Returns one chart that drives `cylinders` cylinders. All start together; each moves out and in again, and has three
+/// sensors.
 std::string cylinders(int cylinders);
 
 }  // namespace grafverif::bench

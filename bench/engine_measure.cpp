@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// bench_engine WHAT [safety] [jobs=N] [atomic|text]: checks one model with the timed engine. Prints states, transitions
-// per second, bytes per state and verdicts.
-// safety: only state properties. jobs: number of threads. text: prints the generated model instead.
-// WHAT is the path of a sample or one of:
+// bench_engine WHAT [safety] [jobs=N] [atomic|text] checks one model with the timed engine. It prints states,
+// transitions per second, bytes per state and verdicts. safety: check only state properties. jobs: number of threads.
+// text: print the generated model instead. WHAT is the path of a sample or one of:
 //   `station`, `cylinders N`
 //   `two`: two stations in one network, explored as one
 //   `stations N`: N stations in one loop, checked compositionally
@@ -24,7 +23,7 @@ namespace {
 
 using namespace grafverif;
 
-/// Processor seconds of this process; other processes do not count.
+/// Returns the processor seconds of this process, without those of other processes.
 double processor_seconds() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -61,7 +60,7 @@ void print(const TimedResult& result, double seconds) {
     fmt::print("  peak {} MiB, {:.2f} s of the processor in all\n", usage.ru_maxrss / 1024, processor_seconds());
 }
 
-/// The text of a generated model; otherwise empty.
+/// Returns the text of a generated model; otherwise empty.
 std::string made(const std::string& what, int count, char** values) {
     const int size = count > 2 ? std::atoi(values[2]) : 3;
     if (what == "cylinders") return bench::cylinders(size);
@@ -103,7 +102,7 @@ int main(int count, char** values) {
     if (said("safety", count, values)) options.properties = about_states(network);
     const double before = processor_seconds();
     const std::string what = values[1];
-    if (what == "line")  // `no timelock` needs the complete network, which exceeds the memory
+    if (what == "line")  // `no timelock` requires the complete network, which exceeds the memory
         for (const Property& property : network.properties)
             if (property.pattern == Pattern::Never) options.properties.push_back(property.name);
     const bool by_parts = what == "stations" || what == "line";

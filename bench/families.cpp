@@ -17,8 +17,8 @@ struct Family {
         std::vector<std::size_t> from = {}, to = {};
     };
     std::string name = {};
-    std::size_t steps = 0;                  ///< numbered from 1
-    std::vector<std::size_t> initial = {};  ///< each with an output
+    std::size_t steps = 0;                  ///< number of steps, which are numbered from 1
+    std::vector<std::size_t> initial = {};  ///< initial steps, each with an output
     std::vector<Link> links = {};
 
     std::size_t step() { return ++steps; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bench_family NAME M [N]: prints a chart of a family, as input for the program.
+// bench_family NAME M [N] prints a chart of a family as input for the program.
 #include <cstdio>
 #include <cstdlib>
 #include <string>

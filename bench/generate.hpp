@@ -7,15 +7,16 @@
 
 namespace grafverif::bench {
 
-/// A closed loop whose chart is one ring of `steps` steps with as many transitions, 16 inputs from free push buttons,
-/// 16 outputs; every tenth step has a time condition, every tenth counts.
+/// Returns a closed loop whose chart is one ring of `steps` steps with the same number of transitions. It has 16 inputs
+/// from free push buttons and 16 outputs. Every tenth step has a time condition, and every tenth step counts.
 std::string ring(std::size_t steps);
 
-/// A chart of `count` independent assembly stations (DESDES06 Fig. 2).
+/// Returns a chart of `count` independent assembly stations (DESDES06 Fig. 2).
 std::string assembly_stations(std::size_t count);
 
-/// A supervisor with forcing orders for `count` cells, each of nine steps with six inputs and five stored actions. Six
-/// cells have 60 steps, 67 transitions, 7 partial charts, 7 forcing orders, 33 stored actions and 38 inputs.
+/// Returns a supervisor with forcing orders for `count` cells. Each cell has nine steps, six inputs and five stored
+/// actions. Six cells have 60 steps, 67 transitions, 7 partial charts, 7 forcing orders, 33 stored actions and 38
+/// inputs.
 std::string production_line(std::size_t count);
 
 }  // namespace grafverif::bench

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Response times of the language server during typing: bench_lsp [STEPS [KEYSTROKES]].
+// bench_lsp [STEPS [KEYSTROKES]] measures the response times of the language server during typing.
 //
-// Each keystroke changes one character. Measured in real time and in processor time, including background threads: the
-// time until the diagnostics arrive, and then until the requests that an editor sends after a change are answered.
+// Each keystroke changes one character. Two times are measured: until the diagnostics arrive, and then until the
+// responses to the requests that an editor sends after a change have arrived. They are measured in real time and in
+// processor time, including background threads.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +27,7 @@ namespace {
 using namespace grafverif;
 using Clock = std::chrono::steady_clock;
 
-/// A ring of steps with actions and conditions on some inputs.
+/// Returns a ring of steps with actions, and with conditions on some inputs.
 std::string chart_of(int steps) {
     std::string text =
         "grafcet ring {\n    input A0, A1, A2, A3, A4, A5, A6, A7;\n    output O0, O1, O2, O3;\n\n    initial step "
@@ -120,14 +121,14 @@ struct Place {
         return fmt::format(R"({{"line": {}, "character": {}}})", line, character + beyond);
     }
 };
-/// Position in the condition of the last transition, after the first letter.
+/// Returns the position in the condition of the last transition, after the first letter.
 Place place_in(const std::string& text) {
     const std::size_t at = text.rfind("when A") + 6;
     return {static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')),
             at - text.rfind('\n', at) - 1};
 }
 
-/// Types a letter that makes the name unknown; removes it again every other time.
+/// Types a letter that makes the name unknown. Every second call removes it again.
 void type(Wire& wire, int number, const Place& at) {
     wire.say(fmt::format(
         R"({{"method": "textDocument/didChange", "params": {{"textDocument": {{{}, "version": {}}}, "contentChanges": [{{"range": {{"start": {}, "end": {}}}, "text": "{}"}}]}}}})",

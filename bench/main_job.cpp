@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Measures the stages of the main job on generated charts of 1,000 to 100,000 steps: read, derive, plant and compose,
-// emit. Each is reported per step; growth must be linear.
+// Measures the stages of the main task on generated charts of 1,000 to 100,000 steps: read, derive, plant and compose,
+// emit. The time of each stage is reported per step; growth must be linear.
 #include <benchmark/benchmark.h>
 
 #include <sstream>

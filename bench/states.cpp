@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// State properties, one by one: bench_states FILE [SECONDS [PROPERTY...]]. Checks the closed loop of FILE with its
-// plant automata, interleaved, in grain atomic.
-// Each property is checked by every engine: the embedded ones separately and as a portfolio, and ABC if it is on the
-// PATH. Printed are processor seconds of all threads and programs, as rows of a table. After SECONDS (60) of real time
-// a check is stopped; `>` then precedes its processor time.
+// bench_states FILE [SECONDS [PROPERTY...]] checks state properties one by one. It checks the closed loop of FILE with
+// interleaved plant automata in grain atomic. Every engine checks each property: the embedded engines separately and as
+// a portfolio, and ABC if it is on the PATH. The output is a table of processor seconds of all threads and programs.
+// After SECONDS (default: 60) of real time, a check is stopped; `>` then precedes its processor time.
 #include <fmt/core.h>
 #include <sys/resource.h>
 
@@ -26,7 +25,7 @@ namespace {
 
 using namespace grafverif;
 
-/// Processor seconds of this process and its finished child processes.
+/// Returns the processor seconds of this process and its finished child processes.
 double processor_seconds() {
     double seconds = 0;
     for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
@@ -38,7 +37,7 @@ double processor_seconds() {
     return seconds;
 }
 
-/// A column: the processor time of an engine for one property.
+/// Prints a column: the processor time of an engine for one property.
 template <class Options, class Check>
 std::string column(Options options, const std::string& property, double limit, const Check& check) {
     using Clock = std::chrono::steady_clock;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Measures the symbolic engine.
 //
-// bench_symbolic stations N: N independent assembly stations (DESDES06) in one chart with free inputs; shows the growth
-// with the number of steps and inputs.
+// bench_symbolic stations N: N independent assembly stations (DESDES06) in one chart with free inputs. It shows how the
+// cost grows with the number of steps and inputs.
 //
 // bench_symbolic PATH|cylinders N|line N|two APPROACH [SCHEDULE] [discrete] [atomic]: a closed loop with all
-// properties. The loop is samples/PATH, or has N cylinders, or is a transfer line of N cells, or two testing stations
+// properties. The loop is samples/PATH, a loop with N cylinders, a transfer line of N cells, or two testing stations
 // that share only time (with the properties of one). APPROACH: none, constraints or automata. SCHEDULE: interleaved,
-// synchronous or sequenced. `discrete`: clocks count; `atomic`: in that grain. The last word `whole` explores
-// independent subsystems together, `nusmv` prints the model instead.
+// synchronous or sequenced. `discrete` counts clocks; `atomic` selects this granularity. As last word, `whole` explores
+// independent subsystems together, and `nusmv` prints the model instead.
 #include "check/symbolic/symbolic.hpp"
 
 #include <fmt/core.h>
@@ -42,7 +42,7 @@ using namespace grafverif;
     throw std::invalid_argument(text.str());
 }
 
-/// The chart with a property of every type on its last steps.
+/// Returns the chart with a property of every type about its last steps.
 TransitionSystem stations(std::size_t count) {
     Sources sources;
     Diagnostics diagnostics;
@@ -87,7 +87,7 @@ TransitionSystem closed_loop(const bench::LoopParts& parts, const std::optional<
     return std::move(*made);
 }
 
-/// The value of `word` in `table`.
+/// Returns the value of `word` in `table`.
 template <class Value>
 Value meant(const std::map<std::string, Value>& table, const std::string& word) {
     const auto found = table.find(word);
@@ -130,7 +130,7 @@ void measure(const TransitionSystem& system, bool whole) {
         fmt::print(stderr, "\r{} steps deep, {} MiB, {:.1f} s ", now.depth, now.bytes >> 20U, now.seconds);
     };
     SymbolicOptions options;
-    options.witnesses = false;  // as in `check`
+    options.witnesses = false;  // as in the command `check`
     if (std::getenv("ENGINE_PROGRESS") != nullptr) options.progress = progress;
     const SymbolicResult result = whole ? check_symbolic(system, options) : check_symbolic_by_parts(system, options);
     fmt::print("{} steps, {} inputs: {} states, {} steps deep, {} MiB, {:.2f} s\n",

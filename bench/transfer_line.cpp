@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The transfer line as text. `@` is replaced by the number of a cell.
+// The transfer line as text, in which `@` is replaced by the number of a cell.
 #include <string_view>
 
 #include "engine_loops.hpp"
@@ -85,7 +85,7 @@ std::string of_cell(std::string_view text, int number) {
     return made;
 }
 
-/// The buffer after cell `k`; 0: the one before all cells; `cells`: the one after them.
+/// Returns the buffer after cell `k`. With 0 it is the buffer before all cells, with `cells` the buffer after them.
 std::string buffer(int k, int cells) {
     const std::string put = k == 0 ? "BRING, STORED = BROUGHT" : of_cell("PUT_@, STORED = STORED_@", k);
     const std::string take = k == cells ? "FETCH, GIVEN = FETCHED" : of_cell("TAKE_@, GIVEN = GIVEN_@", k + 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Binds the public API to Python: functions on texts that return JSON and drawings. The package `grafverif` converts
-// their results to objects. Long computations run on a separate thread without the lock of the interpreter, so that
-// Ctrl-C interrupts them.
+// their results to objects. Long computations run in a separate thread without the interpreter lock, so that Ctrl-C
+// interrupts them.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -30,7 +30,7 @@ namespace py = pybind11;
 namespace grafverif::python {
 namespace {
 
-/// Runs `work(stop)` to its end. Ctrl-C sets `stop`; the function then throws KeyboardInterrupt.
+/// Executes `work(stop)` to its end. Ctrl-C sets `stop`; the function then throws KeyboardInterrupt.
 template <class Work>
 auto run_interruptibly(Work work) -> decltype(work(std::declval<const std::atomic<bool>&>())) {
     std::optional<decltype(work(std::declval<const std::atomic<bool>&>()))> result;
@@ -63,7 +63,7 @@ auto run_interruptibly(Work work) -> decltype(work(std::declval<const std::atomi
     return std::move(*result);
 }
 
-/// Each as (severity, code, message, file, line, column).
+/// Returns each diagnostic as (severity, code, message, file, line, column).
 py::list listed(const std::vector<Diagnostic>& diagnostics, const Sources& sources) {
     py::list result;
     for (const Diagnostic& each : diagnostics) {
@@ -82,7 +82,7 @@ py::list listed(const std::vector<Diagnostic>& diagnostics, const Sources& sourc
 }
 
 struct Bounds {
-    std::optional<double> timeout = {};  ///< seconds
+    std::optional<double> timeout = {};  ///< time limit in seconds
     std::optional<std::uint64_t> memory = {}, states = {};
 
     Limits limits(const std::atomic<bool>& stop) const {
@@ -106,7 +106,7 @@ std::optional<ExecutionMode> mode_of(const std::optional<std::string>& word) {
     throw py::value_error("mode is `stability-search` or `every-cycle`, not `" + *word + "`");
 }
 
-/// One of `words`, which are those of `values`.
+/// Returns the element of `values` that corresponds to one of `words`.
 template <class Value>
 Value chosen(const std::string& requested, const char* what,
              std::initializer_list<std::pair<const char*, Value>> words) {
@@ -118,7 +118,7 @@ Value chosen(const std::string& requested, const char* what,
     throw py::value_error(std::string(what) + " is one of " + all + ", not `" + requested + "`");
 }
 
-/// How a model is made.
+/// Options for creating a model.
 struct How {
     std::optional<std::string> mode = {}, grain = {}, plant = {}, schedule = {}, time = {};
     bool fairness = false;
@@ -146,7 +146,7 @@ struct How {
     }
 };
 
-/// What a call found wrong with the model: an exception of Python's, with places.
+/// Throws the errors in the model, with positions, as a Python exception.
 [[noreturn]] void refuse(const Diagnostics& diagnostics, const Sources& sources) {
     std::ostringstream text;
     render_text(diagnostics.all(), sources, Colour::Plain, text);
@@ -155,7 +155,7 @@ struct How {
     throw py::error_already_set();
 }
 
-/// A report, and the loop or chart that it is about.
+/// A report, and the loop or chart that it concerns.
 struct Checked {
     Report report;
     Sources sources;
@@ -165,7 +165,7 @@ struct Checked {
     std::optional<ExecutionMode> mode = {};
 };
 
-/// A simulator, which other threads of Python may use too: the lock of the interpreter is kept.
+/// A simulator, which other Python threads may also use. Therefore the interpreter lock is kept.
 struct Moved {
     Simulator simulator;
 };
@@ -175,7 +175,7 @@ class File {
 
     const Model& model() const { return *reading_->model; }
 
-    /// What `make` makes; its errors as an exception, its warnings as warnings of Python.
+    /// Returns the result of `make`. Errors are thrown as an exception, and warnings are issued as Python warnings.
     template <class Make>
     auto made(Make make) const {
         Diagnostics diagnostics;
@@ -238,7 +238,7 @@ public:
         const Id<Chart> id = chart_of(chart);
         return run_interruptibly([&](const std::atomic<bool>&) { return svg_of(drawing_of(model(), id, options)); });
     }
-    /// Text, JSON and SVG.
+    /// Returns text, JSON and SVG.
     std::tuple<std::string, std::string, std::string> automaton(const std::string& chart, const How& how,
                                                                 const Bounds& bounds) const {
         const Id<Chart> id = chart_of(chart);
@@ -362,7 +362,7 @@ const ChartRun& run_of(const Checked& checked, std::size_t answer) {
     return *trace;
 }
 
-/// Takes `__new__` from a class: it would make an object without a value, whose methods would crash.
+/// Removes `__new__` from a class: it would create an object without a value, whose methods would crash.
 void forbid_new(py::handle type) {
     reinterpret_cast<PyTypeObject*>(type.ptr())->tp_new = [](PyTypeObject* of, PyObject*, PyObject*) -> PyObject* {
         PyErr_Format(PyExc_TypeError, "cannot create '%.100s' instances directly", of->tp_name);
@@ -382,7 +382,7 @@ PYBIND11_MODULE(_core, module) {
            std::optional<std::string> schedule, std::optional<std::string> time, bool fairness) {
             How how{std::move(mode),     std::move(grain), std::move(plant),
                     std::move(schedule), std::move(time),  fairness};
-            how.options();  // complains at once
+            how.options();  // reports invalid options immediately
             return how;
         },
         py::kw_only(), py::arg("mode") = py::none(), py::arg("grain") = py::none(), py::arg("plant") = py::none(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page of `grafverif report`, made from a report that Python has.
+// Creates the page of `grafverif report` from a report that a Python object contains.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace grafverif::python {
 
-/// The page of a report on `loop`, or on `chart` alone if `loop` is not valid; empty after an error.
+/// Returns the page of a report about `loop`, or about `chart` if `loop` is invalid; empty after an error.
 std::optional<std::string> report_page(const ParseResult& reading, Id<ClosedLoop> loop, Id<Chart> chart,
                                        const Report& report, std::optional<ExecutionMode> mode, std::string date,
                                        const Limits& limits, Diagnostics& diagnostics);

@@ -11,12 +11,12 @@ namespace grafverif {
 
 namespace {
 
-/// `name`, qualified by its owner if there is one.
+/// Returns `name`, qualified by its owner if there is one.
 std::string within(std::string_view owner, std::string_view name) {
     return owner.empty() ? std::string(name) : fmt::format("{}.{}", owner, name);
 }
 
-/// `own`: the last part of the step's name, as written.
+/// Returns the steps that match the name. `own` is the last part of the step's name in the command.
 std::vector<Id<ChartRun::Step>> matching(const ChartRun& run, std::string_view name, std::string_view before_own) {
     std::vector<Id<ChartRun::Step>> whole, shortened;
     for (const ChartRun::Controller& controller : run.controllers)

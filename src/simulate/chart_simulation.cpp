@@ -19,7 +19,8 @@ namespace grafverif {
 
 namespace {
 
-/// The term that a timer observes, if it is a name, in the notation of conditions: `X2`, `a`; otherwise empty.
+/// Returns the term that a timer observes in the notation of conditions, such as `X2` or `a`, if it is a name;
+/// otherwise an empty string.
 std::string watched_text(const Chart& chart, const TimedElement& element) {
     if (element.step.valid()) return step_variable(chart, element.step);
     const Expr& term = chart.exprs[element.watched];
@@ -131,7 +132,7 @@ std::vector<std::string> ChartSimulation::violated_constraints() const {
     return broken;
 }
 
-/// `reads`: samples the inputs and timer outputs.
+/// Returns the actions of the controller. If `reads`, the inputs and timer outputs are sampled.
 ChartRun::Act ChartSimulation::act_of(bool reads) const {
     ChartRun::Act act{.controller = {0}};
     for (const Id<Chart::Variable> id : chart_.variables.ids())
@@ -141,7 +142,7 @@ ChartRun::Act ChartSimulation::act_of(bool reads) const {
     return act;
 }
 
-/// Appends the evolutions of the cycle `made`, each with its situation, and the outputs written at its end.
+/// Appends the evolutions of the cycle `made`, each with its situation, and the outputs that are written at its end.
 void ChartSimulation::add_evolution_rows(const Cycle& made) {
     for (std::size_t k = 0; k < made.fired.size(); ++k) {
         const bool first = !state_.started;
@@ -174,8 +175,8 @@ std::string ChartSimulation::cycle() {
     return problem;
 }
 
-/// Runs cycles until one changes nothing. If each cycle is one evolution, Brent's cycle detection finds infinite
-/// sequences.
+/// Executes cycles until one of them changes nothing. If each cycle is one evolution, Brent's cycle detection finds
+/// infinite sequences.
 std::string ChartSimulation::follow() {
     State kept = state_;
     std::vector<std::vector<bool>> since_kept;
@@ -203,7 +204,7 @@ std::string ChartSimulation::settle() {
     return problem;
 }
 
-/// Time until the next delay has elapsed.
+/// Returns the time until the next delay has elapsed.
 std::optional<std::int64_t> ChartSimulation::next_end() const {
     std::optional<std::int64_t> soonest;
     const auto offer = [&](std::int64_t left) {
@@ -307,7 +308,7 @@ std::string ChartSimulation::force(std::string_view step, bool active) {
     return make(*trial);
 }
 
-/// Requires a step change that was not rejected.
+/// Performs a forced step change, which must not have been rejected.
 void ChartSimulation::put(const WhatIfRun& trial) {
     ManualSituation made = by_hand(chart_, state_.situation, {static_cast<std::uint32_t>(trial.step)}, trial.active);
     if (auto state = with_situation(chart_, state_, std::move(made.situation), inputs_)) state_ = std::move(*state);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // ChartSimulation: interactive simulation of a single chart according to IEC 60848. Commands set inputs and let time
-// pass; after each, cycles of the PLC are executed until they change nothing. Inputs set by one command change
+// pass. After each command, cycles of the PLC are executed until they change nothing. Inputs set by one command change
 // simultaneously.
 #pragma once
 
@@ -29,14 +29,15 @@ public:
     const ChartRun& told() const { return told_; }
     ChartRun with_trace_rows(Detail detail) const;
 
-    /// The adjacent values of each input that violate no more constraints than the current values.
+    /// Returns the adjacent values of each input that do not violate more constraints than the current values.
     std::vector<Choice> choices() const;
     std::size_t choice_count() const { return settings().size(); }
     DelayBounds patience() const;
-    /// The constraints that the inputs currently violate; a simulation allows this.
+    /// Returns the constraints that the inputs currently violate, which a simulation permits.
     std::vector<std::string> violated_constraints() const;
 
-    /// As in LoopSimulation. A command that returns an error may have changed inputs and let time pass.
+    /// The following functions are as in LoopSimulation. A command that returns an error may have changed inputs and
+    /// let time pass.
     std::string settle();
     std::string choose(std::size_t choice);
     std::string wait(std::int64_t milliseconds);
@@ -45,10 +46,10 @@ public:
     std::string set(const std::vector<Setting>& settings);
     std::string act(std::string_view instance, std::string_view location);
     std::string force(std::string_view step, bool active);
-    /// The first row that is no longer part of a run of the chart.
+    /// Returns the first row that is not part of a run of the chart because a step was forced.
     std::optional<std::size_t> what_if_row() const { return what_if_row_; }
     bool back();
-    /// Number of commands that can be undone.
+    /// Returns the number of commands that can be undone.
     std::size_t commands() const { return commands_.size(); }
 
 private:
@@ -73,7 +74,7 @@ private:
     Detail detail_;
     std::vector<TimedElement> elements_;
     State state_ = {};
-    std::vector<std::int64_t> inputs_ = {};  ///< per variable
+    std::vector<std::int64_t> inputs_ = {};  ///< value of each input variable
     std::int64_t time_ms_ = 0;
     ChartRun told_ = {};
     std::optional<TraceRowBuilder> teller_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Commands of `simulate`, one per line, interactive or from a script:
+// Commands of `simulate`, one per line, entered interactively or read from a script:
 //
 //   NAME = VALUE         set an input (or a variable of the plant) to true, false, or a number; for a single chart also
 //                        `NAME = VALUE, NAME = VALUE`, simultaneously
@@ -15,7 +15,7 @@
 //   save FILE            write the commands so far as a script
 //   quit                 end; the end of the input has the same effect
 //
-// Empty lines are ignored, as is text after `//` or `#`.
+// Empty lines are ignored. Text after `//` or `#` is also ignored.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@
 namespace grafverif {
 
 struct SetCommand {
-    std::vector<Setting> settings = {};  ///< at least one
+    std::vector<Setting> settings = {};  ///< at least one setting
     bool operator==(const SetCommand&) const = default;
 };
 struct WaitCommand {
@@ -55,7 +55,8 @@ struct ChooseCommand {
 struct BackCommand {
     bool operator==(const BackCommand&) const = default;
 };
-/// `response_timeout_ms`: time limit; 0: now; empty: as long as spontaneous events occur.
+/// An `expect` command. `response_timeout_ms` is its time limit; 0: the expectation must hold now; empty: it may become
+/// true for as long as spontaneous events occur.
 struct ExpectCommand {
     Expectation claim = {};
     std::optional<std::int64_t> response_timeout_ms = 0;
@@ -68,7 +69,7 @@ struct RepeatCommand {
     std::uint64_t times = 0;
     bool operator==(const RepeatCommand&) const = default;
 };
-/// `}`
+/// The end of a `repeat`: `}`.
 struct EndCommand {
     bool operator==(const EndCommand&) const = default;
 };
@@ -85,7 +86,7 @@ struct HelpCommand {
 struct NoCommand {
     bool operator==(const NoCommand&) const = default;
 };
-/// Message for an invalid line.
+/// The message for an invalid line.
 struct BadCommand {
     std::string error_text = {};
     bool operator==(const BadCommand&) const = default;
@@ -95,7 +96,7 @@ using Command =
     std::variant<SetCommand, WaitCommand, DoCommand, ForceCommand, ChooseCommand, BackCommand, ExpectCommand,
                  ShowCommand, RepeatCommand, EndCommand, SaveCommand, QuitCommand, HelpCommand, NoCommand, BadCommand>;
 
-/// Words that begin a command.
+/// Words with which a command begins.
 inline constexpr std::array<std::string_view, 12> command_text = {
     "back", "do", "expect", "force", "help", "quit", "repeat", "save", "show", "undo", "wait", "wait until"};
 

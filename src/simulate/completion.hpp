@@ -10,10 +10,11 @@
 
 namespace grafverif {
 
-/// The commands and names allowed at this position that begin with the last word of `line`, which may be empty.
+/// Returns the commands and names that are allowed at this position and that begin with the last word of `line`, which
+/// may be empty.
 std::vector<std::string> completions(const Simulation& simulation, std::string_view line);
 
-/// Start of the last word of `line`.
+/// Returns the start of the last word of `line`.
 std::size_t last_word(std::string_view line);
 
 }  // namespace grafverif

@@ -6,7 +6,7 @@
 //   LEVEL >= 3            =, ==, !=, <, <=, >, >=; for Booleans `LAMP = true`
 //   Gate in open          the instance Gate is in its location open
 //
-// and conjunctions of these with `and` or `,`.
+// The operators `and` and `,` form conjunctions of these.
 #pragma once
 
 #include <cstddef>
@@ -28,31 +28,32 @@ struct Expectation {
         std::string name = {};
         Relation relation = Relation::Equal;
         std::int64_t value = 0;
-        std::string location = {};  ///< for In and NotIn
+        std::string location = {};  ///< location for In and NotIn
         bool operator==(const Condition&) const = default;
     };
-    std::vector<Condition> parts = {};  ///< conjunction; at least one
-    std::string text = {};              ///< as written
+    std::vector<Condition> parts = {};  ///< conjunction of at least one condition
+    std::string text = {};              ///< text as entered
     bool operator==(const Expectation&) const = default;
 };
 
-/// An integer; empty if the text is not one.
+/// Returns the value of an integer; empty if the text is not one.
 std::optional<std::int64_t> number_of(std::string_view text);
-/// `true`, `false` or an integer, as values are written in commands and expectations.
+/// Returns the value of `true`, `false` or an integer, as in commands and expectations.
 std::optional<std::int64_t> value_of(std::string_view text);
 
-/// Parses an expectation; returns a message if the text is invalid.
+/// Parses an expectation. Returns a message if the text is invalid.
 std::variant<Expectation, std::string> preservation_class_of(std::string_view text);
 
-/// Location of the instance of that name after the event in question; empty: there is no such instance.
+/// Returns the location of the instance with this name after the considered event; empty if there is no such instance.
 using LocationOf = std::function<std::optional<std::string>(std::string_view instance)>;
 
-/// The first part that does not hold after `moment` of `run`, with the actual value (`X3 is not active`); empty: all
-/// hold. Nothing: `problem` names what does not exist.
+/// Returns the first part that does not hold after `moment` of `run`, with the actual value (`X3 is not active`). The
+/// string is empty if all parts hold. The result is empty after an error; `problem` then names what does not exist.
 std::optional<std::string> unmet_part(const Expectation& claim, const ChartRun& run, std::size_t moment,
                                       const LocationOf& location_of, std::string& problem);
 
-/// True if each part names a step: such a claim has a value in transient situations, where outputs are not yet written.
+/// True if each part names a step. Such an expectation has a value in transient situations, in which outputs are not
+/// yet written.
 bool names_only_steps(const Expectation& claim, const ChartRun& run);
 
 }  // namespace grafverif

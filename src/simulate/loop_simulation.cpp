@@ -41,7 +41,7 @@ public:
         others_moved_ = others_moved_ || of_plant(network_, fire);
         note(state);
     }
-    /// Message for a sequence that has returned to its first state.
+    /// Returns the message for a sequence that has returned to its first state.
     std::string endless_text() const {
         const auto moved = std::ranges::find_if(situations_, [](const auto& each) { return each.size() > 1; });
         if (others_moved_ || moved == situations_.end()) return "the moves repeat forever within one instant";
@@ -59,7 +59,7 @@ private:
 
     const Network& network_;
     const std::vector<const Chart*>& charts_;
-    std::vector<std::vector<std::vector<bool>>> situations_ = {};  ///< per controller
+    std::vector<std::vector<std::vector<bool>>> situations_ = {};  ///< situations of each controller
     bool others_moved_ = false;
 };
 
@@ -102,7 +102,7 @@ std::vector<Choice> LoopSimulation::choices() const {
     return list;
 }
 
-/// Command by the name of the instance, if it is unambiguous.
+/// Returns the command with the name of the instance, if it is unambiguous.
 std::string LoopSimulation::command_of(const std::vector<Fire>& moves, std::size_t choice) const {
     const auto target = [&](const Fire& fire) { return edge_of(network_, fire).to; };
     const auto same = [&](const Fire& other) {
@@ -163,7 +163,8 @@ std::optional<Fire> LoopSimulation::next_by_itself() const {
         const auto found = std::ranges::find_if(moves, wanted);
         return found == moves.end() ? std::nullopt : std::optional(*found);
     };
-    // An instance with a single urgent edge takes it: its timed edges are alternatives that need not be taken.
+    // If an instance has a single urgent edge, it takes this edge. Its timed edges are alternatives that need not be
+    // taken.
     const auto alone = [&](const Fire& fire) {
         const auto& count = edge_of(network_, fire).urgent ? urgent_options : options;
         return of_plant(network_, fire) && count[fire.process.index] == 1;
@@ -383,7 +384,7 @@ ManualSituation LoopSimulation::forced(const WhatIfRun& trial) const {
                    {static_cast<std::uint32_t>(trial.step)}, trial.active);
 }
 
-/// Requires a step change that was not rejected.
+/// Performs a forced step change, which must not have been rejected.
 void LoopSimulation::put(const WhatIfRun& trial) {
     put_situation(network_, state_, {trial.controller.index}, forced(trial).situation);
     what_if_runs_.push_back({run_.moves.size(), trial});

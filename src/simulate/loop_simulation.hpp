@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // LoopSimulation: interactive simulation of a closed loop. Commands choose moves of the plant and its environment, set
-// inputs and let time pass. The remaining moves are executed automatically, in a fixed order, until a choice is
+// inputs and let time pass. The remaining moves are executed automatically, in the following order, until a choice is
 // required:
 //
 //   1  urgent edges of the plant and its environment, if an instance has only one: sensors follow the plant
@@ -8,9 +8,9 @@
 //   3  PLC cycles
 //   4  edges that an invariant forces now, if an instance has only one: movements continue
 //
-// A step can also be forced by hand, between two cycles of its PLC (what-if run).
+// A step can also be forced between two cycles of its PLC (what-if run).
 //
-// With Detail::Everything no move is automatic: every edge is a choice.
+// With Detail::Everything, no move is automatic: every edge is a choice.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ namespace grafverif {
 
 class LoopSimulation {
 public:
-    /// `network` and `charts`, those of its controllers, must outlive the simulation.
+    /// `network` and `charts`, which are the charts of its controllers, must outlive the simulation.
     LoopSimulation(const Network& network, std::vector<const Chart*> charts, Detail detail);
     LoopSimulation(const LoopSimulation&) = delete;
     LoopSimulation& operator=(const LoopSimulation&) = delete;
@@ -40,46 +40,47 @@ public:
     const ChartRun& told() const { return told_; }
     ChartRun with_trace_rows(Detail detail) const { return with_rows(project(network_, run_), detail); }
 
-    /// Empty after a race.
+    /// Returns the possible choices; empty after a race.
     std::vector<Choice> choices() const;
     std::size_t choice_count() const { return fires().size(); }
     DelayBounds patience() const;
 
-    /// Each of the following is one command: it makes its moves and executes the automatic ones. Returns an error
-    /// message or an empty string. After an error, some moves may have been made.
+    /// Each of the following functions is one command. It performs its moves and then the automatic ones. Returns an
+    /// error message or an empty string. After an error, some moves may have been performed.
     std::string settle();
-    /// Makes a choice; numbers count from 0.
+    /// Makes a choice. Numbers start at 0.
     std::string choose(std::size_t choice);
     std::string wait(std::int64_t milliseconds);
     /// Lets time pass until the next spontaneous or possible event.
     std::string wait();
-    /// Makes the first choice after which the input, or variable of the plant, has the given value.
+    /// Makes the first choice after which the input, or the variable of the plant, has the given value.
     std::string set(const std::vector<Setting>& settings);
-    /// Takes the first edge of `instance` to `location`; if that is empty, the first enabled edge.
+    /// Takes the first edge of `instance` to `location`; if `location` is empty, the first enabled edge.
     std::string act(std::string_view instance, std::string_view location);
-    /// Activates or deactivates a step by hand.
+    /// Activates or deactivates a step, as forced by the user.
     std::string force(std::string_view step, bool active);
-    /// The first row that is no longer part of a run of the network.
+    /// Returns the first row that is not part of a run of the network because a step was forced.
     std::optional<std::size_t> what_if_row() const { return what_if_row_; }
-    /// Time until the next spontaneous or possible event; empty: unbounded.
+    /// Returns the time until the next spontaneous or possible event; empty: unbounded.
     std::optional<std::int64_t> soonest_ms() const;
-    /// Location of the instance after an event of the recorded run; empty: there is no such instance.
+    /// Returns the location of the instance after an event of the recorded run; empty if there is no such instance.
     std::optional<std::string> location_of(std::string_view instance, std::size_t moment) const;
-    /// Name of the variable connected to a port: for `Main.FLOW` the one that the output writes, for an input the one
-    /// that it reads. Empty if there is no such port, or if it reads a term.
+    /// Returns the name of the variable that is connected to a port. For an output such as `Main.FLOW`, it is the
+    /// variable that the output writes; for an input, the variable that it reads. The result is empty if there is no
+    /// such port, or if it reads a term.
     std::string behind_port(std::string_view name) const;
-    /// Undoes the last command; false if there is none.
+    /// Undoes the last command. Returns false if there is none.
     bool back();
-    /// Number of commands that can be undone.
+    /// Returns the number of commands that can be undone.
     std::size_t commands() const { return commands_.size(); }
 
 private:
-    /// A forced step change before the move with this number.
+    /// A forced step change before the move with this index.
     struct Forced {
         std::size_t at = 0;
         WhatIfRun trial = {};
     };
-    /// State before a command.
+    /// The state before a command.
     struct Mark {
         std::size_t moves = 0, what_if_runs = 0;
     };
@@ -90,7 +91,7 @@ private:
     ManualSituation forced(const WhatIfRun& trial) const;
     std::vector<Fire> fires() const;
     std::string choose(const Fire& fire);
-    /// Executes one edge without automatic moves. False if it is disabled or causes a model error.
+    /// Executes one edge without automatic moves. Returns false if the edge is disabled or causes a model error.
     bool move(const Move& move, std::string& problem);
     std::string command_of(const std::vector<Fire>& moves, std::size_t choice) const;
     std::string follow();
@@ -100,12 +101,12 @@ private:
     std::string problem_of(const Step& step, const Move& move) const;
 
     const Network& network_;
-    std::vector<const Chart*> charts_;  ///< per controller
+    std::vector<const Chart*> charts_;  ///< chart of each controller
     Detail detail_;
     NetworkState state_;
     Run run_ = {};
     ChartRun told_ = {};
-    std::optional<NetworkProjection> projection_;  ///< of the run, into `told_`
+    std::optional<NetworkProjection> projection_;  ///< projection of the run to `told_`
     std::optional<TraceRowBuilder> teller_;
     std::vector<Forced> what_if_runs_ = {};
     std::vector<Mark> commands_ = {};

@@ -29,7 +29,8 @@ std::string Recording::execute(const Command& command, std::string_view line) {
     std::string text(trimmed(line));
     if (const auto* const choice = std::get_if<ChooseCommand>(&command); choice && choice->number > 0) {
         const std::vector<Choice> choices = simulation_.choices();
-        if (choice->number <= choices.size()) text = choices[choice->number - 1].command;  // a name is more informative
+        // The name is more informative than the number.
+        if (choice->number <= choices.size()) text = choices[choice->number - 1].command;
     }
     std::string problem = simulation_.execute(command);
     while (!lines_.empty() && lines_.back().commands > simulation_.undoable()) lines_.pop_back();

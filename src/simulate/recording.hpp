@@ -12,20 +12,20 @@ namespace grafverif {
 
 class Recording {
 public:
-    /// `simulation` must have begun and must outlive the recording.
+    /// `simulation` must have been started and must outlive the recording.
     explicit Recording(Simulation& simulation) : simulation_(simulation) {}
 
-    /// Like Simulation::execute; `line`: the text of the command.
+    /// Executes a command in the same way as Simulation::execute. `line` is the text of the command.
     std::string execute(const Command& command, std::string_view line);
 
-    /// The executed commands, without undone and rejected ones; each is followed by an `expect` of the steps, outputs
-    /// and internal variables that it changed.
+    /// Returns the executed commands, without commands that were undone or rejected. Each is followed by an `expect` of
+    /// the steps, outputs and internal variables that it changed.
     std::string script() const;
 
 private:
     struct Line {
         std::string text = {}, claim = {};
-        std::size_t commands = 0;  ///< number of commands of the simulation to undo with it
+        std::size_t commands = 0;  ///< number of commands of the simulation that are undone together with it
     };
 
     std::string claim(const ChartRun::State& before) const;

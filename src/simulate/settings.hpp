@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Common types of loop and chart simulations: inputs to set and possible delays.
+// Types used by loop and chart simulations: inputs to set and possible delays.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +17,12 @@ struct Setting {
     bool operator==(const Setting&) const = default;
 };
 
-/// Possible delays without a choice, in time units.
+/// Delays that are possible without a choice, in time units.
 struct DelayBounds {
     std::int64_t unit_ms = 1;
     bool may_pass = false;
-    std::optional<std::int64_t> limit = {};   ///< until a choice is required; empty: unbounded
-    std::optional<std::int64_t> change = {};  ///< until the next spontaneous or possible event; empty: never
+    std::optional<std::int64_t> limit = {};   ///< time until a choice is required; empty: unbounded
+    std::optional<std::int64_t> change = {};  ///< time until the next spontaneous or possible event; empty: never
     bool operator==(const DelayBounds&) const = default;
 };
 

@@ -14,8 +14,8 @@ std::string Simulation::begin() {
     return std::visit([](auto& of) { return of.settle(); }, of_);
 }
 
-/// A command may consist of several moves: time passes stepwise until an expectation holds. A command without moves
-/// cannot be undone.
+/// A command may consist of several moves, because time passes stepwise until an expectation holds. A command without
+/// moves cannot be undone.
 std::string Simulation::execute(const Command& command) {
     unmet_ = false;
     if (std::holds_alternative<BackCommand>(command)) return undo();
@@ -70,8 +70,9 @@ std::optional<std::string> Simulation::unmet_at(const Expectation& claim, std::s
     return unmet_part(claim, told(), moment, location_of, problem);
 }
 
-/// An instant can contain several evolutions, so the situation after it hides a step that is left in the same instant.
-/// Only an expectation that becomes true counts: states ended by the last command were true before it.
+/// True if the expectation became true during the instant. An instant can contain several evolutions, so that the
+/// situation after it does not show a step that is deactivated in the same instant. An expectation must become true:
+/// states that the last command ended were true before it.
 bool Simulation::met_in_passing(const Expectation& claim) {
     const ChartRun& run = told();
     const std::int64_t now = run.moments.back().after.time_ms;
@@ -94,11 +95,11 @@ bool Simulation::met_in_passing(const Expectation& claim) {
     return false;
 }
 
-/// Time passes from one spontaneous event to the next, because no value changes between them.
+/// Time passes from one spontaneous event to the next, because values do not change between them.
 std::string Simulation::expect(const ExpectCommand& wish) {
     Expectation claim = wish.claim;
     for (Expectation::Condition& part :
-         claim.parts) {  // a port denotes its variable, unless the name is used otherwise
+         claim.parts) {  // a port denotes its variable, unless the name has another meaning
         const auto* const loop = std::get_if<LoopSimulation>(&of_);
         const bool known =
             !signals_called(told(), part.name).empty() || location_called(told(), part.name).instance.valid();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Simulation: a closed loop or a single chart, controlled by commands. Common interface for interactive use, scripts,
-// random walks and the web page.
+// Simulation: a closed loop or a single chart, controlled by commands. Interactive use, scripts, random walks and the
+// web page share this interface.
 #pragma once
 
 #include <cstdint>
@@ -26,28 +26,29 @@ public:
     Simulation(const Chart& chart, ExecutionMode mode, Detail detail)
         : of_(std::in_place_type<ChartSimulation>, chart, mode, detail) {}
 
-    /// Executes the automatic moves after power-on; returns an error message or an empty string.
+    /// Executes the automatic moves after power-on. Returns an error message or an empty string.
     std::string begin();
-    /// Executes a command; returns an error message or an empty string. Commands without moves do not fail.
+    /// Executes a command. Returns an error message or an empty string. A command without moves does not fail.
     std::string execute(const Command& command);
-    /// True if the last command was an `expect` or a `wait until` that was not fulfilled; its message then describes
+    /// True if the last command was an `expect` or a `wait until` that was not fulfilled. Its message then describes
     /// the actual state, and the simulation can continue.
     bool unmet() const { return unmet_; }
 
-    /// Number of commands that can be undone.
+    /// Returns the number of commands that can be undone.
     std::size_t undoable() const { return commands_.size(); }
 
     const ChartRun& told() const;
-    /// The first row of the recorded run that is no longer part of a run of the model, because a step was forced by
-    /// hand; empty if there is none.
+    /// Returns the first row of the recorded run that is not part of a run of the model because a step was forced;
+    /// empty if there is none.
     std::optional<std::size_t> what_if_row() const;
     std::vector<Choice> choices() const;
     std::size_t choice_count() const;
     DelayBounds patience() const;
-    /// Constraints of the chart that the inputs currently violate; with a plant they are properties to prove.
+    /// Returns the constraints of the chart that the inputs currently violate. With a plant, they are properties to
+    /// prove.
     std::vector<std::string> violated_constraints() const;
 
-    /// The complete run, recorded as one command, without boundaries between commands.
+    /// Returns the complete run, recorded as one command, without boundaries between commands.
     ChartRun with_trace_rows(Detail detail) const;
 
 private:
@@ -65,16 +66,17 @@ private:
         std::size_t moves = 0, examined = 0;
     };
     std::vector<Before> commands_ = {};  ///< the values before each command that can be undone
-    std::size_t examined_ = 0;           ///< the recorded event after which `wait until` begins to examine
+    std::size_t examined_ = 0;           ///< the recorded event after which `wait until` starts to examine the run
     bool unmet_ = false;
 };
 
-/// Random walk: draws one command after the other, uniformly from the possible ones; delays are random too.
+/// Random walk: chooses one command after another, with equal probability among the possible ones. Delays are also
+/// random.
 class RandomWalk {
 public:
     explicit RandomWalk(std::uint64_t seed) : random_(seed) {}
 
-    /// Empty if no event is possible any more.
+    /// Returns a command; empty if no further event is possible.
     std::optional<Command> draw(const Simulation& simulation);
 
 private:

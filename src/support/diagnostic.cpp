@@ -42,23 +42,24 @@ std::string_view ansi(Severity severity) {
 }
 
 constexpr std::size_t indentation = 4;
-constexpr std::size_t least_columns = 20;  // minimum for source text on narrow terminals
+constexpr std::size_t least_columns = 20;  // minimum width of source text on narrow terminals
 constexpr std::size_t tab_columns = 8;
 
-/// A source line as shown.
+/// A source line in printed form.
 struct Excerpt {
     std::string text = {};
-    std::string marks = {};  ///< spaces and carets; tabs are kept
+    std::string marks = {};  ///< spaces and carets; tabs of the line are kept
 };
 
-/// A character of the line and its terminal columns if the line is not cut.
+/// A character of the line with its columns on a terminal, if the line is not truncated.
 struct Cell {
-    std::size_t at = 0, bytes = 1;  ///< in the line
+    std::size_t at = 0, bytes = 1;  ///< position and length in the line
     std::size_t columns = 1;
     bool marked = false;
 };
 
-/// `length`: of the mark, in bytes, from `column` on. Tabs lead to the next multiple of eight, as on most terminals.
+/// Returns the cells of the line. `length` is the length of the mark in bytes, starting at `column`. Tabs advance to
+/// the next multiple of eight, as on most terminals.
 std::vector<Cell> cells_of(std::string_view line, std::size_t column, std::size_t length) {
     std::vector<Cell> cells;
     for (std::size_t at = 0, reached = indentation; at < line.size(); at += cells.back().bytes) {
@@ -70,8 +71,8 @@ std::vector<Cell> cells_of(std::string_view line, std::size_t column, std::size_
     return cells;
 }
 
-/// The range [from, to) of cells shown of a line that exceeds the available width, `…` on both sides included. It
-/// contains the beginning of the mark and some context before it.
+/// Returns the range [from, to) of cells to print for a line that exceeds the available width, including `…` on both
+/// sides. It contains the beginning of the mark and some context before it.
 std::pair<std::size_t, std::size_t> window(const std::vector<Cell>& cells, std::size_t first_marked, std::size_t room) {
     std::size_t whole = 0, before = 0;
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -85,16 +86,17 @@ std::pair<std::size_t, std::size_t> window(const std::vector<Cell>& cells, std::
             before -= cells[from].columns;
     std::size_t used = (from > 0 ? 1 : 0) + 1, to = from;
     while (to < cells.size() && used + cells[to].columns <= room) used += cells[to++].columns;
-    if (to + 1 == cells.size() && used - 1 + cells[to].columns <= room) ++to;  // no `…` after it
+    if (to + 1 == cells.size() && used - 1 + cells[to].columns <= room) ++to;  // the last cell needs no `…` after it
     return {from, to};
 }
 
-/// Places carets under the terminal columns of the marked characters, at least one. Only the part of a long line near
-/// the mark is measured.
+/// Returns the line with carets under the terminal columns of the marked characters, at least one. For a long line,
+/// only the part near the mark is measured.
 Excerpt excerpt(std::string_view line, std::size_t column, std::size_t length, std::size_t columns) {
-    constexpr std::size_t near = 4096;  // bytes, more than is shown
+    constexpr std::size_t near = 4096;  // number of bytes, which is more than is printed
     std::size_t cut = column > near ? column - near : 0;
-    while (cut < column && (static_cast<unsigned char>(line[cut]) & 0xC0U) == 0x80U) ++cut;  // start of a character
+    // Advances to the start of a character.
+    while (cut < column && (static_cast<unsigned char>(line[cut]) & 0xC0U) == 0x80U) ++cut;
     const bool goes_on = line.size() > column + near;
     line = line.substr(cut, column - cut + near);
     column -= cut;

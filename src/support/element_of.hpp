@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// element_of: lookup in a list in which the element must be present.
+// element_of: finds an element in a list that must contain it.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 namespace grafverif {
 
-/// The first element of `list` whose `projection` equals `value`. Throws std::logic_error, an internal error, if there
-/// is none: an unchecked end() would be undefined behaviour.
+/// Returns the first element of `list` whose `projection` equals `value`. If there is none, throws std::logic_error,
+/// which is an internal error: an unchecked end() would be undefined behaviour.
 template <class List, class Value, class Projection>
 auto& element_of(List& list, const Value& value, Projection projection) {
     const auto found = std::ranges::find(list, value, projection);

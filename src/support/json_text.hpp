@@ -11,15 +11,15 @@
 
 namespace grafverif {
 
-/// `indent`: spaces per level; -1: everything in one line.
+/// Returns the value as text. `indent` is the number of spaces per level; -1 prints everything in one line.
 std::string json_text(const nlohmann::ordered_json& value, int indent = 2);
 
-/// `null` if the count is unknown.
+/// Returns the count; `null` if it is unknown.
 inline nlohmann::ordered_json optional_json(std::optional<std::uint64_t> count) {
     return count ? nlohmann::ordered_json(*count) : nlohmann::ordered_json(nullptr);
 }
 
-/// `null` if the text is empty.
+/// Returns the text; `null` if it is empty.
 inline nlohmann::ordered_json text_or_null(const std::string& text) {
     return text.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(text);
 }

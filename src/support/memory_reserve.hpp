@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Selects what happens if memory is refused. By default the allocation fails. Allocations that must not fail use the
-// memory that is kept back (app/system/watchdog): those of an error report, of destructors of nlohmann::json, and of
-// the constructors of Bison's parsers. The latter two are noexcept.
+// Selects the behaviour if memory is refused. By default, the allocation fails. Allocations that must not fail use the
+// reserved memory (app/system/watchdog). These are the allocations of an error report, of destructors of
+// nlohmann::json, and of constructors of Bison's parsers; the latter two are noexcept.
 #pragma once
 
 #include <exception>
@@ -11,7 +11,7 @@ namespace grafverif {
 
 inline thread_local bool uses_reserve = false;
 
-/// While one exists, refused allocations of this thread use the memory that is kept back, or do not.
+/// While an object exists, its argument determines if refused allocations of this thread use the reserved memory.
 class ReserveUse {
 public:
     explicit ReserveUse(bool use) : before_(std::exchange(uses_reserve, use)) {}
@@ -23,14 +23,14 @@ private:
     bool before_;
 };
 
-/// `make()`, which uses the memory that is kept back.
+/// Returns the result of `make()`, which uses the reserved memory.
 template <class Make>
 auto made_with_reserve(const Make& make) {
     const ReserveUse use(true);
     return make();
 }
 
-/// True if a refused allocation of this thread is to be repeated with the memory that is kept back.
+/// True if a refused allocation of this thread must be repeated with the reserved memory.
 inline bool must_not_fail() { return uses_reserve || std::uncaught_exceptions() > 0; }
 
 }  // namespace grafverif

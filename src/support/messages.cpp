@@ -12,7 +12,7 @@ namespace grafverif::messages {
 
 namespace {
 
-/// `a`, `b`, `c`
+/// Returns a list such as `a`, `b`, `c`.
 std::string listed(std::span<const std::string> names) {
     std::string text;
     for (const std::string& name : names) text += fmt::format("{}`{}`", text.empty() ? "" : ", ", name);
@@ -178,7 +178,7 @@ Diagnostic too_many_stored_values(Span where, std::string_view variable, std::si
 
 namespace {
 
-/// In the notation of charts: `3s`, `250ms`.
+/// Returns a duration in the notation of charts: `3s`, `250ms`.
 std::string time_text(std::int64_t milliseconds) {
     if (milliseconds != 0 && milliseconds % 1000 == 0) return fmt::format("{}s", milliseconds / 1000);
     return fmt::format("{}ms", milliseconds);

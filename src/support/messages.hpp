@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texts of all diagnostics, one function per message, so that they can be reviewed in one place. Messages are lower
-// case, put names in backticks, and state the problem first and, after `; `, the remedy.
+// Texts of all diagnostics, with one function per message, so that they can be reviewed in one place. Messages are in
+// lower case and put names in backticks. They state the problem first and, after `; `, the remedy.
 #pragma once
 
 #include <cstdint>
@@ -20,12 +20,12 @@ Diagnostic cannot_listen(std::uint64_t port, std::string_view why);
 Diagnostic output_is_input(std::string_view output, std::string_view input);
 Diagnostic output_twice(std::string_view one, std::string_view other);
 Diagnostic no_closed_loop();
-/// `ablation_active`: the model checked differs from the file, because a correction of the method is disabled on
-/// purpose.
+/// `ablation_active`: the checked model differs from the file, because a correction of the method is intentionally
+/// disabled.
 Diagnostic missing_folder(std::string_view output, std::string_view folder);
 Diagnostic not_in_depfile(std::string_view name, std::string_view reader);
 Diagnostic ablation_active(std::string_view cure);
-/// A requested external engine is not installed; `instead`: the options that select an embedded one.
+/// A requested external engine is not installed. `instead` contains the options that select an embedded engine.
 Diagnostic missing_program(std::string_view program, std::string_view instead);
 Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known);
 Diagnostic ambiguous_choice(std::string_view kind, std::string_view option, std::span<const std::string> known);
@@ -52,7 +52,7 @@ Diagnostic missing_semicolon(Span where);
 Diagnostic unexpected(Span where, std::string_view seen, std::string_view expected);
 Diagnostic unexpected_end(Span where, std::string_view expected);
 // (src/support/messages_names.cpp)
-/// `kind`: variable, step, component, ...; `suggestion`: the nearest known name, or empty.
+/// `kind` is `variable`, `step`, `component`, ...; `suggestion` is the nearest known name, or empty.
 Diagnostic unknown(Span where, std::string_view kind, std::string_view name, std::string_view suggestion);
 Diagnostic unknown_component(Span where, std::string_view name, std::string_view suggestion, std::string_view known);
 Diagnostic unknown_location(Span where, std::string_view name, std::string_view suggestion, std::string_view component,
@@ -66,7 +66,7 @@ Diagnostic cannot_include(Span where, std::string_view path, std::string_view wh
 Diagnostic not_yet(Span where, std::string_view what);
 
 // (src/support/messages_types.cpp)
-/// `written`: the duration, as in `3s`.
+/// `written` is the duration, as in `3s`.
 Diagnostic duration_below(Span where, std::string_view op, std::string_view written);
 Diagnostic type_mismatch(Span where, std::string_view user, std::string_view expected, std::string_view found);
 Diagnostic missing_unit(Span where, std::string_view what);
@@ -101,7 +101,7 @@ Diagnostic constraint_not_on_inputs(Span where, std::string_view other);
 Diagnostic misplaced_mark(Span where, std::string_view mark, std::string_view place);
 
 // (src/support/messages_test.cpp)
-/// `what`: the part that the block cannot compute according to the equations.
+/// `what` is the part that the block cannot compute according to the equations.
 Diagnostic not_in_structured_text(Span where, std::string_view what);
 Diagnostic cannot_run(std::string_view command);
 Diagnostic nothing_to_test(Span where, std::string_view chart, std::string_view what);
@@ -110,7 +110,7 @@ Diagnostic unknown_column(Span where, std::string_view name, std::string_view ch
 Diagnostic missing_column(Span where, std::string_view kind, std::string_view name);
 Diagnostic repeated_column(Span where, std::string_view name);
 Diagnostic row_length(Span where, std::size_t found, std::size_t wanted);
-/// `problem`: the error in the field, as message text.
+/// `problem` is the error in the field, as message text.
 Diagnostic bad_field(Span where, std::string_view problem);
 Diagnostic misplaced_wait(Span where, bool first);
 Diagnostic misplaced_activation(Span where);
@@ -134,16 +134,17 @@ Diagnostic edge_outside_chart(Span where);
 Diagnostic missing_argument(Span where, std::string_view component, std::string_view parameter,
                             std::string_view example);
 Diagnostic output_not_a_name(Span where, std::string_view parameter);
-/// In the term of an input: a name of the loop to which no instance is connected; `what`: for example `a step`.
+/// The term of an input contains a name of the loop to which an instance cannot be connected. `what` describes it, for
+/// example `a step`.
 Diagnostic no_signal(Span where, std::string_view name, std::string_view what);
 Diagnostic constant_without_value(Span where, std::string_view constant);
 Diagnostic constant_below(Span where, std::string_view constant);
-/// `kind`: expected value, for example `an integer`.
+/// `kind` is the expected value, for example `an integer`.
 Diagnostic bad_setting(Span where, std::string_view constant, std::string_view value, std::string_view kind);
 Diagnostic setting_out_of_range(Span where, std::string_view constant, std::string_view value, std::int64_t low,
                                 std::int64_t high);
 Diagnostic missing_initially(Span where, std::string_view component, std::string_view locations);
-/// `loop`: the complete loop, including its closing brace.
+/// `loop` is the complete loop, including its closing brace.
 Diagnostic undriven_input(Span where, std::string_view input, std::string_view reader, bool boolean, Span loop);
 Diagnostic undriven_variable(Span where, std::string_view variable, std::string_view suggestion);
 Diagnostic argument_type(Span where, std::string_view name, std::string_view found, std::string_view expected);
@@ -152,14 +153,14 @@ Diagnostic range_mismatch(Span where, std::string_view name, std::int64_t low, s
 Diagnostic no_controller(Span where, std::string_view loop);
 Diagnostic clock_in_property(Span where, std::string_view clock);
 Diagnostic place_outside_property(Span where);
-/// `waited`: the delays for which charts of the loop wait on the same condition.
+/// `waited` contains the delays for which charts of the loop wait for the same condition.
 Diagnostic unknown_time(Span where, const std::vector<std::string>& waited);
 Diagnostic ambiguous_time(Span where, std::string_view first, std::string_view second);
-/// `language`: for example `CTL`; `what`: the problem with the text at `where`.
+/// `language` is for example `CTL`; `what` is the error in the text at `where`.
 Diagnostic bad_formula(Span where, std::string_view language, std::string_view what);
 Diagnostic formula_at_stable(Span where);
 Diagnostic declared_twice(Span where, std::string_view what);
-/// `what`: the expected element, for example `input of a controller`.
+/// `what` is the expected element, for example `input of a controller`.
 Diagnostic constraint_reads(Span where, std::string_view name, std::string_view what);
 Diagnostic observer_blocks(Span where, std::string_view observer);
 Diagnostic observer_acts(Span where, std::string_view observer);
@@ -171,11 +172,11 @@ Diagnostic elements_too_deep(Span where, std::size_t limit);
 Diagnostic declared_entities(Span where);
 Diagnostic unknown_encoding(Span where, std::string_view encoding);
 Diagnostic unknown_format(Span where, std::string_view root);
-/// `kind`: step, variable declaration, ...
+/// `kind` is `step`, `variable declaration`, ...
 Diagnostic dangling_reference(Span where, std::string_view reference, std::string_view kind);
 Diagnostic missing_part(Span where, std::string_view element, std::string_view part);
 Diagnostic bad_value(Span where, std::string_view what, std::string_view value, std::string_view expected);
-/// `what`: "this arc leads from a step to a step".
+/// `what` is for example "this arc leads from a step to a step".
 Diagnostic misplaced_link(Span where, std::string_view what, std::string_view hint);
 Diagnostic cannot_import(Span where, std::string_view what, std::string_view hint);
 Diagnostic left_out(Span where, std::string_view what);
@@ -207,7 +208,7 @@ Diagnostic edge_under_time(Span where);
 Diagnostic edge_of_edge(Span where);
 Diagnostic edge_in_assignation(Span where, std::string_view output);
 Diagnostic event_without_edge(Span where, std::string_view target);
-/// `outputs`: each reads the next, and the last reads the first.
+/// Each of `outputs` reads the next one, and the last reads the first.
 Diagnostic output_cycle(Span where, std::span<const std::string> outputs);
 Diagnostic term_too_large(Span where, std::string_view what, std::size_t limit);
 Diagnostic term_too_deep(Span where, std::string_view what, std::size_t limit);
@@ -230,9 +231,9 @@ Diagnostic range_skipped(Span where, std::string_view variable, std::string_view
 // -- conform -------------------------------------------------------------------------------------------------------------
 // (src/support/messages_conform.cpp)
 Diagnostic excludes_every_input(Span where);
-/// `cycle`: the situations that repeat forever.
+/// `cycle` contains the situations that repeat forever.
 Diagnostic initial_never_stable(Span where, std::string_view inputs, std::string_view cycle);
-/// `when`: the situation and the inputs, for example `{2,5} with s, not h1`.
+/// `when` is the situation with the inputs, for example `{2,5} with s, not h1`.
 Diagnostic action_race(Span where, std::string_view variable, std::string_view when);
 Diagnostic forcing_race(Span where, std::string_view when);
 Diagnostic no_value_in_location(Span where, std::string_view when);
@@ -242,17 +243,18 @@ Diagnostic too_many_pairs(Span where, std::size_t states, std::uint64_t limit);
 Diagnostic too_many_nodes(std::size_t nodes, std::size_t limit);
 Diagnostic too_many_states(Span where, std::uint64_t limit);
 Diagnostic automaton_too_large(Span where);
-/// `by_user`: stopped by the user; otherwise by the time limit.
+/// `by_user`: the user stopped the run; otherwise the time limit did.
 Diagnostic stopped(Span where, bool by_user);
-// Causes of an early end. They are independent of the input; exit code 3.
+// Reasons for an early end, which do not depend on the input. The exit code is 3.
 Diagnostic timed_out(std::uint64_t milliseconds);
 Diagnostic interrupted();
 Diagnostic out_of_memory(std::optional<std::uint64_t> allowed);
-/// There are more input combinations, 2^`bits`, than a complete tour can cover.
+/// The number of input combinations, 2^`bits`, is larger than a complete tour can cover.
 Diagnostic too_many_inputs(Span where, std::string_view chart, std::size_t bits, std::size_t limit);
 
 // -- schedule and emit -------------------------------------------------------------------------------------------------
-/// (src/support/messages_loop.cpp) `decided`: proved; if false, no inputs were found within the time limit.
+/// (src/support/messages_loop.cpp) `decided`: the contradiction is proved; otherwise no inputs were found within the
+/// time limit.
 Diagnostic constraints_contradict(Span where, std::string_view constraint, bool decided);
 Diagnostic too_wide(Span where, std::string_view variable, std::int64_t values, std::int64_t most);
 

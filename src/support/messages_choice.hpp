@@ -11,20 +11,20 @@
 
 namespace grafverif::messages {
 
-/// `nearest`: the most similar known name; if empty, all known names are listed.
+/// `nearest` is the most similar known name; if it is empty, all known names are listed.
 Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known,
                           std::string_view nearest);
 
-/// The output is named like a file of the format `named`, but would be written in the format `written`; `how`: the
-/// remedy.
+/// The name of the output is that of a file of the format `named`, but it would be written in the format `written`.
+/// `how` is the remedy.
 Diagnostic other_format(std::string_view path, std::string_view named, std::string_view written, std::string_view how);
 
-/// `--set` names a constant that the closed loop does not have; `nearest`: the most similar one.
+/// `--set` names a constant that the closed loop does not have. `nearest` is the most similar one.
 Diagnostic no_such_constant(Span loop, std::string_view loop_name, std::string_view name, std::string_view nearest);
 
-/// Compared charts: only `owner` has the `kind` (input, output) called `name`.
+/// Only `owner`, one of two compared charts, has the `kind` (input, output) called `name`.
 Diagnostic not_in_both(Span where, std::string_view kind, std::string_view name, std::string_view owner);
-/// Compared charts: the `kind` called `name` has two different ranges, given as text.
+/// In two compared charts, the `kind` called `name` has different ranges, which are given as text.
 Diagnostic other_type(Span where, std::string_view kind, std::string_view name, std::string_view range,
                       std::string_view other);
 Diagnostic nothing_to_compare(Span where, std::string_view chart);

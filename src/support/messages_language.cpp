@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texts of parser diagnostics; the remaining ones of the section `reading` are in messages_names.cpp.
+// Texts of parser diagnostics. The other texts of the section `reading` are in messages_names.cpp.
 #include <fmt/format.h>
 
 #include "support/messages.hpp"

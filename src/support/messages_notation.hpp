@@ -12,22 +12,22 @@
 
 namespace grafverif::messages {
 
-/// `heading`: `grafcet press`, the beginning of the block; `next`: what cannot be in it, or not valid at the end of the
-/// text; `place`: where `}` can be inserted, or not valid.
+/// `heading` is the beginning of the block, `grafcet press`. `next` is the token that cannot be in it; it is invalid at
+/// the end of the text. `place` is the position at which `}` can be inserted; it may be invalid.
 Diagnostic missing_brace(Span heading, std::string_view text, Span next, Span place);
 Diagnostic expected_before_sentence(Span where);
 Diagnostic expected_after_colon(Span where);
 Diagnostic other_pattern(Span where, std::string_view seen, std::string_view meant);
 Diagnostic other_keyword(Span where, std::string_view seen, std::string_view meant);
-/// `Fill.T`, `Fill.X` of IEC 61131-3.
+/// Names such as `Fill.T` and `Fill.X` of IEC 61131-3.
 Diagnostic step_member(Span where, std::string_view step_variable, std::string_view member);
-// Text that editors and terminals display differently from its meaning; `more`: number of further occurrences in the
-// file.
+// Text that editors and terminals display differently from its meaning. `more` is the number of further occurrences in
+// the file.
 Diagnostic line_separator(Span where, std::uint32_t code, std::size_t more);
 Diagnostic bidi_control(Span where, std::uint32_t code, std::size_t more);
 Diagnostic control_character(Span where, std::uint32_t code, std::size_t more);
 Diagnostic fullwidth_character(Span where, std::string_view name, std::string_view ascii);
-/// `what`: `name`, `keyword` or `step variable`; `characters`: those of `name` that are not ASCII, as `U+0430`.
+/// `what` is `name`, `keyword` or `step variable`. `characters` lists those of `name` that are not ASCII, as `U+0430`.
 Diagnostic confusable_names(Span where, std::string_view name, std::string_view characters, std::string_view what,
                             std::string_view other, Span first);
 /// Two partial charts that are active together force one chart to different situations.

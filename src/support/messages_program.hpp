@@ -9,7 +9,7 @@
 
 namespace grafverif::messages {
 
-/// A construct that programs cannot contain here; `hint`: the remedy, in the imperative.
+/// A construct that programs cannot contain at this position. `hint` is the remedy in the imperative.
 Diagnostic not_in_program(Span where, std::string_view what, std::string_view hint);
 Diagnostic program_type_mismatch(Span where, std::string_view what, std::string_view expected, std::string_view found);
 Diagnostic not_a_number_of_type(Span where, std::int64_t value, std::string_view type);

@@ -8,10 +8,10 @@
 
 namespace grafverif::messages {
 
-/// The run ended early, as with out_of_memory; exit code 3.
+/// The run ended early, as with out_of_memory. The exit code is 3.
 Diagnostic threads_refused();
 Diagnostic incomplete_utf16(Span where);
-/// A warning: `--former` is deprecated, use `--name`.
+/// A warning: `--former` is deprecated; use `--name`.
 Diagnostic deprecated_option(std::string_view former, std::string_view name);
 
 }  // namespace grafverif::messages

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// overloaded: one lambda per alternative of a variant, for std::visit.
+// overloaded: combines one lambda per alternative of a variant, for std::visit.
 #pragma once
 
 namespace grafverif {

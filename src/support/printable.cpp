@@ -18,8 +18,8 @@ struct CodeRange {
 constexpr std::array directions = {CodeRange{0x061C, 0x061C}, CodeRange{0x200E, 0x200F}, CodeRange{0x2028, 0x202E},
                                    CodeRange{0x2066, 0x2069}};
 
-/// Characters of width 0: combining marks and joiners. Only the most common ones; for others a caret may be one column
-/// off.
+/// Characters of width 0: combining marks and joiners. Only the most common ones are included; with others, a caret may
+/// be one column off.
 constexpr std::array without_width = {CodeRange{0x0300, 0x036F}, CodeRange{0x200B, 0x200D}, CodeRange{0x20D0, 0x20FF},
                                       CodeRange{0x2060, 0x2064}, CodeRange{0xFE00, 0xFE0F}, CodeRange{0xFE20, 0xFE2F},
                                       CodeRange{0xFEFF, 0xFEFF}};
@@ -36,7 +36,7 @@ bool is_in(const std::array<CodeRange, N>& ranges, std::uint32_t code) {
                                [code](const CodeRange& range) { return range.first <= code && code <= range.last; });
 }
 
-/// Decodes according to RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF.
+/// Decodes a character according to RFC 3629: overlong forms, surrogates and codes above U+10FFFF are invalid.
 Glyph decoded(std::string_view text) {
     constexpr Glyph none{1, 0xFFFD, false, true, 1};
     const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Result of running another program. Only `app` runs programs; other modules receive a function that does.
+// Result of running another program. Only `app` runs programs; other modules receive a function for this purpose.
 #pragma once
 
 #include <functional>
@@ -10,11 +10,11 @@ namespace grafverif {
 
 struct ProgramResult {
     enum class End {
-        Exited,         ///< normally; `status` is its exit code
-        Signalled,      ///< ended by signal number `status`
-        TimedOut,       ///< ended by grafverif at the deadline
-        Stopped,        ///< ended by grafverif at the user's request
-        TooMuchOutput,  ///< ended by grafverif because its output exceeded the limit
+        Exited,         ///< the program ended normally; `status` is its exit code
+        Signalled,      ///< signal number `status` ended the program
+        TimedOut,       ///< grafverif ended the program at the deadline
+        Stopped,        ///< grafverif ended the program at the user's request
+        TooMuchOutput,  ///< grafverif ended the program because its output exceeded the limit
     };
     End end = End::Exited;
     int status = 0;
@@ -23,7 +23,7 @@ struct ProgramResult {
     bool operator==(const ProgramResult&) const = default;
 };
 
-/// Describes why a program did not exit normally; empty if it did.
+/// Describes why a program did not end normally; empty if it did.
 inline std::string ended_by(const ProgramResult& said) {
     switch (said.end) {
     case ProgramResult::End::TimedOut: return "stopped at the time limit";
@@ -35,7 +35,7 @@ inline std::string ended_by(const ProgramResult& said) {
     return {};
 }
 
-/// Runs a program and waits for its end. The first of `arguments` is the program.
+/// Runs a program and waits for its end. The first element of `arguments` is the program.
 using RunProgram = std::function<ProgramResult(const std::vector<std::string>& arguments)>;
 
 }  // namespace grafverif

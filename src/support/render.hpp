@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Renders diagnostics as text for a terminal of given width; see grafverif/support/diagnostic.hpp.
+// Renders diagnostics as text for a terminal with a given width (see grafverif/support/diagnostic.hpp).
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,8 @@ namespace grafverif {
 
 /// Width of source lines in output that is not written to a terminal.
 inline constexpr std::size_t usual_columns = 104;
-/// Like render_text, with source lines of at most `columns` columns: text on both sides of the mark is cut.
+/// Does the same as render_text, with source lines of at most `columns` columns. Text on both sides of the mark is
+/// truncated.
 void render_text(const std::vector<Diagnostic>& diagnostics, const Sources& sources, Colour colour, std::size_t columns,
                  std::ostream& out);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Thread pool: it executes one parallel task at a time together with the thread that owns it.
+// Thread pool: executes one parallel task at a time, together with the thread that owns it.
 //
-// The threads start with the first task; they have small stacks and all signals blocked. If the system provides fewer
-// threads than requested, the available ones do all work.
+// The threads start with the first task. They have small stacks, and all signals are blocked in them. If the system
+// provides fewer threads than requested, the available ones perform all the work.
 #pragma once
 
 #include <pthread.h>
@@ -18,7 +18,7 @@ namespace grafverif {
 
 class ThreadPool {
 public:
-    /// `members`: number of threads including the owner, which is member 0; 0 selects one thread per core.
+    /// `members` is the number of threads including the owner, which is member 0; 0 selects one thread per core.
     explicit ThreadPool(unsigned members);
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
@@ -44,7 +44,7 @@ private:
     std::vector<pthread_t> threads_ = {};
     std::vector<std::exception_ptr> failures_ = {};
     const std::function<void(unsigned)>* work_ = nullptr;
-    std::uint64_t round_ = 0;  // number of the current task; a member that has done it waits for the next
+    std::uint64_t round_ = 0;  // number of the current task; a member that has completed it waits for the next one
     unsigned busy_ = 0;
     bool over_ = false;
     std::mutex mutex_ = {};

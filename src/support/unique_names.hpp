@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// UniqueNames: generates unique names in one namespace from preferred names: `pulse`, `pulse_2`, `pulse_3`.
+// UniqueNames: generates unique names in one namespace from preferred names, such as `pulse`, `pulse_2`, `pulse_3`.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ public:
     /// Marks `name` as used.
     void take(std::string name) { taken_.insert(std::move(name)); }
 
-    /// `wish` if it is unused, otherwise `wish_2`, `wish_3`, and so on.
+    /// Returns `wish` if it is unused, otherwise `wish_2`, `wish_3`, and so on.
     std::string fresh(const std::string& wish) {
         if (taken_.insert(wish).second) return wish;
         for (std::size_t& count = counts_.try_emplace(wish, 1).first->second;;) {

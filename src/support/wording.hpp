@@ -24,19 +24,19 @@ inline Diagnostic note(Span where, std::string message) {
     return {Severity::Note, {}, where, std::move(message), {}, {}};
 }
 
-/// Adds an unambiguous fix: `replacement` replaces the text at `where`.
+/// Adds an unambiguous fix, in which `replacement` replaces the text at `where`.
 inline Diagnostic with_fix(Diagnostic diagnostic, Span where, std::string_view replacement) {
     diagnostic.fix = Fix{where, std::string(replacement)};
     return diagnostic;
 }
 
-/// The last `bytes` bytes of a span: a name without its qualifier, `X2` of `G2.X2`.
+/// Returns the last `bytes` bytes of a span: a name without its qualifier, `X2` of `G2.X2`.
 inline Span last_of(Span where, std::size_t bytes) {
     const auto length = static_cast<std::uint32_t>(std::min<std::size_t>(bytes, where.end - where.begin));
     return {where.source, where.end - length, where.end};
 }
 
-/// A name as shown in a message: long names are cut at a character boundary.
+/// Returns a name as shown in a message. Long names are truncated at a character boundary.
 inline std::string clipped(std::string_view name) {
     constexpr std::size_t longest = 60;
     if (name.size() <= longest) return std::string(name);

@@ -28,8 +28,8 @@ void append_character(std::string& text, std::uint32_t code) {
     }
 }
 
-/// Appends the character denoted by `&NAME;`; false if the reference is unknown (only the five predefined entities of
-/// XML are known).
+/// Appends the character denoted by `&NAME;`. Returns false if the reference is unknown. Only the five predefined
+/// entities of XML are known.
 bool append_reference(std::string& text, std::string_view name) {
     struct Entity {
         std::string_view name = {};

@@ -7,14 +7,15 @@
 
 namespace grafverif {
 
-/// Where the site is published, from the CMake variable GRAFVERIF_DOCUMENTATION_URL; empty if it is not published.
+/// Returns the address at which the site is published, from the CMake variable GRAFVERIF_DOCUMENTATION_URL; empty if it
+/// is not published.
 std::string_view documentation_url();
 
-/// The entry of a diagnostic on the site at `base`; empty without a base.
+/// Returns the address of the entry of a diagnostic on the site at `base`; empty without a base.
 std::string diagnostic_page(std::string_view code, std::string_view base = documentation_url());
 
-/// The text of `code` on a terminal: a hyperlink (OSC 8) to its entry on the site at `base`; `code` alone without a
-/// base.
+/// Returns the text of `code` for a terminal: a hyperlink (OSC 8) to its entry on the site at `base`; without a base,
+/// only `code`.
 std::string terminal_link(std::string_view code, std::string_view base = documentation_url());
 
 }  // namespace grafverif

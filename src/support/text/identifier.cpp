@@ -70,7 +70,8 @@ std::string composed(std::string_view name) {
 
 std::string in_ascii(std::string_view name) {
     if (is_ascii(name)) return std::string(name);
-    thread_local const std::unique_ptr<icu::Transliterator> latin = latin_letters();  // construction is slow
+    // Kept, because construction is slow.
+    thread_local const std::unique_ptr<icu::Transliterator> latin = latin_letters();
     icu::UnicodeString units = units_of(name);
     latin->transliterate(units);
     std::string spelled = text_of(units);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Skeletons of names (UTS 39, section 4): equal for names that look the same.
+// Skeletons of names (UTS 39, section 4), which are equal for names that look the same.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace grafverif {
 
 bool all_ascii(std::string_view text);
 
-/// Requires UTF-8. The tables are those of ICU.
+/// Returns the skeleton of a name. Requires UTF-8. The tables are those of ICU.
 std::string skeleton(std::string_view name);
 
 }  // namespace grafverif
