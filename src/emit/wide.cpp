@@ -44,8 +44,8 @@ public:
         fit_constants(id);
         wide_ = wide_terms(network.exprs, [&](const Expr& leaf) {
             if (leaf.op != Op::Parameter) return type_of(network, leaf);
-            const auto index = static_cast<std::size_t>(leaf.value);  // of this template, or of another one with more
-                                                                      // parameters
+            // The parameter may belong to another template with more parameters.
+            const auto index = static_cast<std::size_t>(leaf.value);
             return index < types_.size() ? types_[index] : Type{};
         });
     }
@@ -97,7 +97,7 @@ private:
     const Network& network_;
     const Network::Template& automaton_;
     Places& places_;
-    std::vector<Type> types_ = {};  // per parameter
+    std::vector<Type> types_ = {};  // type of each parameter
     std::vector<bool> wide_ = {};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Detects models that programs with 32-bit arithmetic (NuSMV 2.6, UPPAAL) would silently evaluate to other values.
+// Detects models that programs with 32-bit arithmetic (NuSMV 2.6, UPPAAL) would silently evaluate incorrectly.
 #pragma once
 
 #include <string_view>
@@ -14,12 +14,14 @@ namespace grafverif {
 /// Reason why a property is omitted.
 inline constexpr const char* too_wide = "it may need integers of more than 32 bits";
 
-/// Per term of the table: true if it or a subterm may exceed 32 bits. For a network: terms without parameters.
+/// Returns, per term of the table, true if it or a subterm may exceed 32 bits. For a network, only terms without
+/// parameters are included.
 std::vector<bool> wide_terms(const Network& network);
 std::vector<bool> wide_terms(const FlatSystem& flat);
 
-/// True if 32 bits suffice for the behaviour of the model, properties excluded; otherwise an error (`beyond-32-bits`)
-/// for each position where they may not. Parameters of templates have the values of their arguments.
+/// True if 32 bits are sufficient for the behaviour of the model, apart from properties. Otherwise an error
+/// (`beyond-32-bits`) is reported for each position where they may not be. Parameters of templates have the values of
+/// their arguments.
 bool fits(const Network& network, std::string_view target, Diagnostics& diagnostics);
 bool fits(const TransitionSystem& system, std::string_view target, Diagnostics& diagnostics);
 

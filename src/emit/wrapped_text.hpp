@@ -9,10 +9,11 @@
 
 namespace grafverif {
 
-/// `text` in lines of at most `width` columns, broken at spaces for which `breaks(text before the space)` is true.
+/// Returns `text` in lines of at most `width` columns, broken at spaces for which `breaks(text before the space)` is
+/// true.
 std::vector<std::string_view> wrapped(std::string_view text, std::size_t width, bool (*breaks)(std::string_view));
 
-/// Prints `text` with each line beyond 118 columns broken between tokens, unless it begins with `comment`.
+/// Prints `text`. Lines beyond 118 columns are broken between tokens, unless they begin with `comment`.
 void print_wrapped(std::ostream& out, std::string_view text, std::string_view comment);
 
 }  // namespace grafverif

@@ -40,7 +40,8 @@ public:
     }
 
 private:
-    /// Invalid for a scratch variable that is not yet assigned, or one of main that the automaton only writes.
+    /// Returns the value of a variable. It is invalid for a scratch variable that is not yet assigned, or for a
+    /// variable of main that the automaton only writes.
     Id<Expr> value_of(Place variable) {
         const auto found = now_.find(variable.index);
         if (found != now_.end()) return found->second;
@@ -70,7 +71,7 @@ private:
         });
     }
 
-    /// True if the guard, by comparisons of `value` with constants, keeps it in the range.
+    /// True if comparisons of `value` with constants in the guard keep it in the range.
     bool kept_by_guard(Id<Expr> guard, Id<Expr> value, Type range) const {
         Interval bounds = interval(exprs_, value, types_);
         std::vector<Id<Expr>> conjuncts{guard};
@@ -89,8 +90,9 @@ private:
         return range.low <= bounds.low && bounds.high <= range.high;
     }
 
-    /// `value`, or `kept` if it is undefined or outside the range; the fault is recorded unless the guard excludes it.
-    /// The range condition is included even then, because a model checker also evaluates values that no run uses.
+    /// Returns `value`, or `kept` if it is undefined or outside the range. The fault is recorded unless the guard
+    /// excludes it. The range condition is always included, because a model checker also evaluates values that no run
+    /// uses.
     Id<Expr> guarded(EdgeTerms& edge, Place target, Id<Expr> value, Id<Expr> kept) {
         const Type type = slots_.network.variables[target].type;
         const auto [safe, undefined] = total(exprs_, value, types_);
@@ -122,7 +124,7 @@ EdgeTerms edge_terms(const Slots& slots, const Network::Edge& edge,
 
 namespace {
 
-/// Value of a variable after an edge, given its value before; empty if it is not constant.
+/// Returns the value of a variable after an edge, given its value before; empty if it is not constant.
 std::optional<std::int64_t> value_after(const Slots& slots, const Network::Edge& edge, Id<Network::Variable> variable,
                                         std::int64_t before) {
     const Exprs& exprs = slots.network.exprs;

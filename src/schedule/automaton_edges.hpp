@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One edge of an automaton as terms over the values before the step: its sequential assignments are substituted into
-// each other.
+// Expresses one edge of an automaton as terms over the values before the step: its sequential assignments are
+// substituted into each other.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@
 
 namespace grafverif::schedule {
 
-// Variables that are functions of the location: DESDES06 6.2 defines `h_c_l := state = left`.
+// Variables that are functions of the location. DESDES06 6.2 defines `h_c_l := state = left`.
 
-/// Value of `variable`, which only this process writes, per location. Empty if a location can be entered with different
-/// or non-constant values. Unreachable locations get the initial value.
+/// Returns the value of `variable`, which only this process writes, per location. The result is empty if a location can
+/// be entered with different or non-constant values. Unreachable locations get the initial value.
 std::optional<std::vector<std::int64_t>> location_values(const Slots& slots, Id<Network::Variable> variable);
 
 struct EdgeValue {
@@ -25,14 +25,14 @@ struct EdgeValue {
 };
 
 struct EdgeTerms {
-    Id<Expr> guard = {};                 ///< without the location
-    std::vector<EdgeValue> values = {};  ///< of each written variable except scratch variables
-    Id<Expr> guard_fault = {};           ///< the guard divides by zero
-    Id<Expr> fault = {};                 ///< an assignment would leave its range or divide by zero
+    Id<Expr> guard = {};                 ///< guard of the edge, without the source location
+    std::vector<EdgeValue> values = {};  ///< value of each written variable, except scratch variables
+    Id<Expr> guard_fault = {};           ///< condition under which the guard divides by zero
+    Id<Expr> fault = {};  ///< condition under which an assignment leaves the range of its target or divides by zero
 };
 
-/// `symbols`: per variable the symbol of the module `draft` that holds it before the step. `name`: creates a definition
-/// for a value that a later assignment reads.
+/// Returns the terms of an edge. `symbols` contains, per variable, the symbol of the module `draft` with its value
+/// before the step. `name` creates a definition for a value that a later assignment reads.
 EdgeTerms edge_terms(const Slots& slots, const Network::Edge& edge,
                      const std::vector<Id<TransitionSystem::Symbol>>& symbols, const Draft& draft,
                      const std::function<Id<Expr>(const EdgeValue&)>& name);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Construction of the module of an automaton, in three stages:
+// Builds the module of an automaton in three stages:
 //   Declared   its symbols, which edges read: parameters, the choice of an edge, the location, clocks, and the
 //              variables that only it writes
 //   Taken      each edge as terms over the values before the step
-//   the next value of every symbol, by cases over the edge taken
+//   Finally, the next value of every symbol is set, by cases over the edge that is taken.
 //
 // Correctness: the module has exactly the steps of the process. The choice selects one edge or none. The `guard` of an
-// edge holds iff the network allows taking it, by its location, its guard, its clock constraint, and the target's
-// invariant after its resets. A transition constraint relates choice and guard. Next values are cases over the choice,
-// and the cases are disjoint. The discipline determines if choosing none is allowed.
+// edge holds exactly if the network allows taking it, as determined by its location, its guard, its clock constraint,
+// and the target's invariant after its resets. A transition constraint relates choice and guard. Next values are
+// defined by disjoint cases over the choice. The discipline determines if it is allowed to choose no edge.
 #include "schedule/automaton_module.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ using Edge = Id<Network::Edge>;
 
 // -- symbols ----------------------------------------------------------------------------------------------------------
 
-/// Declares the symbols, in this order. Complete after construction.
+/// Declares the symbols, in this order. All are declared when the constructor returns.
 class Declared {
 public:
     Declared(const AutomatonContext& laid_out, Id<Network::Process> process, Draft& drafted)
@@ -61,7 +61,8 @@ public:
     Id<Expr> clock(Id<Network::Clock> id) const {
         return clocks[id.index].valid() ? draft.leaf(clocks[id.index]) : draft.exprs.integer(0);
     }
-    /// `value` of the edge that is taken; `otherwise` if no edge or one without an entry in `cases` is taken.
+    /// Returns the `value` of the edge that is taken. If no edge, or an edge without an entry in `cases`, is taken,
+    /// returns `otherwise`.
     template <class Cases>
     Id<Expr> by_edge(const Cases& cases, Id<Expr> otherwise) const {
         for (auto one = cases.rbegin(); one != cases.rend(); ++one)
@@ -73,9 +74,9 @@ public:
     const Slots slots;
     Draft& draft;
     const std::vector<Place> written;
-    std::vector<Id<Symbol>> symbols;  ///< per variable: its symbol in the module
-    std::vector<Id<Symbol>> clocks;   ///< per clock; invalid if it is never compared
-    AutomatonModule made = {};        ///< its parameters, choice, location, owned variables
+    std::vector<Id<Symbol>> symbols;  ///< symbol in the module, per variable
+    std::vector<Id<Symbol>> clocks;   ///< symbol per clock; invalid if it is never compared
+    AutomatonModule made = {};        ///< module with its parameters, choice, location and owned variables
 
 private:
     void add_parameters() {
@@ -120,7 +121,7 @@ public:
     Clocks(const Declared& declared, Id<Network::Process> process)
         : declared_(declared), exprs_(declared.draft.exprs), caps_(declared.context.clocks[process.index]) {}
 
-    /// The clock constraint of an edge, and the invariant of its target after its resets.
+    /// Returns the clock constraint of an edge, and the invariant of its target after its resets.
     Id<Expr> admit(const Network::Edge& edge) const {
         std::vector<Id<Expr>> all;
         for (const Network::ClockConstraint& constraint : edge.constraint)
@@ -131,7 +132,8 @@ public:
         return exprs_.conjunction(all);
     }
 
-    /// For every location: its invariant holds after one more time unit. Empty if there are no invariants.
+    /// Returns, for every location, the condition that its invariant holds after one more time unit; empty if there are
+    /// no invariants.
     std::vector<Id<Expr>> wait() const {
         std::vector<Id<Expr>> waits;
         for (const Id<Network::Location> id : declared_.automaton().locations.ids())
@@ -151,7 +153,7 @@ public:
     }
 
 private:
-    /// The values that a constraint admits, under the arguments of the process.
+    /// Returns the values that a constraint admits under the arguments of the process.
     ClockInterval values(const Network::ClockConstraint& constraint) const {
         return admitted(constraint.relation,
                         bound_value(declared_.context.network, declared_.slots.process, constraint.bound));
@@ -165,7 +167,7 @@ private:
         return exprs_.conjunction(low, high);
     }
 
-    /// Clock value after an edge, capped for the target location.
+    /// Returns the clock value after an edge, capped for the target location.
     Id<Expr> after_edge(const Network::Edge& edge, Id<Network::Clock> id) const {
         const std::int64_t cap = caps_.cap[edge.to.index][id.index];
         if (resets(edge, id) || cap <= 0) return exprs_.integer(0);
@@ -174,10 +176,10 @@ private:
         return exprs_.conditional(exprs_.apply(Op::Greater, now, greatest), greatest, now);
     }
 
-    /// Clock value after a tick, capped for each location.
+    /// Returns the clock value after a tick, capped for each location.
     Id<Expr> after_tick(Id<Network::Clock> id) const {
         const Id<Expr> now = declared_.clock(id), more = exprs_.apply(Op::Plus, now, exprs_.integer(1));
-        std::map<std::int64_t, std::vector<Id<Expr>>> locations;  // by cap
+        std::map<std::int64_t, std::vector<Id<Expr>>> locations;  // locations for each cap
         for (const Id<Network::Location> location : declared_.automaton().locations.ids())
             locations[caps_.cap[location.index][id.index]].push_back(declared_.at(location));
         Id<Expr> next = now;
@@ -196,15 +198,16 @@ private:
 
 // -- edges ------------------------------------------------------------------------------------------------------------
 
-/// All edges over the values before the step.
+/// All edges as terms over the values before the step.
 struct Taken {
-    std::vector<Id<Expr>> guards = {};  ///< per edge: it can be taken, including its location and clock constraints
-    std::map<Place, std::vector<std::pair<Edge, Id<Expr>>>> values = {};  ///< written variables with the edges that
-                                                                          ///< write them
+    /// Per edge: condition under which it can be taken, including its location and clock constraints.
+    std::vector<Id<Expr>> guards = {};
+    /// Written variables, with the edges that write them.
+    std::map<Place, std::vector<std::pair<Edge, Id<Expr>>>> values = {};
     std::vector<Id<Expr>> faults = {};
 };
 
-/// `within`: receives the firing conditions that exist only within a step.
+/// Translates all edges. `within` receives the firing conditions that exist only within a step.
 Taken edges_taken(const Declared& declared, const std::optional<Clocks>& clocks,
                   std::vector<AutomatonModule::Held>& within) {
     Exprs& exprs = declared.draft.exprs;
@@ -242,7 +245,7 @@ void set_location(const Declared& declared) {
     declared.draft.set(location, System::StateSymbol{initial, declared.by_edge(cases, declared.draft.leaf(location))});
 }
 
-/// `location = a | location = b` for a Boolean, cases for an integer.
+/// Returns `location = a | location = b` for a Boolean, and cases for an integer.
 Id<Expr> by_location(const Declared& declared, Type type, const std::vector<std::int64_t>& values) {
     Exprs& exprs = declared.draft.exprs;
     std::vector<Id<Expr>> on;
@@ -285,7 +288,7 @@ std::vector<Effect> effects(const Declared& declared, Taken& taken) {
     return effects;
 }
 
-/// A flag that stays set; invalid if there are no faults.
+/// Adds a flag that remains set after a fault; invalid if there are no faults.
 Id<Symbol> out_of_range(Draft& draft, std::vector<Id<Expr>> faults) {
     if (faults.empty()) return {};
     const Id<Symbol> flag = draft.add("out_of_range", Type{}, System::StateSymbol{});
@@ -296,7 +299,7 @@ Id<Symbol> out_of_range(Draft& draft, std::vector<Id<Expr>> faults) {
 
 // -- choice of the edge -----------------------------------------------------------------------------------------------
 
-/// Constrains the choice by the guards of the edges and the discipline; in rounds adds `done`.
+/// Constrains the choice by the guards of the edges and the discipline. For Discipline::Rounds, also adds `done`.
 void add_transitions(const Declared& declared, const std::vector<Id<Expr>>& guards, AutomatonModule& made) {
     Draft& draft = declared.draft;
     Exprs& exprs = draft.exprs;
@@ -321,7 +324,7 @@ void add_transitions(const Declared& declared, const std::vector<Id<Expr>>& guar
     list.push_back(implies(exprs, exprs.conjunction(turn, stays), idle));
 }
 
-/// Locations that must be left in bounded time (they have an invariant) by an edge enabled by time.
+/// Returns the locations that must be left within a bounded time (they have an invariant) by an edge that time enables.
 std::vector<Movement> movements(const Declared& declared) {
     Draft& draft = declared.draft;
     std::vector<Movement> found;
@@ -350,7 +353,7 @@ std::vector<std::int64_t> module_key(const AutomatonContext& context, Id<Network
     std::vector<std::int64_t> key{slots.process.automaton.index, slots.process.initial.index};
     for (const Network::Argument& argument : slots.process.arguments)
         if (const auto* constant = std::get_if<std::int64_t>(&argument)) key.push_back(*constant);
-    std::map<Place, std::int64_t> seen;  // arguments that are the same variable
+    std::map<Place, std::int64_t> seen;  // arguments that refer to the same variable
     for (const Place variable : slots.used()) {
         const Network::Variable& of = context.network.variables[variable];
         key.push_back(of.type.low);

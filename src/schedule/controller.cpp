@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Builds main: free inputs and timer outputs, and the instances of the controllers' modules connected to them.
+// Builds main: free inputs and timer outputs, and the instances of the controllers' modules, to which they are
+// connected.
 #include "schedule/controller.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ using Role = Equations::Role;
 
 // -- constraints as invariants over free inputs --
 
-/// The inputs that a constraint reads; empty if it reads other variables.
+/// Returns the inputs that a constraint reads; empty if it reads other variables.
 std::optional<std::vector<Id<ClosedLoop::Shared>>> inputs_of(const ClosedLoop& loop, Id<Expr> condition) {
     std::vector<Id<ClosedLoop::Shared>> found;
     for (const Id<Expr> leaf : leaves(loop.exprs, condition)) {
@@ -35,10 +36,11 @@ std::optional<std::vector<Id<ClosedLoop::Shared>>> inputs_of(const ClosedLoop& l
     return found;
 }
 
-/// The inputs that satisfy the constraints added so far, as a function of their bits.
+/// The set of inputs that satisfy the constraints added so far, as a function of their bits.
 class Inputs {
 public:
-    /// Bits of equal significance are adjacent in the order, so that comparisons of inputs have small diagrams.
+    /// Bits of equal significance are adjacent in the order, so that comparisons of inputs have small decision
+    /// diagrams.
     explicit Inputs(const ClosedLoop& loop)
         : loop_(loop), terms_(loop.exprs, [this](const Expr& leaf) { return term(leaf); }) {
         std::size_t most = 0;
@@ -54,7 +56,7 @@ public:
         for (const auto& [input, word] : words_) left_ &= in_range(space_, word);
     }
 
-    /// True if the constraints so far and this one are jointly satisfiable; empty if this exceeds the memory limit.
+    /// True if this constraint and those added so far are jointly satisfiable; empty if the memory limit is reached.
     std::optional<bool> admit(Id<Expr> condition) {
         try {
             const BddTerm& found = terms_(condition);
@@ -78,8 +80,8 @@ private:
     BddTerms terms_;
 };
 
-/// Adds every constraint that reads only inputs of controllers as an invariant (DESDES06 5.1); others do not apply to
-/// this model.
+/// Adds every constraint that reads only inputs of controllers as an invariant (DESDES06 5.1). Other constraints do not
+/// apply to this model.
 void assume_constraints(const LoopMeaning& meaning) {
     for (const ClosedLoop::Constraint& constraint : meaning.loop.constraints) {
         std::string reason;
@@ -95,9 +97,9 @@ Id<Symbol> add_free(Main& main, const std::string& wish, Type type, const char* 
     return main.draft.add(wish, type, TransitionSystem::StateSymbol{}, section, origin);
 }
 
-/// Adds the free variables of each controller, its timer outputs and, with several controllers, its turn, and passes
-/// them as last arguments. Then names the instances uniquely. Returns the turns, each of which is true infinitely
-/// often.
+/// Adds the free variables of each controller: its timer outputs and, with several controllers, its turn. They are
+/// passed as its last arguments. Then gives the instances unique names. Returns the turns, each of which is true
+/// infinitely often.
 std::vector<Id<Expr>> add_own_variables(const ControllerInstances& controllers) {
     Main& main = controllers.main;
     const bool several = controllers.parts.size() > 1;

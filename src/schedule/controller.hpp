@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// schedule_controllers: Equations -> TransitionSystem of the controllers alone, according to DESDES06 section 6.1:
-// inputs and timer outputs are free variables of `main`, and each controller is an instance of a separate module.
+// schedule_controllers: translates Equations to a TransitionSystem of the controllers without plant, according to
+// DESDES06 section 6.1. Inputs and timer outputs are free variables of `main`; each controller is an instance of a
+// separate module.
 //
 // One step of the system is one PLC cycle. In every state:
 //   - the inputs are those that the next cycle will read; they are free;
@@ -39,17 +40,17 @@
 
 namespace grafverif {
 
-/// True if some inputs satisfy all constraints of `loop`; otherwise reports the first constraint that contradicts those
-/// before it.
+/// True if some inputs satisfy all constraints of `loop`. Otherwise reports the first constraint that contradicts the
+/// previous ones.
 bool constraints_agree(const ClosedLoop& loop, Diagnostics& diagnostics);
 
-/// The controllers of `loop` with its properties; properties that the controllers alone do not determine are in
-/// `omitted`. `equations` are those of the controllers' charts, in order. Requires verify to be empty for each
-/// argument, and with the approach `constraints` that constraints_agree.
+/// Returns the system of the controllers of `loop`, with its properties. Properties that the controllers alone do not
+/// determine are in `omitted`. `equations` are those of the controllers' charts, in order. Requires that verify is
+/// empty for each argument, and that constraints_agree holds if the approach is `constraints`.
 TransitionSystem schedule_controllers(const Model& model, const ClosedLoop& loop, std::span<const Equations> equations,
                                       const ScheduleOptions& options = {});
 
-/// A single controller without a loop.
+/// Returns the system of a single controller without a loop.
 TransitionSystem schedule_controller(const Equations& equations, ExecutionMode mode);
 
 }  // namespace grafverif

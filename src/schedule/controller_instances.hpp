@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The controllers as instances of main, independently of the source of their inputs.
+// The controllers as instances of main, independently of where their inputs come from.
 #pragma once
 
 #include <optional>
@@ -17,24 +17,25 @@ struct ControllerPart {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
 };
 
-/// Controllers of a loop, in order; `mode` overrides the loop.
+/// Returns the controllers of a loop, in order. `mode` overrides the modes of the loop.
 std::vector<ControllerPart> controller_parts(const ClosedLoop& loop, std::span<const Equations> equations,
                                              std::optional<ExecutionMode> mode);
 
 struct ControllerInstances {
     Main& main;
     const std::vector<ControllerPart> parts;
-    std::vector<ControllerModule> modules = {};                  ///< per controller; its module has been moved into the
-                                                                 ///< system
-    std::vector<Id<TransitionSystem::Instance>> instances = {};  ///< per controller
+    /// Module of each controller; its contents have been moved into the system.
+    std::vector<ControllerModule> modules = {};
+    std::vector<Id<TransitionSystem::Instance>> instances = {};  ///< instance of each controller
 
-    /// `turns`, `with_plant`: as in ControllerStyle. Names (`name`) and arguments of the instances are set later.
+    /// `turns` and `with_plant` have the same meaning as in ControllerStyle. Names (`name`) and arguments of the
+    /// instances are set later.
     ControllerInstances(Main& main, std::vector<ControllerPart> parts, bool turns, bool with_plant);
 
-    /// Gives the instances names that are unused in main. Requires that no member has been used.
+    /// Gives the instances names that are unused in main. Requires that no member has been used yet.
     void name() const;
 
-    /// A variable of a controller's equations as properties read it: a symbol or an argument of its module.
+    /// Returns the variable of a controller's equations that properties read: a symbol or an argument of its module.
     Id<Symbol> variable(std::size_t controller, Id<Equations::Variable> id) const;
     Id<Expr> inner(std::size_t controller, Id<Symbol> symbol) const {
         return main.inner(instances[controller], symbol);
@@ -47,11 +48,12 @@ struct ControllerInstances {
     void share_outputs(const ClosedLoop& loop, std::vector<Id<Symbol>>& shared) const;
     /// Passes the inputs of every controller as its first arguments.
     void wire_inputs(const ClosedLoop& loop, const std::vector<Id<Symbol>>& shared) const;
-    /// Every controller is quiescent.
+    /// Returns the condition that every controller is quiescent.
     Id<Expr> settled() const;
-    /// `no_race` and `no_out_of_range`, if such faults are possible.
+    /// Adds `no_race` and `no_out_of_range` if such faults are possible.
     void add_fault_properties() const;
-    /// Adds the names of the controllers for traces; `runs`: per controller, true in its steps; empty: in every step.
+    /// Adds the names of the controllers for traces. `runs` contains, per controller, a condition that is true in its
+    /// steps; empty if all controllers run in every step.
     void add_words(const std::vector<Id<Expr>>& runs) const;
 };
 

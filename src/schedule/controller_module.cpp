@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: MIT
 // The module of one controller: translates the equations of a PLC cycle to a step of the system.
 //
-// First every variable of the equations gets a symbol, because each equation may read any of them (Cycle). Then each
-// type of equation defines the values of its symbols. The equations are evaluated at three times, which differ in the
+// First every variable of the equations gets a symbol, because each equation may read any of them (Cycle). Then the
+// equations of each type define the values of their symbols. They are evaluated at three times, which differ in the
 // meaning of leaves:
 //   now     in a cycle: variables before it and the inputs it samples: firing conditions, next values
 //   after   after a cycle: activities and stored values after it, the inputs it sampled: equation (13), every cycle
 //   first   in the first evolution: initial values and the inputs that it samples; no timer has expired
 //
 // State 0 is power-on. If the first evolution has a visible effect (a stored action, an output, a previous value), it
-// is a separate step. `started` distinguishes it from cycles and guards their effects. Otherwise the first step is the
-// first cycle, and `started` is constantly true.
+// is a separate step. `started` distinguishes this step from cycles and guards the effects of both. Otherwise the first
+// step is the first cycle, and `started` is constantly true.
 //
-// Totality, as required of a TransitionSystem: a term that divides by zero is replaced by one that does not
-// (ranges.hpp), and an assignment that leaves its range keeps the variable. Both are faults (Faults), which set
-// `out_of_range` permanently.
-// A cycle reads what the PLC reads: all right-hand sides are over the values before the step, except those of `after`,
-// which substitute the next values. An output with stored actions is read in its image, since it may not have been
-// written to the plant yet. Nothing changes out of `turn`.
+// A TransitionSystem must be total. Therefore a term that divides by zero is replaced by one that does not
+// (ranges.hpp), and if an assignment would leave its range, the variable is unchanged. Both are faults (Faults), which
+// set `out_of_range` permanently. A cycle reads what the PLC reads: all right-hand sides are over the values before the
+// step, except those of `after`, which substitute the next values. An output with stored actions is read in its image,
+// since it may not have been written to the plant yet. While `turn` is false, no variable changes.
 #include "schedule/controller_module.hpp"
 
 #include <algorithm>
@@ -34,15 +33,16 @@ namespace {
 using Role = Equations::Role;
 using Variable = Equations::Variable;
 
-/// Faults of a step, collected during construction.
+/// Faults of a step, which are collected during construction.
 struct Faults {
     std::vector<Id<Expr>> conditions = {};
-    std::vector<Id<Variable>> bounded = {};  ///< the variables that an assignment would take out of their range
+    std::vector<Id<Variable>> bounded = {};  ///< variables that an assignment may take out of their range
 };
 
 // -- symbols and readings ---------------------------------------------------------------------------------------------
 
-/// Declares the symbols, in this order, and translates the equations to them. Complete after construction.
+/// Declares the symbols, in this order, and translates the equations to them. All are declared when the constructor
+/// returns.
 class Cycle {
 public:
     Cycle(const Equations& equations, const ControllerStyle& style, Draft& draft)
@@ -73,12 +73,12 @@ public:
     Id<Expr> turn() const { return turn_.valid() ? draft_.leaf(turn_) : draft_.exprs.constant(true); }
     Id<Expr> elapses() const { return draft_.leaf(elapse_); }
 
-    /// The first evolution has been executed: the current step is a cycle.
+    /// Returns the condition that the first evolution has been executed, so that the current step is a cycle.
     Id<Expr> in_cycles() const { return started_.valid() ? draft_.leaf(started_) : draft_.exprs.constant(true); }
     Id<Expr> initial(Id<Variable> id) const { return literal(draft_.exprs, variable(id).type, variable(id).initial); }
     Id<Expr> now(Id<Expr> term) { return now_(term); }
     Id<Expr> first(Id<Expr> term) { return first_(term); }
-    /// `next`: per variable its value after the step, if it changes.
+    /// Returns a translator to the values after the step. `next` contains the new value of each variable that changes.
     TermCopier after(const std::vector<Id<Expr>>& next) const {
         return {equations_.exprs, draft_.exprs, [this, &next](const Expr& node) {
                     const Id<Expr> changed = next[static_cast<std::size_t>(node.value)];
@@ -86,13 +86,13 @@ public:
                 }};
     }
 
-    /// Sets the next value of a state variable; it is unchanged out of turn.
+    /// Sets the next value of a state variable, which is unchanged while `turn` is false.
     void set(Id<Symbol> symbol, Id<Expr> initial, Id<Expr> next) const {
         if (turn_.valid()) next = draft_.exprs.conditional(draft_.exprs.negation(turn()), draft_.leaf(symbol), next);
         draft_.set(symbol, TransitionSystem::StateSymbol{initial, next});
     }
 
-    /// `term`, or `instead` if it divides by zero; the condition of this is added to `faults`.
+    /// Returns `term`, or `instead` if it divides by zero. The condition for this is added to `faults`.
     Id<Expr> total(Id<Expr> term, Id<Expr> instead, std::vector<Id<Expr>>& faults) const {
         if (!divides_) return term;
         const auto [safe, undefined] = schedule::total(draft_.exprs, term, draft_.types());
@@ -104,7 +104,7 @@ public:
 private:
     static Id<Variable> of(const Expr& node) { return {static_cast<std::uint32_t>(node.value)}; }
 
-    /// Declares every variable of a role under its name.
+    /// Declares every variable with this role under its name.
     std::vector<Id<Variable>> declare(Role role, const char* section) {
         std::vector<Id<Variable>> found;
         for (const Id<Variable> id : equations_.variables.ids()) {
@@ -137,7 +137,7 @@ private:
         });
     }
 
-    /// A timer expires after the activation from which it counts; the first activation is in the first evolution.
+    /// A timer expires after the activation from which it counts. The earliest activation is in the first evolution.
     void add_started() {
         if (!style_.scans && !first_evolution_shows()) return;
         Exprs& exprs = draft_.exprs;
@@ -170,7 +170,7 @@ private:
                                          "outputs of stored actions, not yet written", origin);
     }
 
-    /// True if some equation divides.
+    /// True if some equation contains a division.
     static bool divides(const Exprs& exprs) {
         for (std::uint32_t term = 0; term < exprs.size(); ++term) {
             const Op op = exprs[Id<Expr>{term}].op;
@@ -184,12 +184,12 @@ private:
     Draft& draft_;
     const bool divides_ = divides(equations_.exprs);
     std::vector<bool> stored_ =
-        std::vector<bool>(equations_.variables.size());  ///< per variable: it has stored actions
-    /// Per variable: the symbol that the cycle reads, and the one visible outside. They differ for an output with
-    /// stored actions under stability search: the first is its image.
+        std::vector<bool>(equations_.variables.size());  ///< per variable: true if it has stored actions
+    /// Per variable: the symbol that the cycle reads, and the symbol that is visible outside. They differ for an output
+    /// with stored actions under stability search, whose first symbol is its image.
     std::vector<Id<Symbol>> read_, shown_;
     std::vector<Id<Variable>> parameters_ = {};
-    Id<Symbol> turn_ = {}, elapse_ = {}, started_ = {};  ///< invalid if omitted
+    Id<Symbol> turn_ = {}, elapse_ = {}, started_ = {};  ///< invalid if not used
     TermCopier now_{equations_.exprs, draft_.exprs, [this](const Expr& node) { return draft_.leaf(read(of(node))); }};
     TermCopier first_{equations_.exprs, draft_.exprs, [this](const Expr& node) {
                           const Role role = variable(of(node)).role;
@@ -200,7 +200,7 @@ private:
 
 // -- values -----------------------------------------------------------------------------------------------------------
 
-/// `value` if it is defined and in the range of the variable, otherwise `kept`; a definition names the fault.
+/// Returns `value` if it is defined and in the range of the variable, otherwise `kept`. The fault is a definition.
 Id<Expr> guarded(const Cycle& cycle, Draft& draft, Id<Variable> id, Id<Expr> value, Id<Expr> kept, bool at_first,
                  Faults& faults) {
     Exprs& exprs = draft.exprs;
@@ -229,7 +229,7 @@ void set_firings(Cycle& cycle, Draft& draft, Faults& faults) {
     }
 }
 
-/// Sets step activities and stored variables. Returns per variable its value after the step, if it changes.
+/// Sets step activities and stored variables. Returns the value after the step of each variable that changes.
 std::vector<Id<Expr>> set_next_values(Cycle& cycle, Draft& draft, Faults& faults) {
     std::vector<Id<Expr>> next(cycle.equations().variables.size());
     for (const Equations::StepActivity& step : cycle.equations().steps) {
@@ -250,14 +250,14 @@ std::vector<Id<Expr>> set_next_values(Cycle& cycle, Draft& draft, Faults& faults
     return next;
 }
 
-/// Sets the previous values for edges. A term that divides by zero is a fault.
+/// Sets the previous values for edges. A division by zero in a term is a fault.
 void set_previous(Cycle& cycle, Draft& draft, Faults& faults) {
     const Id<Expr> off = draft.exprs.constant(false);
     for (const Equations::Previous& previous : cycle.equations().previous)
         cycle.set(cycle.read(previous.variable), off, cycle.total(cycle.now(previous.value), off, faults.conditions));
 }
 
-/// Sets the values that timers observe, after the step.
+/// Sets the values that timers observe, which are those after the step.
 void set_watched(Cycle& cycle, Draft& draft, const std::vector<Id<Expr>>& next, Faults& faults) {
     if (!cycle.style().scans) return;
     const Id<Expr> off = draft.exprs.constant(false);
@@ -271,7 +271,7 @@ bool is_unwritten(Cycle& cycle, const Equations::Output& output) {
     return cycle.now(output.value) == cycle.initial(output.variable);
 }
 
-/// Sets variables without writers.
+/// Sets variables that are never written.
 void set_constants(Cycle& cycle, Draft& draft) {
     const Equations& equations = cycle.equations();
     std::vector<bool> written(equations.variables.size());
@@ -290,8 +290,8 @@ Id<Symbol> add_stable(Cycle& cycle, Draft& draft, Faults& faults) {
     return draft.define("stable", total, "stability: one more cycle would change no step and no stored variable");
 }
 
-/// An output written only when stable; `now` is the value to write. Returns the condition that the output is up to
-/// date.
+/// Adds an output that is written only when the situation is stable. `now` is the value to write. Returns the condition
+/// that the output is up to date.
 Id<Expr> written_when_stable(const Cycle& cycle, Draft& draft, Id<Variable> id, Id<Expr> stable, Id<Expr> now) {
     const Id<Expr> kept = draft.leaf(cycle.shown(id));
     cycle.set(cycle.shown(id), cycle.initial(id), draft.exprs.conditional(stable, now, kept));
@@ -304,7 +304,7 @@ Id<Expr> add_now(const Cycle& cycle, Draft& draft, Id<Variable> id, Id<Expr> val
                                 variable.origin));
 }
 
-/// Equation (13) in stability search; returns the condition that the output is up to date.
+/// Adds equation (13) for stability search. Returns the condition that the output is up to date.
 Id<Expr> set_searching_output(Cycle& cycle, Draft& draft, const Equations::Output& output, Id<Expr> stable,
                               Faults& faults) {
     Exprs& exprs = draft.exprs;
@@ -316,7 +316,8 @@ Id<Expr> set_searching_output(Cycle& cycle, Draft& draft, const Equations::Outpu
     return written_when_stable(cycle, draft, output.variable, stable, value);
 }
 
-/// True if the value of `term` after a cycle depends on an input sampled in the cycle, not only on the state after it.
+/// True if the value of `term` after a cycle depends on an input sampled in the cycle, and not only on the state after
+/// it.
 bool reads_inputs(const Equations& equations, Id<Expr> term) {
     return std::ranges::any_of(leaves(equations.exprs, term), [&](Id<Expr> leaf) {
         const Role role = equations.variables[{static_cast<std::uint32_t>(equations.exprs[leaf].value)}].role;
@@ -324,7 +325,8 @@ bool reads_inputs(const Equations& equations, Id<Expr> term) {
     });
 }
 
-/// Equation (13) in every cycle, including the first evolution; returns the condition that the output is up to date.
+/// Adds equation (13) for every cycle, including the first evolution. Returns the condition that the output is up to
+/// date.
 Id<Expr> set_cyclic_output(Cycle& cycle, Draft& draft, const Equations::Output& output, TermCopier& after,
                            Faults& faults) {
     Exprs& exprs = draft.exprs;
@@ -336,7 +338,7 @@ Id<Expr> set_cyclic_output(Cycle& cycle, Draft& draft, const Equations::Output& 
         if (cycle.first(output.value) != initial)
             value = is_false(exprs, initial) ? exprs.conjunction(cycle.in_cycles(), value)
                                              : exprs.conditional(cycle.in_cycles(), value, initial);
-        std::vector<Id<Expr>> seen_before;  // in the previous cycle
+        std::vector<Id<Expr>> seen_before;  // values in the previous cycle
         draft.set(symbol, TransitionSystem::DefineSymbol{cycle.total(value, off, seen_before)});
         return exprs.constant(true);
     }
@@ -346,7 +348,7 @@ Id<Expr> set_cyclic_output(Cycle& cycle, Draft& draft, const Equations::Output& 
     return exprs.apply(Op::Equal, draft.leaf(symbol), now);
 }
 
-/// Sets outputs, and those with images; returns `settled`.
+/// Sets all outputs, including those with images. Returns `settled`.
 Id<Symbol> set_outputs(Cycle& cycle, Draft& draft, Id<Symbol> stable, const std::vector<Id<Expr>>& next,
                        Faults& faults) {
     TermCopier after = cycle.after(next);
@@ -362,8 +364,9 @@ Id<Symbol> set_outputs(Cycle& cycle, Draft& draft, Id<Symbol> stable, const std:
                         "quiescent: another cycle with the same inputs would change nothing");
 }
 
-/// A timer of a step may expire at any time that `elapse` allows while the step is active, and is reset when the step
-/// is left or activated again. Other timers (with a second duration, or for another term) are free.
+/// Sets the timers. While its step is active, a timer of a step may expire at any time that `elapse` permits. It is
+/// reset when the step is deactivated or activated again. Other timers (with a second duration, or for another term)
+/// are free.
 void set_timers(Cycle& cycle, Draft& draft, const std::vector<Id<Expr>>& next) {
     if (!cycle.style().with_plant) return;
     Exprs& exprs = draft.exprs;
@@ -385,7 +388,7 @@ void set_timers(Cycle& cycle, Draft& draft, const std::vector<Id<Expr>>& next) {
     }
 }
 
-/// A flag that stays set once one of `faults` sets it; invalid if there are none.
+/// Adds a flag that remains set after one of `faults`; invalid if there are none.
 Id<Symbol> add_flag(const Cycle& cycle, Draft& draft, const char* wish, const std::vector<Id<Expr>>& faults) {
     Exprs& exprs = draft.exprs;
     const Id<Expr> fault = exprs.disjunction(faults);
@@ -395,7 +398,7 @@ Id<Symbol> add_flag(const Cycle& cycle, Draft& draft, const char* wish, const st
     return flag;
 }
 
-/// Conditions of races, which may divide by zero themselves.
+/// Returns the conditions of races, which may themselves divide by zero.
 std::vector<Id<Expr>> races(Cycle& cycle, Draft& draft, Faults& found) {
     Exprs& exprs = draft.exprs;
     const Id<Expr> off = exprs.constant(false), at_start = exprs.negation(cycle.in_cycles());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Draft: builder of a module of the TransitionSystem: its symbols, uniquely named, and terms over them. A symbol that
-// others read is declared first and gets its value later (`set`).
-// Main: builder of the system: main as a draft, modules, their instances in main, and the symbols of instances as
-// visible in main.
+// Draft: builder of a module of the TransitionSystem. It contains the symbols of the module, with unique names, and
+// creates terms over them. A symbol that others read is declared first and gets its value later (`set`). Main: builder
+// of the system. It contains main as a draft, the modules and their instances in main, and the symbols of instances
+// that are visible in main.
 #pragma once
 
 #include <map>
@@ -58,7 +58,8 @@ struct Main {
     TransitionSystem system = {};
     Draft draft{system.exprs};
     UniqueNames module_names = {};
-    std::map<std::pair<Id<Instance>, Id<Symbol>>, Id<Symbol>> members = {};  ///< in main, added on first use
+    /// Symbols of instances in main, added on first use.
+    std::map<std::pair<Id<Instance>, Id<Symbol>>, Id<Symbol>> members = {};
 
     explicit Main(const std::string& name) {
         system.name = name;
@@ -77,7 +78,7 @@ struct Main {
         return system.instances.add({draft.names.fresh(wish), module, {}});
     }
 
-    /// `instance.symbol` in main.
+    /// Returns `instance.symbol` as a symbol of main.
     Id<Symbol> member(Id<Instance> instance, Id<Symbol> symbol) {
         const auto [known, fresh] = members.try_emplace({instance, symbol});
         if (!fresh) return known->second;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Interleaving: one process of the network moves in each step. The choice `move` of main selects it; the modules of the
-// processes implement the moves (automaton_module.hpp). A module moves exactly if main gives it the turn, so no two
-// processes move simultaneously.
+// processes implement the moves (automaton_module.hpp). A module moves exactly if main gives it the turn. Therefore two
+// processes never move simultaneously.
 //
 // Completeness: every run of the network is preserved, because a process that can move may be chosen in every state.
-// Soundness: no run is added, except through time. `none` (and, if clocks count, the tick) can be chosen only if the
-// network lets time pass, that is, if no urgent edge is enabled. Totality: if an urgent edge is enabled, its process
-// can move; otherwise `none` can be chosen. If clocks count, `none` is reserved for states without successors, which
-// repeat.
+// Soundness: no run is added, except through time. `none` (and, if clocks are counted, the tick) can be chosen only if
+// the network lets time pass, that is, if no urgent edge is enabled. Totality: if an urgent edge is enabled, its
+// process can move; otherwise `none` can be chosen. If clocks are counted, `none` is reserved for states without
+// successors, which repeat themselves.
 //
 // The properties are those of the loop, translated to main (properties.hpp); the controllers of the network map the
 // names of the loop to it.
@@ -32,7 +32,7 @@ namespace {
 using namespace schedule;
 using System = TransitionSystem;
 
-/// The variables of main: those that several processes write.
+/// Marks the variables of main: those that several processes write.
 std::vector<bool> shared_variables(const Network& network) {
     std::vector<std::size_t> writers(network.variables.size());
     for (const Id<Network::Process> process : network.processes.ids())
@@ -44,7 +44,8 @@ std::vector<bool> shared_variables(const Network& network) {
 
 // -- choice of the moving process -------------------------------------------------------------------------------------
 
-/// The choice of the moving process; the value `none` follows the processes, and time follows it.
+/// The choice of the moving process. The value `none` follows the values for processes, and the value for time follows
+/// `none`.
 struct Turn {
     Id<Symbol> symbol = {};
     std::size_t processes = 0;
@@ -64,7 +65,7 @@ Turn add_move(Main& main, const Network& network, bool discrete) {
             network.processes.size()};
 }
 
-/// Passes each process, and the clocks, the condition of their turn.
+/// Passes the condition for its turn to each process, and to the clocks.
 void wire_turns(const PlantInstances& plant, const Turn& move, bool discrete) {
     Main& main = plant.main;
     const Network& network = plant.context.network;
@@ -80,7 +81,7 @@ void wire_turns(const PlantInstances& plant, const Turn& move, bool discrete) {
     plant.wire(signals);
 }
 
-/// Conditions for moves and for time to pass, if clocks count.
+/// Conditions under which processes move or time passes, if clocks are counted.
 struct Offers {
     Id<Expr> can_move = {}, can_wait = {};
 };
@@ -107,7 +108,8 @@ Offers add_offers(const PlantInstances& plant, const Turn& move, bool discrete) 
 
 // -- properties -------------------------------------------------------------------------------------------------------
 
-/// Adds the property of the network that expresses `property` by its observer (compose/observe.hpp), and its probes.
+/// Adds the property of the network that expresses `property` in terms of its observer (compose/observe.hpp), and its
+/// probes.
 void add_watched(const LoopMeaning& meaning, const PlantInstances& plant, const Property& property) {
     const Network& network = plant.context.network;
     const auto known = std::ranges::find(network.properties, property.name, &Property::name);
@@ -121,7 +123,7 @@ void add_watched(const LoopMeaning& meaning, const PlantInstances& plant, const 
         if (probed_by(probe) == property.name) add(probe);
 }
 
-/// Properties of the network first, then those with observers.
+/// Adds the properties of the network first, then those with observers.
 void add_queries(LoopMeaning& meaning, const PlantInstances& plant) {
     const ClosedLoop& loop = meaning.loop;
     const Network& network = plant.context.network;
@@ -138,7 +140,7 @@ void add_queries(LoopMeaning& meaning, const PlantInstances& plant) {
     plant.add_range_property();
 }
 
-/// The parts of the network, unless an observer reads all of them.
+/// Returns the parts of the network; empty if an observer reads all of them.
 System::Subsystems parts(const PlantInstances& plant, const Turn& move, const Offers& offers) {
     Main& main = plant.main;
     const bool watched = std::ranges::find(plant.context.network.processes, Network::ProcessKind::Observer,
@@ -155,7 +157,8 @@ System::Subsystems parts(const PlantInstances& plant, const Turn& move, const Of
 
 // -- names for traces -------------------------------------------------------------------------------------------------
 
-/// True in steps in which the PLC takes an edge that calls the procedure; invalid if there is no such procedure.
+/// Returns a condition that is true in steps in which the PLC takes an edge that calls the procedure; invalid if there
+/// is no such procedure.
 Id<Expr> calls(const PlantInstances& plant, Id<Network::Process> plc, Id<Network::Procedure> procedure) {
     if (!procedure.valid()) return {};
     const Network& network = plant.context.network;
@@ -173,7 +176,7 @@ System::Controller words(const PlantInstances& plant, const Network::Controller&
     const std::size_t plc = controller.process.index;
     const auto place = [&](Id<Equations::Variable> id) {
         const Id<Network::Variable> variable = controller.variables[id.index];
-        for (const auto& [known, symbol] : plant.automata[plc].within)  // not part of the state
+        for (const auto& [known, symbol] : plant.automata[plc].within)  // these are not part of the state
             if (known == variable) return plant.main.member(plant.instances[plc], symbol);
         return plant.variables[variable.index];
     };
@@ -197,7 +200,7 @@ TransitionSystem interleaved(const Model& model, const ClosedLoop& loop, std::sp
     wire_turns(plant, move, discrete);
     plant.set_effects();
     const Offers offers = add_offers(plant, move, discrete);
-    if (options.fairness) {  // movements terminate and time diverges: urgent edges are not postponed forever
+    if (options.fairness) {  // movements terminate and time diverges, so that urgent edges are not postponed forever
         plant.add_fairness();
         main.draft.module.justice.push_back(plant.none_urgent());
     }

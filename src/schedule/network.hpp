@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// schedule_network: Network -> TransitionSystem, the closed loop with its plant automata, one of which moves in each
-// step (schedule `interleaved`).
+// schedule_network: translates a Network to a TransitionSystem: the closed loop with its plant automata, one of which
+// moves in each step (schedule `interleaved`).
 //
 // Mapping:
 //   process          an instance of a module, one module per component and set of constants: see automaton_module.hpp.
@@ -15,8 +15,8 @@
 //                    engine. `no deadlock` and `no timelock` become `always possible` an edge, a tick
 //   observer         a module that follows every step
 //
-// The system is total: if an urgent edge is enabled its process can move, otherwise `none` can be chosen; if clocks
-// count, a state without successors repeats itself.
+// The system is total. If an urgent edge is enabled, its process can move; otherwise `none` can be chosen. If clocks
+// are counted, a state without successors repeats itself.
 #pragma once
 
 #include <optional>
@@ -31,8 +31,8 @@
 
 namespace grafverif {
 
-/// Requires that `network` is the result of compose for `loop` and the `equations` of its controllers. Empty after an
-/// error: a variable with too many values for a symbolic model.
+/// Requires that `network` is the result of compose for `loop` and the `equations` of its controllers. The result is
+/// empty after an error: a variable has too many values for a symbolic model.
 std::optional<TransitionSystem> schedule_network(const Model& model, const ClosedLoop& loop,
                                                  std::span<const Equations> equations, const Network& network,
                                                  const ScheduleOptions& options, Diagnostics& diagnostics);

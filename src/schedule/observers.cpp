@@ -11,7 +11,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// `location 101` is not a NuSMV identifier; the state of that name is.
+/// `location 101` is not a NuSMV identifier; the name of the state is.
 std::vector<std::string> value_names(const ClosedLoop::Observer& observer) {
     std::vector<std::string> names;
     for (const auto& [name, origin] : observer.locations) {
@@ -23,10 +23,10 @@ std::vector<std::string> value_names(const ClosedLoop::Observer& observer) {
 
 struct Guarded {
     Id<ClosedLoop::ObserverLocation> from = {}, to = {};
-    Id<Expr> guard = {};  ///< over symbols of main
+    Id<Expr> guard = {};  ///< guard over symbols of main
 };
 
-/// Name of the symbol of the instance, for `instance.symbol` in main.
+/// Returns the name of the symbol in the instance, for `instance.symbol` in main.
 const std::string& own_name(const System& system, const Symbol& symbol) {
     const auto* const member = std::get_if<System::MemberSymbol>(&symbol.kind);
     if (member == nullptr) return symbol.name;
@@ -51,7 +51,7 @@ std::unordered_map<std::uint32_t, Id<Symbol>> add_parameters(Main& main, Id<Syst
     return parameters;
 }
 
-/// Adds an instance without edges. Returns its location, the first symbol of its module, as a symbol of main.
+/// Adds an instance without edges. Returns its location, which is the first symbol of its module, as a symbol of main.
 Id<Symbol> declare(Main& main, const ClosedLoop::Observer& observer) {
     System::Module module{.name = "observer_" + observer.name};
     const auto last = static_cast<std::int64_t>(observer.locations.size()) - 1;
@@ -64,7 +64,7 @@ Id<Symbol> declare(Main& main, const ClosedLoop::Observer& observer) {
     return main.member(instance, location);
 }
 
-/// Adds the edges; `location`: result of `declare`.
+/// Adds the edges. `location` is the result of `declare`.
 void watch(Main& main, Id<Symbol> location, const std::vector<Guarded>& edges) {
     auto& known = std::get<System::MemberSymbol>(main.draft.module.symbols[location].kind);
     System::Module& module = main.system.modules[main.system.instances[known.instance].module];
@@ -85,8 +85,8 @@ void watch(Main& main, Id<Symbol> location, const std::vector<Guarded>& edges) {
     known.symbol = here;
 }
 
-/// Finds the observers that depend, directly or through other observers, on names that the model does not have:
-/// properties cannot read them.
+/// Finds the observers that depend, directly or through other observers, on names that do not exist in the model.
+/// Properties cannot read these observers.
 void find_unobserved(LoopMeaning& meaning) {
     const ClosedLoop& loop = meaning.loop;
     for (bool grew = true; grew;) {

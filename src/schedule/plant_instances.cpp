@@ -13,7 +13,8 @@ namespace {
 
 using System = TransitionSystem;
 
-constexpr std::int64_t most_values = 4096;  // above this NuSMV needs noticeable time for an integer
+// Maximum number of values; for an integer with more values, NuSMV needs noticeable time.
+constexpr std::int64_t most_values = 4096;
 
 }  // namespace
 

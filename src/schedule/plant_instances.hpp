@@ -10,56 +10,57 @@
 
 namespace grafverif::schedule {
 
-/// Signals of a schedule to the modules.
+/// Signals that a schedule passes to the modules.
 struct Signals {
-    std::vector<Id<Symbol>> turns = {};  ///< per process
+    std::vector<Id<Symbol>> turns = {};  ///< turn of each process
     Id<Symbol> first = {}, round = {}, tick = {};
-    Id<Symbol> over = {};  ///< in rounds: all have had their turn
+    Id<Symbol> over = {};  ///< in rounds: true if all processes have had their turn
 };
 
 struct PlantInstances {
     Main& main;
     const AutomatonContext context;
-    std::vector<AutomatonModule> automata = {};                  ///< per process; their modules have been moved into
-                                                                 ///< the system
-    std::vector<Id<TransitionSystem::Instance>> instances = {};  ///< per process
-    std::vector<Id<Symbol>> variables = {};                      ///< per variable of the network: its symbol in main
+    /// Module of each process; its contents have been moved into the system.
+    std::vector<AutomatonModule> automata = {};
+    std::vector<Id<TransitionSystem::Instance>> instances = {};  ///< instance of each process
+    std::vector<Id<Symbol>> variables = {};                      ///< symbol in main for each variable of the network
 
-    /// Adds modules and instances of every process, and variables of main for variables that none of them owns.
-    /// `known`: existing symbols of main by variable of the network (outputs of controllers).
+    /// Adds modules and instances of every process, and variables of main for variables that no process owns. `known`
+    /// contains existing symbols of main for variables of the network (outputs of controllers).
     PlantInstances(Main& main, AutomatonContext context, std::vector<Id<Symbol>> known);
 
-    /// A symbol of the module of a process, as visible in main.
+    /// Returns a symbol of the module of a process as a term of main.
     Id<Expr> inner(std::size_t process, Id<Symbol> symbol) const { return main.inner(instances[process], symbol); }
-    /// The process is in a location.
+    /// Returns the condition that the process is in a location.
     Id<Expr> at(std::size_t process, std::uint32_t location) const {
         const Id<Symbol> held = automata[process].location;
         if (!held.valid()) return main.system.exprs.constant(true);
         return main.draft.is(main.member(instances[process], held), location);
     }
-    /// The symbol of the variable passed to a process as argument number `argument`.
+    /// Returns the symbol of the variable that is argument number `argument` of a process.
     Id<Symbol> argument(std::size_t process, std::size_t argument) const {
         const auto& arguments = context.network.processes[{static_cast<std::uint32_t>(process)}].arguments;
         return variables[std::get<Id<Network::Variable>>(arguments[argument]).index];
     }
-    /// `automata[i].*symbol` for every process that has such a symbol.
+    /// Returns `automata[i].*symbol` for every process that has such a symbol.
     std::vector<Id<Expr>> each(Id<Symbol> AutomatonModule::*symbol) const;
-    /// No process has an enabled urgent edge.
+    /// Returns the condition that no process has an enabled urgent edge.
     Id<Expr> none_urgent() const;
-    /// Names of a process for traces: its location, and its variables that no controller reads or writes.
+    /// Returns the names of a process for traces: its location, and those of its variables that controllers neither
+    /// read nor write.
     TransitionSystem::Component component(std::size_t process) const;
 
-    /// Passes each instance its arguments.
+    /// Passes the arguments to each instance.
     void wire(const Signals& signals) const;
     /// Sets the next values of the variables of main that processes write.
     void set_effects() const;
-    /// One justice condition per movement of the plant and per timer, none for the environment.
+    /// Adds one justice condition per movement of the plant and per timer. There are none for the environment.
     void add_fairness() const;
-    /// `no_out_of_range`, if some automaton can leave a range.
+    /// Adds `no_out_of_range` if some automaton can leave a range.
     void add_range_property() const;
 };
 
-/// `of_NAME` per process: values of the choice of the moving process.
+/// Returns `of_NAME` for each process: the values of the choice of the moving process.
 std::vector<std::string> movers(const Network& network);
 
 /// Reports variables of the network that have too many values for a symbolic model.

@@ -44,7 +44,7 @@ private:
     Id<Expr> inner(std::size_t k, Id<Symbol> symbol) { return main_.inner(instances_[k], symbol); }
     Id<Expr> inner(std::size_t k, Id<Equations::Variable> id) { return inner(k, modules_[k].symbols[id.index]); }
 
-    /// Symbol of the first chart's input with this name.
+    /// Returns the symbol of the first chart's input with this name.
     Id<Symbol> input(const std::string& name) const {
         std::size_t place = 0;
         for (const Equations::Variable& variable : equations_[0]->variables)
@@ -53,7 +53,7 @@ private:
         return inputs_[place];
     }
 
-    /// Inputs are chosen freely for each scan.
+    /// Adds the inputs, which are chosen freely for each scan.
     void add_inputs() {
         for (const Equations::Variable& variable : equations_[0]->variables) {
             if (variable.role != Role::Input) continue;
@@ -93,7 +93,7 @@ private:
         main_.system.instances[instances_[k]].arguments = std::move(arguments);
     }
 
-    /// `count` minus the time until the next scan.
+    /// Returns `count` minus the time until the next scan.
     Id<Expr> counted_down(Id<Expr> count) {
         const Id<Expr> passed = main_.draft.leaf(passed_);
         const Id<Expr> rest = exprs().conditional(exprs().apply(Op::Greater, count, passed),
@@ -106,8 +106,9 @@ private:
         return main_.draft.add(wish, integer_type(0, most), TransitionSystem::StateSymbol{}, "units left of times");
     }
 
-    /// The output of a timer. It observes a step or a level after the last evolution. While the level is false, the
-    /// remaining time is the complete t1. `lasted`: in the previous state, the level was true and t1 had elapsed.
+    /// Adds the output of a timer. It observes a step or a level after the last evolution. While the level is false,
+    /// the remaining time is the complete t1. `lasted` is true if, in the previous state, the level was true and t1 had
+    /// elapsed.
     Id<Symbol> end_of(std::size_t k, Id<Equations::Variable> id) {
         const auto timer = std::ranges::find(equations_[k]->timers, id, &Equations::Timer::end);
         const std::string name = (k == 0 ? "a_" : "b_") + timer->name;
@@ -143,7 +144,8 @@ private:
         return exprs().disjunction(faults);
     }
 
-    /// Quiescent, and the current evolution causes no fault: an output that divides by zero has no value to write.
+    /// Returns the condition that the chart is quiescent and that the current evolution causes no fault: an output that
+    /// divides by zero has no value to write.
     Id<Expr> settled(std::size_t k) {
         const Id<Expr> settled = inner(k, modules_[k].settled);
         const Id<Symbol> faulting = modules_[k].faulting;
@@ -164,7 +166,7 @@ private:
                                                               exprs().conjunction(exprs().negation(waits()), done)});
     }
 
-    /// The constraints of both charts.
+    /// Assumes the constraints of both charts.
     void assume() {
         for (const Equations* chart : equations_)
             for (const Equations::Assumption& assumption : chart->assumptions)
@@ -190,7 +192,7 @@ private:
             }
     }
 
-    /// Some output differs.
+    /// Returns the condition that some output differs.
     Id<Expr> differing() {
         std::vector<Id<Expr>> pairs;
         for (const Id<Equations::Variable> of_a : equations_[0]->variables.ids())
@@ -203,7 +205,7 @@ private:
         return exprs().disjunction(pairs);
     }
 
-    /// True while fewer than `than` scans have been answered.
+    /// Returns the condition that fewer than `than` scans have been answered.
     Id<Expr> scans_are_fewer(std::int64_t than) {
         const Id<Symbol> scans = main_.draft.add("scans", integer_type(0, than), TransitionSystem::StateSymbol{},
                                                  "scans that were begun after the first");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// schedule_both: product of two charts: Equations, Equations -> TransitionSystem. Both are executed scan by scan as by
-// a PLC: inputs are read, the chart computes its outputs, time passes. Inputs and times are arbitrary, but the same for
-// both.
+// schedule_both: translates the Equations of two charts to a TransitionSystem, their product. Both are executed scan by
+// scan as by a PLC: inputs are read, the chart computes its outputs, and time passes. Inputs and times are arbitrary,
+// but the same for both charts.
 //
 // A step of the system is one evolution of both charts or, if both have answered the scan (`waits`), the time until the
 // next scan and its inputs. Under stability search the inputs are constant until both charts are quiescent; a chart
@@ -29,19 +29,19 @@ namespace grafverif {
 
 struct ProductOptions {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    std::int64_t unit_ms = 1;                      ///< divides all durations of both
-    std::optional<std::int64_t> fewer_scans = {};  ///< restricts `same` to runs of fewer scans than this
+    std::int64_t unit_ms = 1;                      ///< divides all durations of both charts
+    std::optional<std::int64_t> fewer_scans = {};  ///< restricts `same` to runs with fewer scans than this
 };
 
 struct ProductMachine {
     TransitionSystem system = {};
-    std::vector<Id<TransitionSystem::Symbol>> inputs = {};  ///< in the order of the first chart
-    Id<TransitionSystem::Symbol> waits = {};                ///< both have answered the scan
+    std::vector<Id<TransitionSystem::Symbol>> inputs = {};  ///< inputs in the order of the first chart
+    Id<TransitionSystem::Symbol> waits = {};                ///< true if both charts have answered the scan
     Id<TransitionSystem::Symbol> passed =
-        {};  ///< in a step from there: time units until the next scan; invalid if there are no timers
+        {};  ///< in a step from such a state: time units until the next scan; invalid if there are no timers
 };
 
-/// Requires equal inputs and outputs with equal types in both, and verify to be empty for both.
+/// Requires that both charts have equal inputs and outputs with equal types, and that verify is empty for both.
 ProductMachine schedule_both(const Equations& a, const Equations& b, const ProductOptions& options);
 
 }  // namespace grafverif

@@ -9,7 +9,8 @@ namespace grafverif::schedule {
 
 namespace {
 
-/// Translates a name of the loop; invalid if it has no meaning in the model, with the reason in `reason`.
+/// Translates a name of the loop. If it has no meaning in the model, the result is invalid, and `reason` receives the
+/// reason.
 Id<Expr> leaf_of(const LoopMeaning& meaning, const ClosedLoop::Symbol& symbol, std::string& reason) {
     const ClosedLoop& loop = meaning.loop;
     const Draft& main = meaning.main.draft;
@@ -55,7 +56,7 @@ Id<Expr> leaf_of(const LoopMeaning& meaning, const ClosedLoop::Symbol& symbol, s
         symbol);
 }
 
-/// Reason why the model does not determine a property; empty if it does.
+/// Returns the reason why the model does not determine a property; empty if it does.
 std::string refusal(const LoopMeaning& meaning, const Property& property) {
     switch (property.pattern) {
     case Pattern::Watched:
@@ -83,7 +84,7 @@ std::string refusal(const LoopMeaning& meaning, const Property& property) {
     unreachable();
 }
 
-/// One `reachable` per step, named `PROP.X7`; with several controllers `PROP.chart.X7`.
+/// Adds one `reachable` per step, named `PROP.X7`, or `PROP.chart.X7` with several controllers.
 void add_all_steps(const LoopMeaning& meaning, const Property& property) {
     for (std::size_t controller = 0; controller < meaning.equations.size(); ++controller) {
         const Equations& equations = meaning.equations[controller];
@@ -126,7 +127,7 @@ void add_property(const LoopMeaning& meaning, const Property& property) {
     if (meaning.checked_when_stable) translated.at_stable = true;
     if (property.pattern == Pattern::ReachableAllSteps) return add_all_steps(meaning, translated);
     if (property.pattern == Pattern::NoDeadlock || property.pattern == Pattern::NoTimelock) {
-        // If no edge is enabled, only time passes until one is; so `possible` is equivalent to `eventually`.
+        // Until an edge is enabled, only time passes. Therefore `possible` is equivalent to `eventually`.
         translated.pattern = Pattern::AlwaysPossible;
         translated.operands = {property.pattern == Pattern::NoDeadlock ? meaning.can_move : meaning.can_wait};
     }

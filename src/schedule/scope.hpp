@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Text: what the verdicts of an untimed model imply for the timed closed loop. One paragraph for the header of the
-// model and for reports; it depends on approach, schedule and type of property.
+// Texts that state the consequences of an untimed model's verdicts for the timed closed loop. A text is one paragraph
+// for the header of the model and for reports. It depends on the approach, the schedule and the type of property.
 #pragma once
 
 #include <span>
@@ -12,11 +12,11 @@
 
 namespace grafverif::schedule {
 
-/// The controllers alone; `constrained`: with constraints on their inputs.
+/// Returns the text for controllers without a plant. `constrained` is true if there are constraints on their inputs.
 std::string controllers_scope(std::span<const ControllerPart> controllers, bool constrained);
-/// Controllers and plant automata, synchronous or sequenced.
+/// Returns the text for controllers and plant automata, synchronous or sequenced.
 std::string together_scope(Schedule schedule, std::span<const ControllerPart> controllers, bool fairness);
-/// The network, one process at a time.
+/// Returns the text for the network, in which one process moves at a time.
 std::string network_scope(const Network& network, const ScheduleOptions& options);
 
 }  // namespace grafverif::schedule

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The general sequencer and the plant sequencer of WODES06, as variables of main: see together.hpp.
+// The general sequencer and the plant sequencer of WODES06, as variables of main (see together.hpp).
 #pragma once
 
 #include "schedule/plant_instances.hpp"
@@ -14,13 +14,14 @@ public:
     Id<Expr> is(std::int64_t state) const { return main_.draft.is(state_, state); }
     enum State : std::int64_t { Controllers, Controlled, InputsRead, Treatment, OutputsWritten, Test };
 
-    /// Its signals to the automata; requires that these are instances of main.
+    /// Returns its signals to the automata. Requires that these are instances of main.
     Signals signals(const PlantInstances& plant);
-    /// The states in which properties are evaluated.
+    /// Returns the condition for states in which properties are evaluated.
     Id<Expr> judged() const;
-    /// Sets its variables. `signals`: result of `signals`; `controllers_settled`: their evolution ends with this step.
+    /// Sets its variables. `signals` is the result of `signals`. `controllers_settled` is true if the evolution of the
+    /// controllers ends with this step.
     void run(const PlantInstances& plant, const Signals& signals, Id<Expr> controllers_settled);
-    /// `plant_settles` and `controllers_settle`.
+    /// Adds `plant_settles` and `controllers_settle`.
     void add_properties() const;
 
 private:

@@ -10,7 +10,8 @@ namespace {
 
 using Subsystem = TransitionSystem::Subsystem;
 
-/// Values that replace the members of omitted instances in main: they cannot and need not move, and all let time pass.
+/// Sets the values that replace the members of omitted instances in main: omitted instances cannot and need not move,
+/// and all let time pass.
 void omit_members(const PlantInstances& plant, const NetworkSubsystems& parts, std::vector<Subsystem>& made) {
     Main& main = plant.main;
     Exprs& exprs = main.system.exprs;

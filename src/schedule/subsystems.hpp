@@ -11,7 +11,8 @@ namespace grafverif::schedule {
 /// Translates a term of the network, over variables and At, to main.
 Id<Expr> over_main(const PlantInstances& plant, Id<Expr> term);
 
-/// At least two parts, or none. `turns`: per process, true in its steps. Requires that main has all its members.
+/// Returns at least two parts, or none. `turns` contains, per process, the condition that is true in its steps.
+/// Requires that main has all its members.
 std::vector<TransitionSystem::Subsystem> interleaved_subsystems(const PlantInstances& plant,
                                                                 const std::vector<Id<Expr>>& turns);
 

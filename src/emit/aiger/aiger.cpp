@@ -42,7 +42,7 @@ public:
     }
 
 private:
-    /// Marks all nodes that the properties depend on, including through latches.
+    /// Marks all nodes on which the properties depend, including dependencies through latches.
     void close() {
         std::vector<Literal> roots;
         for (const AigerProperty& question : questions_) {
@@ -60,7 +60,7 @@ private:
                 roots.push_back(circuit_.latches[i].next);
             }
         }
-        // Keep one input, because a witness without inputs does not determine the length of the run.
+        // Keeps one input, because a witness without inputs does not determine the length of the run.
         const bool some = std::ranges::any_of(circuit_.inputs, [&](const auto& input) { return needed_[input.node]; });
         if (!some && !circuit_.inputs.empty()) needed_[circuit_.inputs.front().node] = true;
     }
@@ -141,7 +141,7 @@ private:
     const std::vector<AigerProperty>& questions_;
     Form form_;
     AigerText written_ = {};
-    std::vector<bool> needed_ = {};  ///< per node
+    std::vector<bool> needed_ = {};  ///< true if the node is needed
     std::vector<std::uint32_t> gates_ = {};
     std::size_t last_ = 0;
 };

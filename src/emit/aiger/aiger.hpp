@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Circuit -> AIGER 1.9 (Biere, Heljanko and Wieringa 2011: "AIGER 1.9 and beyond"), the format of the hardware model
-// checking competition: inputs, latches that start with 0, and-gates. Each state property is a `bad` state, each
-// property of runs a `justice` list; the symbol table names them all.
+// Writes a Circuit as AIGER 1.9 (Biere, Heljanko and Wieringa 2011: "AIGER 1.9 and beyond"), the format of the hardware
+// model checking competition. It has inputs, latches that start with 0, and and-gates. Each state property is a `bad`
+// state, each property of runs a `justice` list. The symbol table names all of them.
 #pragma once
 
 #include <cstddef>
@@ -23,20 +23,21 @@ struct AigerProperty {
 
 struct AigerText {
     std::string text = {};
-    std::vector<std::size_t> inputs = {}, latches = {};  ///< those of the circuit, in the order of the file
-    std::vector<Gates::Literal> literals = {};           ///< per node of the circuit: its literal in the file
+    /// Indices of inputs and latches of the circuit, in the order of the file.
+    std::vector<std::size_t> inputs = {}, latches = {};
+    std::vector<Gates::Literal> literals = {};  ///< literal in the file for each node of the circuit
 };
 
-/// The complete circuit, or the cone of the properties with at least one input if there are inputs.
+/// Selects the complete circuit, or the cone of the properties with at least one input if there are inputs.
 enum class Extent { Whole, Cone };
 AigerText written(const Circuit& circuit, const std::vector<AigerProperty>& questions, Form form, Extent extent);
 
-/// Properties for a model checker: one per target. If a property may be undefined or a variable may leave its range,
-/// also the reachability of this fault.
+/// Returns the properties for a model checker: one per target. If a property may be undefined or a variable may leave
+/// its range, the reachability of this fault is also a property.
 std::vector<AigerProperty> queries_of(const TransitionSystem& system, const FlatSystem& flat, const Circuit& circuit);
 
-/// JSON map from the inputs, latches and properties of the file to the model, and from its steps, inputs and outputs to
-/// the charts.
+/// Returns a JSON map from the inputs, latches and properties of the file to the model, and from its steps, inputs and
+/// outputs to the charts.
 std::string map_of(const TransitionSystem& system, const FlatSystem& flat, const Circuit& circuit,
                    const AigerText& written);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// TransitionSystem -> BTOR2 (Niemetz, Preiner, Wolf and Biere 2018: "BTOR2, BtorMC and Boolector 3.0"), a word-level
-// format. A Boolean is a bit vector of one bit, an integer one in two's complement. Terms are as wide as necessary, so
-// there is no overflow.
+// Writes a TransitionSystem as BTOR2 (Niemetz, Preiner, Wolf and Biere 2018: "BTOR2, BtorMC and Boolector 3.0"), a
+// word-level format. A Boolean is a bit vector of one bit, an integer a bit vector in two's complement. Terms are as
+// wide as necessary, so that no overflow occurs.
 //
 // As in circuit/circuit.hpp, invariants, constraints on steps and ranges are folded into the state `broken`. A state
 // property is a `bad` line, and the state `started` selects first values that are not constant. Properties of runs are
@@ -19,7 +19,7 @@ struct Btor2Text {
     std::string text = {};
     std::vector<NotInCircuit> omitted = {};
 };
-/// Requires verify(system).empty().
+/// Returns the text of the system. Requires verify(system).empty().
 Btor2Text written(const TransitionSystem& system);
 
 }  // namespace grafverif::btor2

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Iteratively orders and positions the items of layers. Each item is attracted to the other ends of its lines,
-// alternately in the previous and the next layer. The positions in a layer are then the nearest ones that keep the
-// order and the gaps (isotonic regression: overlapping items are merged into blocks at the mean of their preferred
-// positions). The iteration with the shortest lines on tracks is used.
+// Orders and positions the items of layers iteratively. Each item is attracted to the other ends of its lines,
+// alternately in the previous and in the next layer. The positions in a layer are then the nearest ones that keep the
+// order and the gaps. They are computed by isotonic regression: overlapping items are merged into blocks at the mean of
+// their preferred positions. The result of the iteration with the shortest lines on tracks is used.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,7 +16,7 @@ namespace grafverif::layout {
 
 namespace {
 
-/// Minimal distance of parallel lines of different nets.
+/// Minimum distance of parallel lines of different nets.
 constexpr int line_gap = 4;
 
 int gap(const Item& above, const Item& below) {
@@ -65,8 +65,8 @@ public:
     }
 
 private:
-    /// Attracts the items of a layer to the other ends of their lines in the previous or next layer; with the last flag
-    /// also reorders them.
+    /// Attracts the items of a layer to the other ends of their lines: in the previous layer if `before`, in the next
+    /// layer if `behind`. If `anew`, the items are also reordered.
     void draw(std::size_t layer, bool before, bool behind, bool anew) {
         std::vector<std::size_t>& order = layers_.order[layer];
         for (const std::size_t item : order) wishes_[item] = {};
@@ -111,10 +111,10 @@ private:
         return wish.weight == 0 ? layers_.items[item].at : wish.sum / wish.weight;
     }
 
-    /// The nearest positions to the preferred ones under the given order and gaps.
+    /// Assigns the positions nearest to the preferred ones under the given order and gaps.
     void place(const std::vector<std::size_t>& order) {
         struct Block {
-            double sum = 0, weight = 0;  ///< of the preferred positions of the first item
+            double sum = 0, weight = 0;  ///< sum over the preferred positions of the first item
             std::size_t items = 0;
             double begin() const { return sum / weight; }
         };
@@ -138,7 +138,7 @@ private:
                 layers_.items[order[k]].at = block.begin() + offsets[k];
     }
 
-    /// Orders rows by the positions of their targets; loops come first, rows without a target last.
+    /// Orders rows by the positions of their targets. Loops come first, and rows without a target come last.
     void lay_rows(std::size_t node) {
         Item& item = layers_.items[node];
         std::vector<std::size_t>& arrows = layers_.arrows[node];
@@ -186,12 +186,12 @@ private:
         }
     }
 
-    /// Aligns the lanes of a backward line, as far as their neighbours allow.
+    /// Aligns the lanes of a backward line, as far as their neighbours permit.
     void straighten_lanes() {
         std::vector<std::size_t> place_of(layers_.items.size());
         for (const std::vector<std::size_t>& order : layers_.order)
             for (std::size_t k = 0; k < order.size(); ++k) place_of[order[k]] = k;
-        std::map<std::size_t, std::vector<std::size_t>> runs;  // lanes by target, in order of layers
+        std::map<std::size_t, std::vector<std::size_t>> runs;  // lanes of each target, in the order of layers
         for (std::size_t layer = 0; layer < layers_.order.size(); ++layer)
             for (const std::size_t item : layers_.order[layer])
                 if (layers_.items[item].lane) runs[layers_.items[item].node].push_back(item);
@@ -214,7 +214,7 @@ private:
         }
     }
 
-    /// Range in which the `k`th item of a layer can be moved.
+    /// Returns the range in which the `k`th item of a layer can be moved.
     Extent room_of(const std::vector<std::size_t>& order, std::size_t k) const {
         constexpr double far = std::numeric_limits<double>::infinity();
         const Item& item = layers_.items[order[k]];
@@ -234,8 +234,8 @@ private:
         return sum;
     }
 
-    /// Rounds positions of the items of a layer, and gives nodes an entry that does not coincide with a line of another
-    /// net.
+    /// Rounds the positions of the items of a layer, and gives each node an entry that does not coincide with a line of
+    /// another net.
     void settle(std::size_t layer) {
         std::map<int, std::size_t> lines;  // incoming lines of the channel before the layer, with their targets
         if (layer > 0)
@@ -254,9 +254,9 @@ private:
         }
     }
 
-    static constexpr int jog = 12;  ///< minimal length of a jog
+    static constexpr int jog = 12;  ///< minimum length of a jog
 
-    /// Position of the line that a lane continues, if it is near `at`.
+    /// Returns the position of the line that a lane continues, if the line is near `at`.
     static int continued(const Item& lane, int at, int least, const std::map<int, std::size_t>& lines) {
         for (auto line = lines.lower_bound(std::max(least, at - jog)); line != lines.end() && line->first <= at + jog;
              ++line)
@@ -264,8 +264,8 @@ private:
         return at;
     }
 
-    /// Finds an entry for lines to an item that begins at `at`: for a lane, this position; for a node, straight on from
-    /// an incoming line, otherwise as near to its middle as possible.
+    /// Determines the entry for lines to an item that begins at `at`. For a lane, it is this position. For a node, it
+    /// is the position of an incoming line, otherwise as near to the middle of the node as possible.
     static bool enter(Item& item, int at, const std::map<int, std::size_t>& lines) {
         constexpr int corner = 8;
         const auto is_free = [&](int place) {
@@ -303,12 +303,12 @@ struct Sides {
     Extent extent = {};
 };
 
-/// Number of `places` inside `extent`.
+/// Returns the number of `places` inside `extent`.
 std::ptrdiff_t within(const std::vector<double>& places, Extent extent) {
     return std::ranges::lower_bound(places, extent.high) - std::ranges::upper_bound(places, extent.low);
 }
 
-/// Number of crossings if the track of `first` precedes that of `second`.
+/// Returns the number of crossings if the track of `first` precedes that of `second`.
 std::ptrdiff_t crossings_between(const Sides& first, const Sides& second) {
     return within(first.far, second.extent) + within(second.near, first.extent);
 }

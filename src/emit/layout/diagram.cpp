@@ -14,7 +14,7 @@ namespace grafverif {
 
 namespace {
 
-/// Groups arrows by target; lines of one pair of nodes are merged.
+/// Groups arrows by target. Lines between the same two nodes are merged.
 class Arrows {
 public:
     void add(std::size_t from, std::size_t to, std::string line) {
@@ -30,7 +30,7 @@ private:
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> known_ = {};
 };
 
-/// A quoted DOT string; lines end with `\n`.
+/// Returns a quoted DOT string. Each line ends with `\n`.
 std::string dot_label(const std::vector<std::string>& lines) {
     std::string text = "\"";
     for (const std::string& line : lines) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Drawings of location automata, Mealy machines (JESA13 Figs. 8, 10, 11) and components: Graphviz DOT, and SVG with
+// Drawings of location automata, Mealy machines (JESA13 Figs. 8, 10, 11) and components: Graphviz DOT, and SVG with a
 // built-in layout.
 //
-// A node is a location: its number and situation, below them the outputs that are set. An arrow is an evolution with
-// its condition; a dashed arrow without target shows inputs for which no stable situation is reached. In a Mealy
-// machine an arrow has a label `condition / outputs`; arrows between the same two states are merged, with one label
-// below the other. A component has its invariants in the nodes and an arrow for each edge: immediate or timed, with its
-// guard and effect.
+// A node is a location. It shows its number and situation, and below them the outputs that are set. An arrow is an
+// evolution with its condition; a dashed arrow without target shows inputs for which no stable situation is reached. In
+// a Mealy machine, an arrow has a label `condition / outputs`. Arrows between the same two states are merged; their
+// labels are placed below each other. In the drawing of a component, nodes show invariants. Each edge has an arrow,
+// which is marked as immediate or timed and shows the guard and the effect.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +36,7 @@ struct Diagram {
     std::string name = {};
     std::vector<Node> nodes = {};
     std::vector<Arrow> arrows = {};
-    bool numbered = true;  ///< nodes are identified by numbers; false: by names
+    bool numbered = true;  ///< true: nodes are identified by numbers; false: by names
     bool operator==(const Diagram&) const = default;
 };
 
@@ -45,12 +45,12 @@ Diagram diagram(const MealyMachine& machine);
 Diagram diagram(const Component& component);
 
 void emit_dot(const Diagram& diagram, std::ostream& out);
-/// A drawing; with more nodes than `largest_drawing` a table. `prefix` is prepended to the ids.
+/// Writes a drawing, or a table if there are more nodes than `largest_drawing`. `prefix` is prepended to all ids.
 void emit_svg(const Diagram& diagram, std::ostream& out, std::string_view prefix = "");
 
-/// Number of nodes above which a drawing is unreadable.
+/// Number of nodes above which a drawing is not readable.
 inline constexpr std::size_t largest_drawing = 60;
-/// Number of nodes above which a table is unreadable; the DOT file can be used with Graphviz.
+/// Number of nodes above which a table is not readable. The DOT file can still be used with Graphviz.
 inline constexpr std::size_t largest_table = 200;
 
 }  // namespace grafverif

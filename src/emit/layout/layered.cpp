@@ -13,11 +13,11 @@ namespace grafverif::layout {
 
 namespace {
 
-constexpr int beside_line = 5;                                       ///< between a label and its line, and the box
-constexpr int loop_depth = 9;                                        ///< between the two lines of a loop
-constexpr int before_tracks = 10, track_gap = 9, after_tracks = 18;  ///< along a channel
+constexpr int beside_line = 5;  ///< space between a label and its line, and between a label and the box
+constexpr int loop_depth = 9;   ///< distance between the two lines of a loop
+constexpr int before_tracks = 10, track_gap = 9, after_tracks = 18;  ///< distances along a channel
 
-/// Conversion between along/across and x/y for both directions.
+/// Conversion between along/across and x/y, for both directions.
 struct Axes {
     Direction direction = Direction::Across;
 
@@ -32,8 +32,8 @@ struct Axes {
     }
 };
 
-/// Distance of each node from the first node. Unreachable nodes are placed after all others, so that no arrow skips a
-/// layer forwards.
+/// Returns the distance of each node from the first node. Unreachable nodes are placed after all others, so that no
+/// forward arrow skips a layer.
 std::vector<std::size_t> depths(const States& states) {
     std::vector<std::vector<std::size_t>> next(states.nodes.size());
     for (const States::Arrow& arrow : states.arrows)
@@ -87,7 +87,8 @@ private:
         if (layers_.depth[arrow.to] <= layer) lead_back(arrow.to, layer);
     }
 
-    /// The net of a node in a channel. A new net starts with the port of the node, if the channel is adjacent to it.
+    /// Returns the net of a node in a channel. If the channel is adjacent to the node, a new net starts with the port
+    /// of the node.
     Net& net(std::size_t channel, std::size_t target) {
         std::vector<Net>& nets = layers_.channels[channel];
         const auto [known, added] = layers_.net_of[channel].try_emplace(target, nets.size());
@@ -98,7 +99,7 @@ private:
         return nets.back();
     }
 
-    /// Adds the missing lanes between the channel after `layer` and the one after the target.
+    /// Adds the missing lanes between the channel after `layer` and the channel after the layer of the target.
     void lead_back(std::size_t target, std::size_t layer) {
         layers_.items[target].is_reached_back = true;
         for (; layer > layers_.depth[target] && lanes_.insert({layer, target}).second; --layer) {
@@ -135,7 +136,7 @@ private:
     const States& states_;
     Axes axes_;
     Layers layers_ = {};
-    std::set<std::pair<std::size_t, std::size_t>> lanes_ = {};  ///< by layer and target
+    std::set<std::pair<std::size_t, std::size_t>> lanes_ = {};  ///< existing lanes by layer and target
 };
 
 /// Converts layers with positioned items into a drawing.
@@ -161,12 +162,12 @@ public:
     }
 
 private:
-    /// Positions along: nodes of a layer, their rows and the channel after it.
+    /// Positions along: those of the nodes of a layer, of their rows, and of the channel after the layer.
     struct Place {
         int nodes = 0, rows = 0, channel = 0;
     };
 
-    /// Returns the start of the next layer.
+    /// Places a layer at `along`. Returns the start of the next layer.
     int place_layer(std::size_t layer, int along) {
         int nodes = 0, rows = 0;
         for (const std::size_t item : layers_.order[layer]) {
@@ -182,7 +183,7 @@ private:
                            : along + before_tracks + static_cast<int>(tracks) * track_gap + after_tracks;
     }
 
-    /// Length of a row with its label.
+    /// Returns the length of a row with its label.
     int length(std::size_t arrow) const { return axes_.along(states_.arrows[arrow].label) + 3 * beside_line; }
 
     int track(std::size_t channel, const Net& net) const {
@@ -229,7 +230,7 @@ private:
         }
     }
 
-    /// Continues the line to a point; points without a turn are omitted.
+    /// Continues the current line to a point. Points without a turn are omitted.
     void to(int along, int across) {
         const Point next = axes_.point(along, across);
         if (!line_.empty() && line_.back() == next) return;
@@ -242,7 +243,7 @@ private:
 
     void add_joints(const Net& net, int along) {
         const auto [low, high] = extent(layers_, net);
-        std::map<int, int> lines;  // lines that leave the track, by position
+        std::map<int, int> lines;  // lines that leave the track, indexed by position
         for (const Port& port : net.near) lines[static_cast<int>(near_place(layers_, port))] |= 1;
         for (const Port& port : net.far) lines[static_cast<int>(far_place(layers_, port))] |= 2;
         for (const auto& [place, sides] : lines)
@@ -254,8 +255,8 @@ private:
     Axes axes_;
     Layers& layers_;
     Layered drawing_ = {};
-    std::vector<Place> places_ = {};  ///< per layer
-    std::vector<Point> line_ = {};    ///< the current line
+    std::vector<Place> places_ = {};  ///< position of each layer
+    std::vector<Point> line_ = {};    ///< points of the current line
 };
 
 }  // namespace

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// layered: layout of a graph of states and arrows in one reading direction.
+// layered: computes the layout of a graph of states and arrows in one reading direction.
 //
-// A layer contains the nodes with equal distance from the first node: an arrow leads to the next layer, stays in its
-// layer or goes back. It leaves its node on the far side, in a separate row, and its label lies along that row. Between
-// the layers is a channel, where arrows to one node join in one line. Arrows from the previous layer enter the node on
-// the near side, all others on the far side, above its rows. A backward line has a separate lane in each layer that it
-// passes.
+// A layer contains the nodes with equal distance from the first node. An arrow leads to the next layer, stays in its
+// layer or leads back. It leaves its node on the far side, in a separate row, and its label lies along that row.
+// Between two layers is a channel, in which arrows to one node join in one line. Arrows from the previous layer enter
+// the node on the near side, all other arrows on the far side, above its rows. A backward line has a separate lane in
+// each layer that it passes.
 //
-// Guaranteed: boxes of nodes and labels do not overlap, and no line runs through one. Lines are horizontal or vertical,
-// and those of different nets meet only in crossings. The result depends only on the graph.
+// Guarantees: boxes of nodes and labels do not overlap, and no line intersects a box. Lines are horizontal or vertical,
+// and lines of different nets meet only in crossings. The result depends only on the graph.
 #pragma once
 
 #include <cstddef>
@@ -23,14 +23,14 @@ struct States {
     struct Arrow {
         std::size_t from = 0, to = 0;
         Size label = {};
-        bool ends = false;  ///< without target
+        bool ends = false;  ///< true if the arrow has no target
     };
     std::vector<Size> nodes = {};
     std::vector<Arrow> arrows = {};
     std::size_t first = 0;
 };
 
-/// Direction in which layers follow each other.
+/// Direction in which the layers follow each other.
 enum class Direction { Across, Down };
 
 struct Layered {
@@ -41,7 +41,7 @@ struct Layered {
     std::vector<Box> nodes = {};
     std::vector<Arrow> arrows = {};
     std::vector<Point> joints = {};  ///< points where arrows to one node join
-    Size size = {};                  ///< the drawing lies between the origin and this corner
+    Size size = {};                  ///< the drawing lies between the origin and this point
 };
 
 Layered layered(const States& states, Direction direction);

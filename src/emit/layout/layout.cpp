@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Label placement: without overlaps, near the labelled element, and if possible not crossed by a link.
+// Label placement: without overlaps, near the labelled element, and if possible without intersecting a link.
 #include "emit/layout/layout.hpp"
 
 #include <algorithm>
@@ -12,19 +12,19 @@
 namespace grafverif::layout {
 namespace {
 
-constexpr std::size_t many_links = 300;  // above this number, links may cross labels
+constexpr std::size_t many_links = 300;  // number of links above which links may cross labels
 
 struct Candidate {
     Box box = {};
     double penalty = 0;
-    bool astray = false;  ///< too far away to be associated at first sight
+    bool astray = false;  ///< true if the label is so far away that its element is not obvious
 };
 
 Box centred(Vector centre, Size size) {
     return {point({centre.x - size.width / 2.0, centre.y - size.height / 2.0}), size};
 }
 
-/// The box with a margin.
+/// Returns the box with a margin.
 Box aired(const Box& box) {
     constexpr int air = 4;
     return {{box.at.x - air, box.at.y - air}, {box.size.width + 2 * air, box.size.height + 2 * air}};
@@ -32,7 +32,7 @@ Box aired(const Box& box) {
 
 bool is_empty(Size size) { return size.width == 0 || size.height == 0; }
 
-/// Around a node: above, below, at the corners, at the sides; then farther away.
+/// Returns candidate positions around a node: above, below, at the corners and at the sides, then farther away.
 std::vector<Candidate> around(Vector node, Size size) {
     static constexpr std::array<Vector, 8> sides = {
         {{0, -1}, {0, 1}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}, {1, 0}, {-1, 0}}};
@@ -51,7 +51,7 @@ std::vector<Candidate> around(Vector node, Size size) {
     return list;
 }
 
-/// Next to the middle of a link, on its outer and inner side.
+/// Returns candidate positions next to the middle of a link, on its outer and inner side.
 std::vector<Candidate> along(const Route& route, Size size) {
     std::vector<Candidate> list;
     for (const double gap : {5.0, 14.0, 30.0}) {
@@ -66,7 +66,7 @@ std::vector<Candidate> along(const Route& route, Size size) {
     return list;
 }
 
-/// Beyond the tip of a loop.
+/// Returns candidate positions beyond the tip of a loop.
 std::vector<Candidate> beyond(const Route& route, Size size) {
     std::vector<Candidate> list;
     const Vector across = normal(route.outward);
@@ -180,7 +180,7 @@ Drawing draw(const Graph& graph) {
     for (std::size_t i = 0; i < scales.size(); ++i) {
         const Skeleton lines = skeleton(graph, order, scales[i]);
         Attempt attempt;
-        attempt.drawing.nodes.reserve(graph.nodes.size());  // labels refer to nodes by address
+        attempt.drawing.nodes.reserve(graph.nodes.size());  // reserved because labels refer to nodes by address
         attempt.drawing.links.reserve(graph.links.size());
         Placer(graph, lines).place(attempt);
         const auto faults = [](const Attempt& a) { return std::pair(a.homeless.size(), a.crossings + a.astray); };

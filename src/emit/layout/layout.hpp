@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// layout: positions of nodes, links and labels of a small drawing, such as an automaton in an editor.
+// layout: computes positions of nodes, links and labels of a small drawing, such as an automaton in an editor.
 //
 // Nodes are placed on a line if the links form a path, otherwise on an ellipse, in an order that keeps links short.
-// Links between the same two nodes run in parallel lanes, loops are petals that point into the widest gap around their
-// node. Labels are then placed one by one, each at the first of its candidate positions that overlaps nothing and is
-// crossed by no link. If a label finds none, the drawing is stretched and the layout repeated; the best attempt is
-// used. A label that still has no position (not observed on charts of the samples) is put below the drawing.
+// Links between the same two nodes run in parallel lanes. Loops are petals that point into the widest gap around their
+// node. Labels are then placed one by one. Each label is placed at the first of its candidate positions at which it
+// overlaps no other element and intersects no link. If there is no such position for a label, the drawing is stretched
+// and the layout repeated; the best attempt is used. A label that still has no position is placed below the drawing.
+// This does not occur for the charts of the samples.
 //
-// Guaranteed: boxes of nodes and labels do not overlap. The result depends only on the graph.
+// Guarantee: boxes of nodes and labels do not overlap. The result depends only on the graph.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +17,7 @@
 namespace grafverif::layout {
 
 struct Point {
-    int x = 0, y = 0;  ///< pixels; y grows downwards
+    int x = 0, y = 0;  ///< position in pixels; y grows downwards
     bool operator==(const Point&) const = default;
 };
 
@@ -26,19 +27,19 @@ struct Size {
 };
 
 struct Box {
-    Point at = {};  ///< upper left corner
+    Point at = {};  ///< upper-left corner
     Size size = {};
 };
 
 bool overlap(const Box& left, const Box& right);
 
-/// The graph to draw. An empty size means no label.
+/// The graph to draw. An empty label size means that there is no label.
 struct Graph {
     struct Link {
         std::size_t from = 0, to = 0;
         Size label = {};
     };
-    std::vector<Size> nodes = {};  ///< label size of each node
+    std::vector<Size> nodes = {};  ///< size of the label of each node
     std::vector<Link> links = {};
 };
 
@@ -56,7 +57,7 @@ struct Drawing {
 
 inline constexpr int node_radius = 14;
 
-/// The square around a node.
+/// Returns the square around a node.
 Box node_box(Point centre);
 
 Drawing draw(const Graph& graph);

@@ -14,11 +14,12 @@ std::uint64_t key(int column, int row) {
     return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(column)) << 32U) | static_cast<std::uint32_t>(row);
 }
 
-/// True if the segment intersects the box: the part of it inside each of the four half planes is not empty.
+/// True if the segment intersects the box. This is the case if the part of the segment inside all four half planes is
+/// not empty.
 bool runs_through(const Segment& segment, const Box& box) {
     const Vector step = segment.to - segment.from;
     double first = 0, last = 1;
-    const auto clip = [&](double slope, double room) {  // keeps the t with slope * t <= limit
+    const auto clip = [&](double slope, double room) {  // keeps the values t with slope * t <= limit
         if (std::abs(slope) < 1e-9) return room >= 0;
         if (slope > 0) last = std::min(last, room / slope);
         else first = std::max(first, room / slope);

@@ -25,7 +25,7 @@ inline Vector direction(double angle) { return {std::cos(angle), std::sin(angle)
 inline Vector vector(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 inline Point point(Vector a) { return {static_cast<int>(std::lround(a.x)), static_cast<int>(std::lround(a.y))}; }
 
-/// Extent of a box from its centre in the direction `along`.
+/// Returns the distance from the centre of a box to its border in the direction `along`.
 inline double reach(Size size, Vector along) {
     return (std::abs(along.x) * size.width + std::abs(along.y) * size.height) / 2;
 }
@@ -34,16 +34,16 @@ struct Segment {
     Vector from = {}, to = {};
 };
 
-/// The boxes and lines drawn so far. Boxes are indexed by the squares of a grid that they touch.
+/// The boxes and lines placed so far. Boxes are indexed by the squares of a grid that they touch.
 class Plane {
 public:
     void add(const Box& box);
     void add(const Segment& segment) { segments_.push_back(segment); }
 
     bool is_free(const Box& box) const;
-    /// Number of lines that intersect the box.
+    /// Returns the number of lines that intersect the box.
     int crossings(const Box& box) const;
-    /// The largest y of all boxes.
+    /// Returns the maximum y of all boxes.
     int bottom() const { return bottom_; }
     int left() const { return left_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Order and positions of the nodes, lanes of parallel links and directions of loops.
+// Computes the order and positions of the nodes, the lanes of parallel links and the directions of loops.
 #include "emit/layout/skeleton.hpp"
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace {
 using Pair = std::pair<std::size_t, std::size_t>;
 
 constexpr double pi = std::numbers::pi;
-constexpr std::size_t longest_line = 6;   // nodes; a longer path is drawn as a ring
-constexpr std::size_t fully_ordered = 8;  // maximal number of nodes for which every order on the ring is tried
+constexpr std::size_t longest_line = 6;   // maximum number of nodes on a line; a longer path is drawn as a ring
+constexpr std::size_t fully_ordered = 8;  // maximum number of nodes for which every order on the ring is tried
 constexpr std::size_t somewhat_ordered = 30;
 constexpr double lane_offset = 16;
 constexpr double label_gap = 6;
@@ -28,7 +28,7 @@ std::set<Pair> connections(const Graph& graph) {
     return pairs;
 }
 
-/// Per node: its neighbours.
+/// Returns the neighbours of each node.
 std::vector<std::vector<std::size_t>> neighbours(std::size_t nodes, const std::set<Pair>& pairs) {
     std::vector<std::vector<std::size_t>> next(nodes);
     for (const auto& [a, b] : pairs) {
@@ -38,7 +38,7 @@ std::vector<std::vector<std::size_t>> neighbours(std::size_t nodes, const std::s
     return next;
 }
 
-/// The nodes from one end of the path to the other; empty if the links do not form a path over all nodes.
+/// Returns the nodes from one end of the path to the other; empty if the links do not form a path over all nodes.
 std::vector<std::size_t> path_order(std::size_t nodes, const std::set<Pair>& pairs) {
     if (nodes == 0 || nodes > longest_line || pairs.size() + 1 != nodes) return {};
     const std::vector<std::vector<std::size_t>> next = neighbours(nodes, pairs);
@@ -59,7 +59,7 @@ std::vector<std::size_t> path_order(std::size_t nodes, const std::set<Pair>& pai
     return order.size() == nodes ? order : std::vector<std::size_t>{};
 }
 
-/// Sum of the squared distances of linked nodes on the ring; squares penalize long links.
+/// Returns the sum of the squared distances of linked nodes on the ring. Squares penalize long links.
 std::size_t spread(const std::vector<std::size_t>& order, const std::set<Pair>& pairs) {
     std::vector<std::size_t> place(*std::ranges::max_element(order) + 1);
     for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
@@ -72,7 +72,7 @@ std::size_t spread(const std::vector<std::size_t>& order, const std::set<Pair>& 
     return sum;
 }
 
-/// The order of nodes on the ring: as written, unless another one has shorter links.
+/// Returns the order of nodes on the ring: the given order, unless another one has shorter links.
 std::vector<std::size_t> ring_order(std::vector<std::size_t> best, const std::set<Pair>& pairs) {
     const std::size_t nodes = best.size();
     if (nodes <= 3) return best;
@@ -102,7 +102,7 @@ std::vector<std::size_t> ring_order(std::vector<std::size_t> best, const std::se
     return best;
 }
 
-/// Nodes with one neighbour are placed outside the ring, as long as the others form one.
+/// Places nodes with one neighbour outside of the ring, provided that the other nodes form a ring.
 Arrangement ring_with_pendants(std::size_t nodes, const std::set<Pair>& pairs) {
     const std::vector<std::vector<std::size_t>> next = neighbours(nodes, pairs);
     const auto is_pendant = [&](std::size_t node) {
@@ -146,7 +146,8 @@ std::vector<Vector> on_ring(const Graph& graph, const std::vector<std::size_t>& 
     const auto count = static_cast<double>(order.size());
     const double side = scale * std::clamp(0.75 * widest(graph), 170.0, 320.0);
     const double radius = side / (2 * std::sin(pi / count));
-    const double start = -pi / 2 - (order.size() % 2 == 0 ? pi / count : 0);  // an even ring has a flat top
+    // A ring with an even number of nodes has a flat top.
+    const double start = -pi / 2 - (order.size() % 2 == 0 ? pi / count : 0);
     std::vector<Vector> places(graph.nodes.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
         const Vector towards = direction(start + 2 * pi * static_cast<double>(i) / count);
@@ -155,7 +156,8 @@ std::vector<Vector> on_ring(const Graph& graph, const std::vector<std::size_t>& 
     return places;
 }
 
-/// Places pendant nodes next to their neighbours, away from the centre; several pendants of one neighbour fan out.
+/// Places pendant nodes next to their neighbours, in the direction away from the centre. Several pendants of one
+/// neighbour fan out.
 void place_pendants(const Graph& graph, const std::vector<Arrangement::Pendant>& pendants, double scale,
                     std::vector<Vector>& places) {
     constexpr double fan = 0.7;
@@ -174,7 +176,7 @@ void place_pendants(const Graph& graph, const std::vector<Arrangement::Pendant>&
     }
 }
 
-/// Positions of the nodes, on a grid of eight pixels.
+/// Returns the positions of the nodes, on a grid of eight pixels.
 std::vector<Vector> places(const Graph& graph, const Arrangement& arrangement, double scale) {
     std::vector<Vector> list =
         arrangement.line ? on_line(graph, arrangement.order, scale) : on_ring(graph, arrangement.order, scale);
@@ -191,13 +193,13 @@ bool is_roomy(const std::vector<Vector>& places) {
     return true;
 }
 
-/// The links between two nodes, by the side on which they run.
+/// The links between two nodes, grouped by the side on which they run.
 struct Bundle {
     std::vector<std::size_t> outer = {}, inner = {};
 };
 
-/// Links forward in the order of the nodes run outside, backward links inside; if all have the same direction, they are
-/// distributed over both sides.
+/// Distributes the links between two nodes: links that are forward in the order of the nodes run outside, backward
+/// links inside. If all have the same direction, they are distributed over both sides.
 std::map<Pair, Bundle> bundles(const Graph& graph, const Arrangement& arrangement) {
     std::vector<std::size_t> place(graph.nodes.size());
     for (std::size_t i = 0; i < arrangement.order.size(); ++i) place[arrangement.order[i]] = i;
@@ -254,8 +256,8 @@ public:
     }
 
 private:
-    /// Normal of the straight link of a pair, pointing away from the centre; upwards if the link runs through the
-    /// centre.
+    /// Returns the normal of the straight link of a pair. It points away from the centre, or upwards if the link runs
+    /// through the centre.
     Vector outward(const Pair& pair) const {
         const Vector a = skeleton_.nodes[pair.first], b = skeleton_.nodes[pair.second];
         const Vector across = unit(normal(b - a));
@@ -300,7 +302,8 @@ private:
             angles_[node].push_back(std::remainder(side, 2 * pi));
     }
 
-    /// The middle of the widest gap between `angles`; of equal gaps the one nearest to upwards.
+    /// Returns the middle of the widest gap between `angles`. If several gaps are equal, the one nearest to the upward
+    /// direction is used.
     static double widest_gap(std::vector<double> angles) {
         if (angles.empty()) return -pi / 2;
         std::ranges::sort(angles);

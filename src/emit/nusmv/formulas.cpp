@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks formulas for external tools against the model that they are written into, because NuSMV rejects a complete
+// Checks formulas for external tools against the model into which they are written. NuSMV would reject the complete
 // model for one unknown name.
 #include <algorithm>
 #include <functional>
@@ -21,7 +21,7 @@ namespace {
 using System = TransitionSystem;
 using Type = FormulaName::Type;
 
-/// The names of a model with their meaning.
+/// The names of a model and what they denote.
 class KnownNames {
 public:
     explicit KnownNames(const System& system) : system_(system) {
@@ -63,7 +63,7 @@ private:
         return here.type.boolean ? Type::Boolean : Type::Number;
     }
 
-    /// True if its value in a state depends on a choice of the step.
+    /// True if the value in a state depends on a choice of the step.
     bool is_of_steps(Place place) const {
         System seen = system_;
         Table<System::Symbol>& main = seen.modules[seen.main].symbols;
@@ -83,7 +83,7 @@ private:
     std::unordered_set<std::string> values_ = {};
 };
 
-/// `system` with those properties omitted for which `fault` returns a reason.
+/// Returns `system` without the properties for which `fault` returns a reason.
 System without_faulty(System system, const std::function<std::optional<std::string>(const Property&)>& fault) {
     Table<Property> kept;
     std::vector<System::Omitted> omitted;

@@ -30,13 +30,13 @@ struct ModulePrinter {
     const System::Module& module() const { return system.modules[id]; }
     const std::string& name(Id<System::Symbol> symbol) const { return names.symbols[id.index][symbol.index]; }
     const Exprs& exprs() const { return values.exprs(); }
-    /// `value` in the notation of the model: values with names, of the type of `symbol` if given, are replaced by
-    /// these.
+    /// Returns `value` in the notation of the model. If values have names, these replace the numbers. `symbol`, if
+    /// given, determines the type.
     Id<Expr> written(Id<Expr> value, Id<System::Symbol> symbol = {}) const { return values.named(id, value, symbol); }
     void print(Id<Expr> value) const { print_expr(out, exprs(), value, nusmv_spelling, leaf); }
 };
 
-/// The keyword of a part, written before the first entry; a comment before each section of entries.
+/// Prints the keyword of a part before its first entry, and a comment before each section of entries.
 struct SectionPrinter {
     std::ostream& out;
     const char* keyword = "";
@@ -51,7 +51,7 @@ struct SectionPrinter {
     }
 };
 
-/// Prints a value of `symbol`; more than two cases are printed as `case`.
+/// Prints a value of `symbol`. A value with more than two cases is printed as `case`.
 void print_value(const ModulePrinter& printer, Id<System::Symbol> symbol, Id<Expr> value) {
     const Exprs& exprs = printer.exprs();
     value = printer.written(value, symbol);
@@ -122,7 +122,7 @@ void print_choices(const ModulePrinter& printer) {
     }
 }
 
-/// The heading in main for each of its instances.
+/// Returns the heading in main for each of its instances.
 std::vector<std::string_view> headings(const System& system) {
     const char* of_charts = system.controllers.size() > 1 ? "the controllers" : "the controller";
     std::vector<std::string_view> found(system.instances.size(),
@@ -172,7 +172,7 @@ void print_assignments(const ModulePrinter& printer) {
             print_value(printer, id, value);
             printer.out << ";\n";
         };
-        // NuSMV treats a variable with a single value as a constant and rejects assignments to it.
+        // NuSMV treats a variable with a single value as a constant, and rejects assignments to it.
         if (state == nullptr || symbol.type.low == symbol.type.high) continue;
         if (state->initial) assignment("init", *state->initial);
         if (state->next) assignment("next", *state->next);

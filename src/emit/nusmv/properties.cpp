@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Prints properties as specifications. `AG x -> y` would be parsed as `(AG x) -> y`, so operands are always bracketed.
+// Prints properties as specifications. Operands are always in parentheses, because `AG x -> y` would be parsed as `(AG
+// x) -> y`.
 //
-// A specification of SMV is true if every initial state satisfies it; under fairness, every initial state of a fair
-// run. This is the meaning of all patterns except `reachable`: `EF p` is false if p is reachable from one initial state
-// but not from another, and if there is no fair run it is vacuously true. So `reachable p` is written as `never p`.
+// A specification of SMV is true if every initial state satisfies it; under fairness, only initial states of fair runs
+// are considered. This is the meaning of all patterns except `reachable`. `EF p` is false if p is reachable from one
+// initial state but not from another, and it is vacuously true if there is no fair run. Therefore `reachable p` is
+// written as `never p`.
 #include <ostream>
 
 #include "emit/nusmv/text.hpp"
@@ -33,7 +35,7 @@ struct Printer {
         return '(' + text(term) + ')';
     }
 
-    /// `term`, restricted to quiescent states if the property is `at stable`; bracketed.
+    /// Returns `term` in parentheses, restricted to quiescent states if the property is `at stable`.
     std::string judged(const Property& property, Id<Expr> term) const {
         if (!property.at_stable) return bracketed(term);
         return '(' + bracketed(system.settled) + " & " + bracketed(term) + ')';
@@ -46,7 +48,7 @@ struct Printer {
         return "count(" + list + ") = 1";
     }
 
-    /// `settled -> (invariant)` if the property is `at stable`.
+    /// Returns `settled -> (invariant)` if the property is `at stable`, otherwise the invariant.
     std::string invariant(const Property& property, const std::string& condition) const {
         return property.at_stable ? bracketed(system.settled) + " -> (" + condition + ')' : condition;
     }
@@ -75,7 +77,7 @@ Specification specification(const Printer& printer, const Property& property) {
     case Pattern::NoTimelock:
     case Pattern::Watched:
     case Pattern::ReachableAllSteps:
-    case Pattern::RawUppaal: break;  // never in a TransitionSystem (verify)
+    case Pattern::RawUppaal: break;  // does not occur in a TransitionSystem (verify)
     }
     unreachable();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Maps the elements of a flat system to the names in the model that `emit` writes, to read NuSMV's traces.
+// Maps the elements of a flat system to the names in the model that `emit` writes, for reading NuSMV's traces.
 #include "emit/nusmv/nusmv.hpp"
 #include "emit/nusmv/text.hpp"
 

@@ -11,7 +11,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// Legal names for `names`; changed ones are recorded under `scope`.
+/// Returns legal names for `names`. Changed names are recorded under `scope`.
 std::vector<std::string> legal(Names& result, const std::string& scope, const std::vector<std::string>& names) {
     std::vector<std::string> made = legal_names(Target::Nusmv, names);
     std::vector<Renaming> changes = renamings(names, made);
@@ -19,7 +19,7 @@ std::vector<std::string> legal(Names& result, const std::string& scope, const st
     return made;
 }
 
-/// Names of the symbols of a module; in main followed by those of instances, which share the scope.
+/// Names the symbols of a module; in main, also the instances, which share its scope.
 void name_symbols(Names& result, const System& system, Id<System::Module> id) {
     const System::Module& module = system.modules[id];
     std::vector<std::string> wishes;
@@ -50,7 +50,8 @@ void name_members(Names& result, const System& system) {
     }
 }
 
-/// One name per named value, different from the symbols of all modules, because NuSMV's constants are global.
+/// Chooses one name per named value. The name differs from the symbols of all modules, because NuSMV's constants are
+/// global.
 void name_values(Names& result, const System& system) {
     std::vector<std::string> wishes;
     for (const System::Module& module : system.modules)
@@ -65,7 +66,7 @@ void name_values(Names& result, const System& system) {
     if (!changes.empty()) result.changed.push_back({"of values", std::move(changes)});
 }
 
-/// Name of the specification of a property: `reachable p` is negated, which the name reflects.
+/// Returns the name of the specification of a property. `reachable p` is negated, and its name indicates this.
 std::string specification_name(const Property& property) {
     return property.pattern == Pattern::Reachable ? "never_" + property.name : property.name;
 }
@@ -90,7 +91,7 @@ Id<Expr> NamedValues::named(Id<System::Module> module, Id<Expr> term, Id<System:
     if (names_.values.empty()) return term;
     const auto [known, fresh] = known_.try_emplace(Key{module, term, symbol});
     if (fresh) {
-        const Id<Expr> made = rewritten(module, term, symbol);  // may add to `known_`
+        const Id<Expr> made = rewritten(module, term, symbol);  // may insert into `known_`
         known_[Key{module, term, symbol}] = made;
         return made;
     }

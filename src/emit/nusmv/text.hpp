@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shared parts of the NuSMV emitter: the names of all entities, and line breaking.
+// Parts that the NuSMV emitters share: the names of all elements, and line breaking.
 #pragma once
 
 #include <iosfwd>
@@ -18,13 +18,14 @@ namespace grafverif::nusmv {
 
 struct Names {
     std::vector<std::string> modules = {};
-    std::vector<std::vector<std::string>> symbols = {};  ///< per module; for a member `instance.symbol`
+    /// Names of the symbols per module; `instance.symbol` for a member.
+    std::vector<std::vector<std::string>> symbols = {};
     std::vector<std::string> instances = {};
-    std::vector<std::string> properties = {};  ///< names of their specifications; `never_P` for a `reachable` P
+    std::vector<std::string> properties = {};  ///< names of the specifications; `never_P` for `reachable` P
     /// Named values, which are global constants in NuSMV: their names, and the index of each name.
     std::vector<std::string> values = {};
     std::unordered_map<std::string, std::size_t> value_places = {};
-    /// Changed names, per scope.
+    /// Names that were changed, per scope.
     struct Changed {
         std::string scope = {};
         std::vector<Renaming> renamings = {};
@@ -34,15 +35,15 @@ struct Names {
 
 Names names_of(const TransitionSystem& system);
 
-/// The terms of a system as they are printed: numbers that denote named values become leaves with indices after the
-/// symbols of their module.
+/// The terms of a system in printed form. Numbers that denote named values become leaves whose indices follow those of
+/// the symbols of their module.
 class NamedValues {
 public:
     NamedValues(const TransitionSystem& system, const Names& names)
         : system_(system), names_(names), exprs_(system.exprs) {}
 
     const Exprs& exprs() const { return exprs_; }
-    /// `term` of `module`; `symbol`: the symbol whose value it is, if any.
+    /// Returns `term` of `module` in printed form. `symbol` is the symbol whose value it is, if any.
     Id<Expr> named(Id<TransitionSystem::Module> module, Id<Expr> term, Id<TransitionSystem::Symbol> symbol = {});
 
 private:
@@ -59,10 +60,10 @@ private:
     std::map<Key, Id<Expr>> known_ = {};
 };
 
-/// Prints the leaves of terms of `module`.
+/// Returns a printer for the leaves of terms of `module`.
 LeafPrinter leaf_printer(const Names& names, Id<TransitionSystem::Module> module);
 
-/// `text` as a comment with lines of at most 100 columns.
+/// Prints `text` as a comment with lines of at most 100 columns.
 void print_comment(std::ostream& out, std::string_view text);
 
 /// Prints the specifications of main, in the order of the properties.

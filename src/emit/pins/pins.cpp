@@ -18,9 +18,9 @@ namespace grafverif::pins {
 
 namespace {
 
-constexpr std::size_t least_slots = 2;  // minimum of pins2lts-dist
+constexpr std::size_t least_slots = 2;  // minimum number of slots for pins2lts-dist
 
-/// C operators; arithmetic by functions that detect undefined values, and brackets that avoid compiler warnings.
+/// C operators. Arithmetic uses functions that detect undefined values; parentheses avoid compiler warnings.
 Spelling spelling(Op op) {
     switch (op) {
     case Op::Not: return {"!", uppaal_spelling(op).precedence, "(", ")"};
@@ -34,7 +34,7 @@ Spelling spelling(Op op) {
     }
 }
 
-/// `text` escaped for a C string or comment.
+/// Returns `text`, escaped for a C string or comment.
 std::string harmless(std::string_view text) {
     std::string result;
     for (const char character : printable(text)) {
@@ -375,7 +375,7 @@ void Writer::write_model() {
         out_ << "    \"breaks_off\",\n";
     });
     list("move_names", [&] {
-        UniqueNames unique;  // unique, because LTSmin numbers chunks by value
+        UniqueNames unique;  // names must be unique, because LTSmin numbers chunks by value
         for (const Group& group : groups_) fmt::print(out_, "    \"{}\",\n", unique.fresh(name_of(group)));
         out_ << "    \"time passes\",\n";
     });

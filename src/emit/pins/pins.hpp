@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Network -> a C file with the partitioned next-state interface (PINS) of LTSmin (A. Blom, J. van de Pol, M. Weber:
-// LTSmin: distributed and symbolic reachability, CAV 2010). Its multi-core, symbolic and distributed engines can
-// explore state spaces that exceed the memory of one machine.
+// Writes a Network as a C file with the partitioned next-state interface (PINS) of LTSmin (A. Blom, J. van de Pol, M.
+// Weber: LTSmin: distributed and symbolic reachability, CAV 2010). The multi-core, symbolic and distributed engines of
+// LTSmin can explore state spaces that exceed the memory of one machine.
 //
 // Mapping:
 //   location, variable, clock   a slot of the state, if it has at least two values; clocks are capped per location as
@@ -22,7 +22,7 @@
 
 namespace grafverif::pins {
 
-/// The C file. Requires verify(network).empty().
+/// Writes the C file. Requires verify(network).empty().
 void emit(const Network& network, std::ostream& out);
 
 }  // namespace grafverif::pins

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The slots of a state: the position of each location, variable and clock of an expanded network, and the slots that
-// terms and edges read and write.
+// The slots of a state: positions of each location, variable and clock of an expanded network. Also determines the
+// slots that terms and edges read and write.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace grafverif::pins {
 using Slot = std::uint32_t;
 using SlotSet = std::set<Slot>;
 
-/// `name` with all characters except letters and digits replaced by `_`.
+/// Returns `name` with all characters except letters and digits replaced by `_`.
 std::string identifier(std::string name);
 
 struct Slots {
@@ -26,22 +26,23 @@ struct Slots {
 
     const Network& network;
     std::vector<ProcessClocks> caps;
-    std::vector<std::string> names = {};  ///< per slot of a state: unique, of letters, digits and `_`
+    std::vector<std::string> names = {};  ///< name of each slot of a state: unique, with letters, digits and `_`
     std::vector<std::int64_t> initial = {};
-    std::uint32_t scratch = 0;                        ///< number of additional slots for temporary values within a move
-    std::vector<std::optional<Slot>> locations = {};  ///< per process; empty if it has one location
-    std::vector<std::optional<Slot>> variables = {};  ///< per variable; empty if it has one value
-    std::vector<std::vector<std::optional<Slot>>> clocks = {};  ///< per process and clock; empty if it is never
-                                                                ///< compared
+    std::uint32_t scratch = 0;                        ///< number of additional slots for temporary values during a move
+    std::vector<std::optional<Slot>> locations = {};  ///< slot of each process; empty if it has only one location
+    std::vector<std::optional<Slot>> variables = {};  ///< slot of each variable; empty if it has only one value
+    /// Slot per process and clock; empty if the clock is never compared.
+    std::vector<std::vector<std::optional<Slot>>> clocks = {};
 
     const Network::Template& automaton(Id<Network::Process> process) const {
         return network.templates[network.processes[process].automaton];
     }
-    /// The slots of the state that a term of the network reads.
+    /// Returns the slots of the state that a term of the network reads.
     SlotSet read_by(const Exprs& exprs, Id<Expr> term) const;
-    /// The assignments of an edge, followed by those of the procedures that it calls.
+    /// Returns the assignments of an edge, followed by those of the procedures that it calls.
     std::vector<Network::Assignment> effect(Id<Network::Process> process, const Network::Edge& edge) const;
-    /// Bounds of an edge per clock: of its constraint, and of its target's invariant for clocks that it does not reset.
+    /// Returns the bounds of an edge per clock: those of its constraint and, for clocks that it does not reset, those
+    /// of its target's invariant.
     std::vector<ClockInterval> tested(Id<Network::Process> process, const Network::Edge& edge) const;
 };
 
@@ -49,7 +50,7 @@ struct Slots {
 struct Reach {
     SlotSet reads = {}, writes = {};
 };
-/// Slots that determine if the edge is enabled.
+/// Returns the slots that determine if the edge is enabled.
 Reach enabling(const Slots& slots, Id<Network::Process> process, const Network::Edge& edge);
 Reach reach(const Slots& slots, Id<Network::Process> process, const Network::Edge& edge);
 Reach reach_of_time(const Slots& slots);

@@ -8,8 +8,8 @@
 //     update the timers                         update the timers
 //
 // Time is constant within a cycle, as in the equations: the output of a timer is sampled once, at the start of the
-// cycle; after that it changes only as a consequence of evolutions. A TON whose input becomes FALSE and TRUE again
-// within one cycle restarts.
+// cycle, and then changes only as a consequence of evolutions. A TON whose input becomes FALSE and TRUE again within
+// one cycle restarts.
 //
 // REPEAT is not used: a published version of MATIEC compiles `UNTIL c` as `while (c)`, without the negation.
 #include "emit/structured_text/body.hpp"
@@ -80,7 +80,7 @@ private:
         line("{} := {}.Q;", end, timer.off.empty() ? timer.on : timer.off);
     }
 
-    /// Condition that the observed term has lasted for the rise time.
+    /// Returns the condition that the observed term has lasted for the rise time.
     const std::string& lasted(std::size_t k) const {
         const TimerNames& timer = names_.timers[k];
         return timer.lasted.empty() ? stored_in(equations_.timers[k].watched) : timer.lasted;
@@ -139,7 +139,7 @@ private:
         change(&Fault::first, &Kept::first, {});
     }
 
-    /// Prints the faults and the values after the evolution that the members select; `title` precedes the values.
+    /// Prints the faults and values after the evolution, which the member pointers select. `title` precedes the values.
     void change(Id<Expr> Fault::*condition, Id<Expr> Kept::*value, std::string_view title) {
         for (const Fault& fault : faults(equations_))
             if ((fault.*condition).valid()) refuse(fault.*condition, fault.variable.valid() ? 2 : 4);
@@ -168,7 +168,8 @@ private:
             line("IF {} THEN {} := {}; END_IF;", text(condition), names_.fault, fault);
     }
 
-    /// Simultaneous assignment: if a later value reads a target, the new value of the target is stored temporarily.
+    /// Assigns simultaneously: if a later value reads a target, the new value of the target is stored in a temporary
+    /// variable first.
     void assign_at_once(std::vector<Assignment> updates) {
         std::erase_if(updates, [&](const Assignment& update) {
             const Expr& value = equations_.exprs[update.value];
@@ -191,7 +192,7 @@ private:
         for (const Variable target : waiting) line("{} := {};", stored_in(target), names_.fresh[target.index]);
     }
 
-    /// A value by cases is one statement per case.
+    /// Assigns a value. A value by cases becomes one statement per case.
     void assign(const std::string& target, Id<Expr> value) {
         const Exprs& exprs = equations_.exprs;
         if (exprs[value].op != Op::Conditional) return line("{} := {};", target, text(value));
@@ -223,7 +224,7 @@ private:
 
     // -- outputs --
 
-    /// No statement if there are no outputs: compilers reject an empty `IF`.
+    /// Writes no statement if there are no outputs, because compilers reject an empty `IF`.
     void write_outputs() {
         std::vector<std::string> lines;
         for (const Equations::Output& output : equations_.outputs)

@@ -10,13 +10,13 @@ namespace grafverif::structured_text {
 
 struct Body {
     std::string text = {};
-    std::vector<bool> waits = {};  ///< per variable: its new value needs a temporary variable
+    std::vector<bool> waits = {};  ///< per variable: true if its new value needs a temporary variable
 };
 
-/// One PLC cycle. Requires verify(equations).empty() and that they are expressible.
+/// Returns one PLC cycle. Requires verify(equations).empty() and that the equations are expressible.
 Body body_of(const Equations& equations, const Names& names, const Options& options);
 
-/// `T#3s`
+/// Returns a literal such as `T#3s`.
 std::string time_literal(std::int64_t milliseconds);
 
 }  // namespace grafverif::structured_text

@@ -10,10 +10,11 @@ namespace {
 
 using Role = Equations::Role;
 
-/// Names inside a block. All preferred names are collected first, so that the total cost is linear in their number.
+/// Names inside a block. All preferred names are collected before any is assigned, so that the total cost is linear in
+/// their number.
 class Inner {
 public:
-    /// `place` receives the name when all are collected; its address must stay valid until then.
+    /// Requests a name. `place` receives the name when all are collected; its address must remain valid until then.
     void wish(std::string name, std::string& place) {
         wishes_.push_back(std::move(name));
         places_.push_back(&place);

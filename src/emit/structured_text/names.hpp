@@ -16,22 +16,23 @@ namespace grafverif::structured_text {
 /// them.
 struct InterfaceNames {
     std::string block = {};
-    std::vector<std::string> variables = {};  ///< inputs, then outputs
+    std::vector<std::string> variables = {};  ///< inputs first, then outputs
 };
 InterfaceNames interface_names(const std::string& chart, std::span<const std::string> inputs,
                                std::span<const std::string> outputs);
 
 struct TimerNames {
-    std::string on = {};      ///< the TON; empty: no rise time
-    std::string lasted = {};  ///< condition that the rise time has elapsed; only if there are both times
-    std::string off = {};     ///< the TOF; empty: no fall time
+    std::string on = {};  ///< name of the TON; empty if there is no rise time
+    /// Condition that the rise time has elapsed; only if there are both a rise time and a fall time.
+    std::string lasted = {};
+    std::string off = {};  ///< name of the TOF; empty if there is no fall time
 };
 
 struct Names {
     std::string block = {};
-    std::vector<std::string> variables = {};  ///< per variable: its name in the interface
-    std::vector<std::string> storage = {};    ///< per variable: its storage; outputs of stored actions have an image
-    std::vector<std::string> fresh = {};      ///< per variable: the temporary variable for its new value, if needed
+    std::vector<std::string> variables = {};  ///< name of each variable in the interface
+    std::vector<std::string> storage = {};    ///< storage of each variable; outputs with stored actions have an image
+    std::vector<std::string> fresh = {};      ///< temporary variable for the new value of each variable, if needed
     std::vector<TimerNames> timers = {};
     std::string started = {}, stable = {}, evolutions = {}, limit = {}, fault = {};
     std::vector<Renaming> changed = {};

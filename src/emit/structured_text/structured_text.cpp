@@ -110,8 +110,8 @@ namespace {
 
 constexpr std::int64_t longest_ms = std::numeric_limits<std::int32_t>::max();
 
-/// Per term: the reason why DINT arithmetic does not compute it, or an empty text. One pass, because children precede
-/// parents.
+/// Determines per term the reason why DINT arithmetic does not compute it exactly; an empty text if it does. One pass
+/// is sufficient, because children precede parents.
 class Obstacles {
 public:
     explicit Obstacles(const Equations& equations) : exprs_(equations.exprs), reasons_(equations.exprs.size()) {

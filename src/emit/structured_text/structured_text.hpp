@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Equations -> a controller in Structured Text (IEC 61131-3): a function block that executes one PLC cycle per call,
-// with the inputs and outputs of the chart. It implements the same equations that are verified.
+// Writes Equations as a controller in Structured Text (IEC 61131-3): a function block with the inputs and outputs of
+// the chart, which executes one PLC cycle per call. It implements the same equations that are verified.
 //
 // Mapping:
 //   input, output          VAR_INPUT, VAR_OUTPUT of the same name; outputs are written at the end of the cycle
@@ -16,8 +16,8 @@
 // stored in a temporary variable (N_...). Names are made legal once (syntax/print/legal_names); changed names are
 // listed in the header.
 //
-// TestSequence -> a program that runs the test on an instance of such a block, or of any other with the same inputs and
-// outputs. It makes one scan per call and compares the outputs in each.
+// Also writes a TestSequence as a program that runs the test on an instance of such a block, or of any other block with
+// the same inputs and outputs. Each call performs one scan and compares the outputs.
 #pragma once
 
 #include <cstdint>
@@ -30,23 +30,23 @@
 
 namespace grafverif::structured_text {
 
-enum class Form { Text, PlcopenXml };  ///< a textual unit, or a project of PLCopen TC6 XML 2.01
+enum class Form { Text, PlcopenXml };  ///< a textual unit, or a project in PLCopen TC6 XML 2.01
 
 struct Options {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    std::uint32_t max_evolutions = 1000;  ///< of one cycle, under stability search
+    std::uint32_t max_evolutions = 1000;  ///< maximum number of evolutions in one cycle under stability search
     Form form = Form::PlcopenXml;
 };
 
 /// True if the block can compute `equations`. Otherwise reports each division by a divisor that is not constant, each
-/// value beyond 32 bits, and each duration beyond the range of TIME. Guards do not excuse a division, because `and` and
-/// `or` need not stop at the first operand that determines the result.
+/// value beyond 32 bits, and each duration beyond the range of TIME. A division is reported even if an operand before
+/// it excludes a zero divisor, because `and` and `or` need not stop at the first operand that determines the result.
 bool expressible(const Equations& equations, Diagnostics& diagnostics);
 
-/// Requires verify(equations).empty() and that they are expressible.
+/// Writes the block. Requires verify(equations).empty() and that the equations are expressible.
 void emit(const Equations& equations, const Options& options, std::ostream& out);
 
-/// Requires verify(test).empty().
+/// Writes the test program. Requires verify(test).empty().
 void emit_test(const TestSequence& test, Form form, std::ostream& out);
 
 }  // namespace grafverif::structured_text

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// TestSequence -> a test program: each call is one scan of the controller under test.
+// Writes a TestSequence as a test program. Each call is one scan of the controller under test.
 //
-// Each row of the test is one case of CASE: inputs, expected outputs, scans, waiting time. During a wait the controller
-// is not called: its timers continue, and the elapsed time is visible at the next scan. The timers of the controller
-// are started before that of the wait, so that they have expired when the wait ends. Power-on is represented by a
-// separate instance for each sequence.
+// Each row of the test is one case of CASE, with inputs, expected outputs, scans and waiting time. During a wait the
+// controller is not called: its timers continue, and the elapsed time is visible at the next scan. The timers of the
+// controller are started before that of the wait, so that they have expired when the wait ends. Power-on is represented
+// by a separate instance for each sequence.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,11 +27,11 @@ std::string value_text(const TestSequence::Variable& variable, std::int64_t valu
     return std::to_string(value);
 }
 
-/// The names of the program's variables: `E_V1` is the expected value of output V1.
+/// Names of the program's variables. For example, `E_V1` is the expected value of output V1.
 struct TestNames {
     InterfaceNames interface = {};
     std::vector<std::string> inputs = {}, expected = {};
-    std::vector<std::string> controllers = {};  ///< an instance per sequence
+    std::vector<std::string> controllers = {};  ///< one instance per sequence
     std::string program = {}, row = {}, scan = {}, scans = {}, sequence = {}, pause = {}, wait = {}, done = {},
                 passed = {}, failed_row = {}, failures = {}, wrong = {};
 };
@@ -126,7 +126,7 @@ private:
         line("END_CASE;");
     }
 
-    /// One scan, and the comparison of the outputs after it.
+    /// Prints one scan and the comparison of the outputs after it.
     void call(std::size_t sequence, const std::string& label) {
         const std::string& controller = names_.controllers[sequence];
         std::string arguments, wrong;

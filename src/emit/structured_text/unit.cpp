@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prints a unit as text or XML. The XML follows PLCopen's TC6 schema 2.01, with elements in its order. The date of the
-// file is fixed: the same input gives the same file.
+// Prints a unit as text or XML. The XML conforms to PLCopen's TC6 schema 2.01 and uses its order of elements. The date
+// in the file is constant, so that the same input yields the same file.
 #include "emit/structured_text/unit.hpp"
 
 #include <algorithm>
@@ -56,7 +56,7 @@ std::string data(std::string_view text) {
     return xml;
 }
 
-/// Text as XHTML, as required for documentation and bodies.
+/// Returns the text as XHTML, as required for documentation and bodies.
 std::string xhtml(std::string_view text) {
     return "<xhtml xmlns=\"http://www.w3.org/1999/xhtml\">" + data(text) + "</xhtml>";
 }

@@ -15,21 +15,21 @@ enum class Section { Input, Output, Local, Constant };
 struct UnitVariable {
     Section section = Section::Local;
     std::string name = {};
-    std::string type = {};     ///< `BOOL`, `DINT`, `INT`, `UDINT`, `TON`, `TOF`, or the name of a block
-    bool derived = false;      ///< the type is a function block
-    std::string initial = {};  ///< a literal, or empty
+    std::string type = {};     ///< type: `BOOL`, `DINT`, `INT`, `UDINT`, `TON`, `TOF`, or the name of a block
+    bool derived = false;      ///< true if the type is a function block
+    std::string initial = {};  ///< literal; may be empty
     std::string comment = {};
 };
 
 struct Unit {
-    bool is_program = false;  ///< otherwise a function block
+    bool is_program = false;  ///< true for a program, false for a function block
     std::string name = {};
-    std::string comment = {};  ///< lines
+    std::string comment = {};  ///< may have several lines
     std::vector<UnitVariable> variables = {};
     std::string body = {};
 };
 
-/// `text` escaped for use inside a comment: `(*` and `*)` are broken up.
+/// Returns `text` for use inside a comment: `(*` and `*)` are separated by a blank.
 std::string comment_text(std::string text);
 
 void print(const Unit& unit, Form form, std::ostream& out);

@@ -66,7 +66,7 @@ std::string_view mode_text(ExecutionMode mode) {
     unreachable();
 }
 
-/// `bool`, or `int[lo,hi]`.
+/// Returns `bool` or `int[lo,hi]`.
 std::string type_text(const Type& type) {
     if (type.boolean) return "bool";
     return "int[" + std::to_string(type.low) + ',' + std::to_string(type.high) + ']';
@@ -130,7 +130,7 @@ void write_procedure(std::ostream& out, const Network& network, const Terms& ter
     out << "}\n";
 }
 
-/// `reads G_IN, G_OUT`; empty if there are no parameters of this kind.
+/// Returns text such as `reads G_IN, G_OUT`; empty if there are no parameters of this kind.
 std::string parameters_of_kind(const Network::Template& automaton, const LocalNames& names, Kind kind,
                                std::string_view verb) {
     std::string text;
@@ -150,7 +150,7 @@ std::string argument_text(const Names& names, const Type& type, const Network::A
                       argument);
 }
 
-/// Per process: the controller whose timer it is, if there are several controllers; otherwise empty.
+/// Returns, per process, the controller to which the timer belongs, if there are several controllers; otherwise empty.
 std::vector<std::string_view> timer_owners(const Network& network) {
     std::vector<std::string_view> owners(network.processes.size());
     if (network.controllers.size() < 2) return owners;
@@ -159,7 +159,7 @@ std::vector<std::string_view> timer_owners(const Network& network) {
     return owners;
 }
 
-/// `system A, B;`, broken at 100 columns.
+/// Prints `system A, B;` with lines of at most 100 columns.
 void write_system_line(std::ostream& out, const std::vector<std::string>& processes) {
     std::string list = "system";
     for (std::size_t i = 0; i < processes.size(); ++i) list += (i == 0 ? " " : ", ") + processes[i];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Replaces constructs that UPPAAL templates do not support, before anything is written (see lower).
+// Replaces constructs that UPPAAL templates do not support, before the project is written (see lower).
 #include <algorithm>
 
 #include "emit/uppaal/uppaal.hpp"
@@ -11,7 +11,7 @@ namespace {
 using Template = Network::Template;
 using Location = Network::Location;
 
-/// The start locations of the processes of each template, in order of first use.
+/// Returns the initial locations of the processes of each template, in the order of first use.
 std::vector<std::vector<Id<Location>>> starts(const Network& network) {
     std::vector<std::vector<Id<Location>>> used(network.templates.size());
     for (const Network::Process& process : network.processes) {
@@ -21,15 +21,15 @@ std::vector<std::vector<Id<Location>>> starts(const Network& network) {
     return used;
 }
 
-/// One template per start location; the one for its own initial location, or otherwise the first used one, keeps the
-/// name.
+/// Creates one template per initial location. The template with its own initial location, or otherwise the first used
+/// one, keeps the name.
 void split_by_start(Network& network) {
     const std::vector<std::vector<Id<Location>>> used = starts(network);
     UniqueNames names;
     for (const Template& automaton : network.templates) names.take(automaton.name);
 
     Table<Template> templates;
-    std::vector<std::vector<Id<Template>>> variants(network.templates.size());  // parallel to `used`
+    std::vector<std::vector<Id<Template>>> variants(network.templates.size());  // same indices as `used`
     for (const Id<Template> id : network.templates.ids()) {
         const Template& automaton = network.templates[id];
         const std::vector<Id<Location>>& list = used[id.index];
@@ -51,7 +51,8 @@ void split_by_start(Network& network) {
     network.templates = std::move(templates);
 }
 
-/// The type of each integer constant: UPPAAL's default integers, or the range of its arguments if wider.
+/// Sets the type of each integer constant: the range of its arguments if it exceeds UPPAAL's default integers,
+/// otherwise the default.
 void fit_constants(Network& network) {
     std::vector<std::vector<Type>> hulls;
     for (const Template& automaton : network.templates)

@@ -8,7 +8,7 @@
 namespace grafverif::uppaal {
 namespace {
 
-/// Makes the names of several tables legal as one scope, then returns them table by table.
+/// Makes the names of several tables legal in one scope, and returns them table by table.
 class Scope {
 public:
     template <class Entities>
@@ -21,7 +21,7 @@ public:
         given_ = 0;
     }
 
-    /// The legal names of the next `count` entities, in the order in which they were added.
+    /// Returns the legal names of the next `count` elements, in the order in which they were added.
     std::vector<std::string> take(std::size_t count) {
         const auto first = legal_.begin() + static_cast<std::ptrdiff_t>(given_);
         given_ += count;
@@ -36,7 +36,7 @@ private:
     std::size_t given_ = 0;
 };
 
-/// Finds which of some global variables the terms of a template read or write. Visits shared subterms once.
+/// Determines which of some global variables the terms of a template read or write. Visits shared subterms once.
 class Globals {
 public:
     explicit Globals(const Network& network) : network_(network), seen_(network.exprs.size(), false) {}
@@ -73,7 +73,7 @@ private:
     std::vector<Id<Expr>> pending_ = {};
 };
 
-/// A name without the suffixes that make it legal or unique: `X` for `X`, `X_`, `X_2`, `X__3`.
+/// Returns a name without the suffixes that make it legal or unique: `X` for `X`, `X_`, `X_2`, `X__3`.
 std::string_view stem(std::string_view name) {
     for (std::size_t before = name.size() + 1; name.size() < before;) {
         before = name.size();
@@ -83,8 +83,8 @@ std::string_view stem(std::string_view name) {
     return name;
 }
 
-/// The global variables whose names may conflict with a local name or function of a template. The number of globals can
-/// be large, that of local names is small.
+/// Returns the global variables whose names may conflict with a local name or function of a template. There may be many
+/// globals, but there are few local names.
 std::unordered_set<std::string> rivals(const Network& network, const std::vector<std::string>& variables) {
     std::unordered_set<std::string> locals = {std::string(stem(guard_prefix))};
     const auto add = [&](const auto& entities) {
@@ -103,7 +103,7 @@ std::unordered_set<std::string> rivals(const Network& network, const std::vector
     return found;
 }
 
-/// Parameters, clocks and procedures first; then the locations, because only these are named in queries.
+/// Names parameters, clocks and procedures first, and then locations: only locations are named in queries.
 LocalNames local_names(const Network& network, const Network::Template& automaton, Names& names,
                        const std::unordered_set<std::string>& rivals) {
     Scope inner, places;

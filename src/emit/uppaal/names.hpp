@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The legal name of every entity of a network in UPPAAL. Variables, processes, templates and the urgent channel share
-// the global scope. The parameters, clocks, locations and procedures of a template share a local scope, which must not
-// hide a global that the template reads or writes.
+// The legal UPPAAL name of every element of a network. Variables, processes, templates and the urgent channel share the
+// global scope. The parameters, clocks, locations and procedures of a template share a local scope, which must not hide
+// a global variable that the template reads or writes.
 #pragma once
 
 #include <string>
@@ -14,19 +14,21 @@
 
 namespace grafverif::uppaal {
 
-/// Long guards become functions of their template, named `guard_1`, `guard_2`, ...
+/// Long guards become functions of their template, which are named `guard_1`, `guard_2`, ...
 inline constexpr std::string_view guard_prefix = "guard_";
 
 struct LocalNames {
     std::vector<std::string> parameters = {}, clocks = {}, locations = {}, procedures = {};
-    std::unordered_set<std::string> taken = {};  ///< all of these, and other names that additional names must avoid
+    /// All of these names, and further names that additional names must avoid.
+    std::unordered_set<std::string> taken = {};
 };
 
 struct Names {
     std::vector<std::string> variables = {}, processes = {}, templates = {};
-    std::string channel = {};             ///< every urgent edge emits on it
-    std::vector<LocalNames> locals = {};  ///< per template
-    std::vector<Renaming> changed = {};   ///< names that differ from the network's; local ones as `template.name`
+    std::string channel = {};             ///< channel on which every urgent edge emits
+    std::vector<LocalNames> locals = {};  ///< local names of each template
+    /// Names that differ from those of the network; a local one is listed as `template.name`.
+    std::vector<Renaming> changed = {};
 };
 
 Names names(const Network& network);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Translates properties to formulas of UPPAAL, pattern by pattern, or states why this is not possible.
+// Translates properties to formulas of UPPAAL, pattern by pattern, or states the reason why this is not possible.
 #include "emit/uppaal/queries.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace grafverif::uppaal {
 namespace {
 
-/// Reason why UPPAAL has no formula for the pattern; empty if it has one.
+/// Returns the reason why UPPAAL has no formula for the pattern; empty if it has one.
 std::string_view reason(Pattern pattern) {
     switch (pattern) {
     case Pattern::Always:
@@ -38,7 +38,7 @@ std::string_view reason(Pattern pattern) {
     unreachable();
 }
 
-/// Additional text in the second line of the comment, if the formula alone is not sufficient.
+/// Returns additional text for the second line of the comment, if the formula alone is not sufficient.
 std::string_view remark(const Property& property) {
     if (property.pattern == Pattern::RawUppaal) return "as written; ";
     if (property.at_stable) return "in quiescent states; ";
@@ -74,7 +74,7 @@ private:
         list.push_back({id, property.name, formula(property), comment, satisfied});
     }
 
-    /// Error in a formula for UPPAAL, unknown names included; empty if there is none.
+    /// Returns the error in a formula for UPPAAL, including unknown names; empty if there is none.
     std::string what_it_lacks(const std::string& formula) {
         if (known_.empty()) {
             known_.insert(names_.variables.begin(), names_.variables.end());
@@ -91,8 +91,8 @@ private:
         return fault ? fault->what : std::string();
     }
 
-    /// One query per step. If `violated` is expected, some step is unreachable, so no single query has an expected
-    /// result.
+    /// Adds one query per step. If the expected verdict is `violated`, some step is unreachable, but no single query
+    /// has an expected result.
     void add_steps(std::vector<Query>& list, Id<Property> id) {
         const Property& property = network_.properties[id];
         const bool satisfied = !property.expected_violated;
@@ -106,7 +106,7 @@ private:
         }
     }
 
-    /// The steps that the property names, or those of every controller.
+    /// Returns the steps that the property names, otherwise those of every controller.
     std::vector<Id<Network::Variable>> steps(const Property& property) const {
         std::vector<Id<Network::Variable>> found;
         for (const Id<Expr> operand : property.operands)
@@ -140,14 +140,14 @@ private:
 
     std::string settled() { return '(' + terms_.text(network_.settled) + ')'; }
 
-    /// `text` in all states in which the property is evaluated.
+    /// Returns `text` for all states in which the property is evaluated.
     std::string guarded(const Property& property, const std::string& text) {
         return property.at_stable ? settled() + " imply " + text : text;
     }
     std::string whenever(const Property& property, Id<Expr> operand) {
         return property.at_stable ? settled() + " imply " + terms_.bracketed(operand) : plain(operand);
     }
-    /// The operand, in a state in which the property is evaluated.
+    /// Returns the operand in conjunction with the condition for states in which the property is evaluated.
     std::string also(const Property& property, Id<Expr> operand) {
         return property.at_stable ? settled() + " && " + terms_.bracketed(operand) : plain(operand);
     }
@@ -169,7 +169,7 @@ private:
     Terms terms_;
     const Names& names_;
     std::vector<bool> wide_;
-    std::unordered_set<std::string> known_ = {};  ///< names that formulas may use; computed on first use
+    std::unordered_set<std::string> known_ = {};  ///< names that formulas may use; determined on first use
 };
 
 }  // namespace

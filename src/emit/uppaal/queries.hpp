@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Properties as UPPAAL queries. A formula is a single line, because UPPAAL ends a query at the end of the line.
+// Properties as UPPAAL queries. A formula is a single line, because a query ends at the end of the line in UPPAAL.
 #pragma once
 
 #include <optional>
@@ -13,14 +13,14 @@ namespace grafverif::uppaal {
 
 struct Query {
     Id<Property> property = {};
-    std::string name = {};               ///< that of the property, or `S.X7` of one that expands
-    std::string formula = {};            ///< empty: not expressible; the comment states why
-    std::string comment = {};            ///< begins with the name of the property
-    std::optional<bool> satisfied = {};  ///< expected result; empty if no single query has one
-    std::string reason = {};             ///< reason why it is not expressible
+    std::string name = {};               ///< name of the property, or `S.X7` for one that expands
+    std::string formula = {};            ///< empty if not expressible; the comment then states the reason
+    std::string comment = {};            ///< comment; it begins with the name of the property
+    std::optional<bool> satisfied = {};  ///< expected result; empty if a single query has none
+    std::string reason = {};             ///< reason why the property is not expressible
 };
 
-/// In the order of the properties.
+/// Returns the queries, in the order of the properties.
 std::vector<Query> queries(const Network& network, const Names& names);
 
 }  // namespace grafverif::uppaal

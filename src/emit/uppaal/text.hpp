@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Textual parts of a UPPAAL project: terms, constraints and assignments with the names of one template, and the three
-// programs of a project (global declarations, declarations of a template, system definition).
+// Textual parts of a UPPAAL project. These are terms, constraints and assignments with the names of one template, and
+// the three programs of a project (global declarations, declarations of a template, system definition).
 #pragma once
 
 #include <iosfwd>
@@ -13,21 +13,21 @@
 
 namespace grafverif::uppaal {
 
-/// Terms in UPPAAL syntax. Parameters are those of `automaton`; without one (queries) a term may contain location
-/// tests.
+/// Prints terms in UPPAAL syntax. Parameters are those of `automaton`. Without a template, as in queries, a term may
+/// contain location tests.
 class Terms {
 public:
     Terms(const Network& network, const Names& names, Id<Network::Template> automaton = {});
 
     void write(std::ostream& out, Id<Expr> root) const;
     std::string text(Id<Expr> root) const;
-    /// The same in brackets, unless it binds as tightly as a name.
+    /// Returns the term in parentheses, unless it binds as tightly as a name.
     std::string bracketed(Id<Expr> root) const;
-    /// `t <= STEP && u <= 3`
+    /// Returns text such as `t <= STEP && u <= 3`.
     std::string text(const std::vector<Network::ClockConstraint>& constraints) const;
-    /// `x = a || b`
+    /// Returns text such as `x = a || b`.
     std::string text(const Network::Assignment& assignment) const;
-    /// As a statement, with a condition written as `if`.
+    /// Prints the assignment as a statement, with a condition written as `if`.
     void write_statement(std::ostream& out, const Network::Assignment& assignment) const;
 
 private:
@@ -37,7 +37,7 @@ private:
     LeafPrinter leaf_;
 };
 
-/// A data guard that is too long for a label, as a function of its template.
+/// A data guard that is too long for a label and becomes a function of its template.
 struct GuardFunction {
     std::string name = {};
     std::string body = {};
@@ -46,11 +46,11 @@ struct GuardFunction {
 void write_global_declarations(std::ostream& out, const Network& network, const Names& names);
 void write_template_declarations(std::ostream& out, const Network& network, const Names& names,
                                  Id<Network::Template> automaton, const std::vector<GuardFunction>& guards);
-/// `bool &G_IN, int[0,20] &X, const int D`
+/// Returns text such as `bool &G_IN, int[0,20] &X, const int D`.
 std::string parameter_list(const Network::Template& automaton, const LocalNames& names);
 void write_system(std::ostream& out, const Network& network, const Names& names);
 
-/// `text` in lines of at most `width` columns, broken after a comma or a Boolean operator.
+/// Returns `text` in lines of at most `width` columns, broken after a comma or a Boolean operator.
 std::vector<std::string> lines_of(std::string_view text, std::size_t width);
 
 }  // namespace grafverif::uppaal

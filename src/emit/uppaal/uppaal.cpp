@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The project as XML: declarations, templates as drawn by emit/layout, system, queries. Written as text into one
-// buffer, because a large chart is one long declaration.
+// Writes the project as XML: declarations, templates as drawn by emit/layout, system, queries. The text is written into
+// one buffer, because a large chart is one long declaration.
 //
 // UPPAAL's parser is stricter than XML: text must not be split by comments, and a comment must not be the last node in
-// `queries`. The comment of a property without formula is therefore placed before the next query, or before the last
-// one.
+// `queries`. Therefore the comment of a property without a formula is placed before the next query, otherwise before
+// the last one.
 #include "emit/uppaal/uppaal.hpp"
 
 #include <algorithm>
@@ -21,10 +21,11 @@ namespace grafverif::uppaal {
 namespace {
 
 constexpr int char_width = 8, line_height = 17;
-constexpr std::size_t label_width = 34;     // columns
-constexpr std::size_t longest_guard = 160;  // characters; a longer guard becomes a function
+constexpr std::size_t label_width = 34;  // width of a label in columns
+// Maximum number of characters in a guard; a longer guard becomes a function.
+constexpr std::size_t longest_guard = 160;
 
-/// One label of a location or an edge; several are stacked.
+/// One label of a location or an edge. Several labels are stacked.
 struct Label {
     std::string_view kind = {};
     std::vector<std::string> lines = {};
@@ -80,7 +81,7 @@ private:
         return labels;
     }
 
-    /// Data conditions first, then clock constraints.
+    /// Returns the guard: data conditions first, then clock constraints.
     std::string guard(const Network::Edge& edge) {
         std::string data;
         if (!is_true(network_.exprs, edge.guard)) data = terms_.text(edge.guard);
@@ -185,7 +186,7 @@ private:
         first_location_ += automaton.locations.size();
     }
 
-    /// Ids are unique in the document.
+    /// Returns an id that is unique in the document.
     std::string location_id(std::size_t location) const { return "id" + std::to_string(first_location_ + location); }
 
     void write_location(std::size_t index, const Labels& labels, const layout::Drawing::Node& node) {
@@ -208,7 +209,7 @@ private:
         xml_ += "\t\t</transition>\n";
     }
 
-    /// Prints the labels in a column from `at` on.
+    /// Prints the labels in a column, starting at `at`.
     void write_labels(const Labels& labels, layout::Point at) {
         for (const auto& [kind, lines] : labels) {
             const bool is_name = kind == "name";

@@ -36,7 +36,7 @@ public:
             main().symbols[symbol].kind =
                 System::StateSymbol{literal(exprs(), variable.type, variable.initial), copy(stored.next)};
         }
-        Id<Expr> valid = exprs().constant(true);  // no fault until the end of the scan
+        Id<Expr> valid = exprs().constant(true);  // true if no fault occurs until the end of the scan
         if (!faults.empty()) {
             for (Id<Expr>& fault : faults) fault = copy(fault);
             const Id<Expr> fault = exprs().disjunction(faults);
@@ -72,7 +72,7 @@ private:
         return made;
     }
 
-    /// The variables on which `roots` depend, directly or through next values.
+    /// Adds the variables on which `roots` depend, directly or through next values.
     void add_variables(std::vector<Id<Expr>> roots) {
         const Exprs& from = scan_.equations.exprs;
         std::vector<Id<Expr>> next(scan_.equations.variables.size());

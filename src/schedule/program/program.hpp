@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// schedule_program: Scan -> TransitionSystem. A state consists of the cells before a scan and of the inputs that it
-// will read, which are free; one step is one scan. A property is about the end of that scan: a term over the state
-// before it, so that no copy of the inputs is needed. Only the cells on which the properties depend are variables.
+// schedule_program: translates a Scan to a TransitionSystem. A state consists of the cells before a scan and of the
+// inputs that it will read, which are free; one step is one scan. A property concerns the end of that scan. It is a
+// term over the state before the scan, so that no copy of the inputs is needed. Only the cells on which the properties
+// depend are variables.
 #pragma once
 
 #include <optional>
@@ -18,15 +19,16 @@ struct ScanProperty {
     std::string name = {};
     std::string text = {};
     Pattern pattern = Pattern::Always;  ///< Always, Never or Reachable
-    Id<Expr> condition = {};            ///< over the equations of the scan
+    Id<Expr> condition = {};            ///< condition over the equations of the scan
     Span origin = {};
 };
 
 struct ProgramSystem {
     TransitionSystem system = {};
-    /// Per variable of the equations: its symbol; invalid if no property depends on it.
+    /// Symbol of each variable of the equations; invalid if no property depends on it.
     std::vector<Id<TransitionSystem::Symbol>> symbols = {};
-    /// The property that no scan divides by zero; invalid if none can. The others are about scans until then.
+    /// The property that no scan divides by zero; invalid if this is impossible. The other properties concern the scans
+    /// before the first division by zero.
     Id<Property> no_fault = {};
 };
 
