@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every diagnostic as printed: <code>[-n].grafcet is processed up to the first failing stage, and the printed
-// diagnostics must equal <code>[-n].expected. GRAFVERIF_UPDATE_GOLDEN=1 rewrites those files.
+// Golden tests of the diagnostics as printed. Each file <code>[-n].grafcet is processed up to the first failing stage,
+// and the printed diagnostics must equal <code>[-n].expected. GRAFVERIF_UPDATE_GOLDEN=1 rewrites the expected files.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,7 +69,7 @@ std::vector<fs::path> examples() {
     return found;
 }
 
-/// Runs the stages of `testgen`, in both modes until a diagnostic is reported.
+/// Runs the stages of `testgen` in both modes, until one reports a diagnostic.
 void test(const Equations& equations, Diagnostics& diagnostics) {
     for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
         AutomatonOptions options;
@@ -81,8 +81,9 @@ void test(const Equations& equations, Diagnostics& diagnostics) {
     }
 }
 
-/// Runs the stages of `build`: every chart to equations, every loop to a network and a transition system with the
-/// constraints of the loop. A chart without a loop, in a file with `// testgen`, is processed to a test sequence.
+/// Runs the stages of `build`: translates every chart to equations, and every loop to a network and to a transition
+/// system with the constraints of the loop. If the file has `// testgen`, a chart without a loop is also processed to a
+/// test sequence.
 void build(const Model& model, bool tested, Diagnostics& diagnostics) {
     std::vector<std::optional<Equations>> equations;
     for (const Chart& chart : model.charts) equations.push_back(derive(chart, diagnostics));
@@ -101,7 +102,7 @@ void build(const Model& model, bool tested, Diagnostics& diagnostics) {
     }
 }
 
-/// <code>[-n].csv, if present, is a table of exclusions for the chart.
+/// Reads <code>[-n].csv, if it exists, as a table of exclusions for the chart.
 void exclude(const std::string& name, const std::optional<Model>& model, Sources& sources, Diagnostics& diagnostics) {
     const fs::path path = fs::path(name).replace_extension(".csv");
     const auto table = content(root / "tests/diagnostics" / path);
@@ -110,7 +111,7 @@ void exclude(const std::string& name, const std::optional<Model>& model, Sources
     read_exclusions(id, sources, *model->charts.begin(), diagnostics);
 }
 
-/// The constants of `--set`, if the first line of the file is `// --set N=4 T=3s`.
+/// Returns the constants of `--set` if the first line of the file is `// --set N=4 T=3s`.
 std::map<std::string, std::string, std::less<>> constants_of(const std::string& text) {
     std::istringstream words(text.substr(0, text.find('\n')));
     std::map<std::string, std::string, std::less<>> constants;
@@ -150,14 +151,14 @@ std::string words(const Said& said) {
     return std::move(text).str();
 }
 
-/// Number of occurrences.
+/// Returns the number of occurrences of `one`.
 std::ptrdiff_t times(const Said& said, const Diagnostic& one) {
     return std::ranges::count_if(said.diagnostics.all(), [&](const Diagnostic& other) {
         return other.code == one.code && other.message == one.message;
     });
 }
 
-/// `unknown-step-2` tests `unknown-step`.
+/// Returns the code that a file tests: `unknown-step-2` tests `unknown-step`.
 std::string code_of(const fs::path& reject) {
     std::string code = reject.stem().string();
     const std::size_t number = code.find_last_not_of("0123456789");

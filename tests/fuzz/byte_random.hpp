@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Random numbers of the randomized tests from the bytes of a fuzzer: one byte per number, so that a changed byte
-// changes one choice; after the last byte, an infinite pseudorandom sequence that depends on the bytes.
+// Random numbers of the randomized tests, taken from the bytes of a fuzzer. Each number uses one byte, so that a
+// changed byte changes one choice. After the last byte the numbers are an infinite pseudorandom sequence that depends
+// on the bytes.
 #pragma once
 
 #include <array>
@@ -12,11 +13,11 @@
 
 namespace grafverif::fuzz {
 
-/// The inverse of the tempering of std::mt19937_64: the state from which it draws `number` next.
+/// The inverse of the tempering of std::mt19937_64: returns the state from which the generator draws `number` next.
 inline std::uint64_t untempered(std::uint64_t number) {
     number ^= number >> Random::tempering_l;
     number ^= (number << Random::tempering_t) & Random::tempering_c;
-    std::uint64_t found = number;  // each round makes more of the lower bits correct
+    std::uint64_t found = number;  // each round corrects more of the lower bits
     for (int round = 0; round < 4; ++round) found = number ^ ((found << Random::tempering_s) & Random::tempering_b);
     std::uint64_t state = found;
     for (int round = 0; round < 3; ++round) state = found ^ ((state >> Random::tempering_u) & Random::tempering_d);
@@ -32,7 +33,7 @@ inline Random byte_random(std::string_view bytes) {
                                                       : mixed = mixed * 6364136223846793005U + 1442695040888963407U;
         text << untempered(number) << ' ';
     }
-    text << 0;  // libstdc++: its position in the state
+    text << 0;  // the position in the state, as libstdc++ writes it
     Random random;
     text >> random;
     return random;

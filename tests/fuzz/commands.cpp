@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every command on generated charts and closed loops: the first byte selects the command, the others determine the
-// model.
+// Runs every command on generated charts and closed loops. The first byte selects the command; the other bytes
+// determine the model.
 #include <fstream>
 #include <sstream>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Output of external programs: NuSMV and verifyta may print anything.
+// Reads random bytes as the output of external programs, because NuSMV and verifyta may print anything.
 #include "check/external/nusmv.hpp"
 #include "check/external/verifyta.hpp"
 #include "emit/nusmv/nusmv.hpp"

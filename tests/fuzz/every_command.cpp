@@ -97,7 +97,7 @@ std::string units_complaint(const std::string& text) {
                                                               : "no Structured Text: " + shown(diagnostics, sources);
 }
 
-/// A table belongs to the chart that it was generated from.
+/// Checks that a generated table belongs to the chart from which it was generated.
 std::string table_complaint(const std::string& text, const VerbRun& run, const Model& model) {
     if (model.charts.size() != 1) return {};
     Sources sources;
@@ -138,7 +138,7 @@ std::string written_complaint(const std::string& text, const VerbRun& run, Writt
     return "a form that nobody knows";
 }
 
-/// The type of a file, by its name.
+/// Returns the type of a file according to its name.
 Written written_to(const fs::path& path) {
     const std::string name = path.extension().string();
     if (name == ".smv") return Written::Nusmv;
@@ -158,7 +158,7 @@ std::string result_complaint(const VerbRun& run, const app::Result& result, cons
     std::string files;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         if (!entry.is_regular_file()) continue;
-        const bool is_report = entry.path().extension() == ".xml";  // it gives a reason
+        const bool is_report = entry.path().extension() == ".xml";  // the report gives a reason
         if (result.code == app::ExitCode::Input && !is_report)
             return "it is refused, and writes " + entry.path().string();
         const std::string wrong = written_complaint(content_of(entry.path()), run, written_to(entry.path()), model);
@@ -168,7 +168,7 @@ std::string result_complaint(const VerbRun& run, const app::Result& result, cons
     case app::ExitCode::Failure: return "internal error";
     case app::ExitCode::Input:
         if (run.arguments[0] == "plc" && result.out.find("error: ") != std::string::npos)
-            return {};  // a line that it did not understand
+            return {};  // the command did not understand this line
         return std::regex_search(result.err, refusal) ? "" : "it is refused, and nothing says why";
     case app::ExitCode::Unknown:
         if (result.out.empty()) return {};

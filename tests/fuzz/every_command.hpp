@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every command with every output format, run in-process on a chart or a closed loop. Checks for each run that the exit
-// code is explained by its output, and that outputs have the declared format.
+// Runs every command with every output format in-process on a chart or a closed loop. For each run it checks that the
+// output explains the exit code, and that the output has the declared format.
 #pragma once
 
 #include <filesystem>
@@ -12,20 +12,21 @@
 
 namespace grafverif::fuzz {
 
-/// The output of a run on standard output.
+/// The format of the output that a run writes on standard output.
 enum class Written { Text, Grafcet, Json, Xml, Uppaal, Nusmv, TestTable, Plcopen, StructuredText };
 
 struct VerbRun {
-    std::vector<std::string> arguments = {};  ///< FILE is the chart; FOLDER/... an output file, with its format given
-                                              ///< by the name
+    /// FILE stands for the chart; FOLDER/... is an output file, whose name determines its format.
+    std::vector<std::string> arguments = {};
     Written written = Written::Text;
-    bool of_loop = false;  ///< rejected without a closed loop
+    bool of_loop = false;  ///< the command rejects a file without a closed loop
     std::string typed = {};
 };
 
 std::span<const VerbRun> command_runs();
 
-/// The error in `run` on `file`, which contains `model`; files are written into `folder`, and removed. Empty: none.
+/// Returns the error found in `run` on `file`, which contains `model`, or an empty string. Writes files into `folder`
+/// and removes them.
 std::string error_text(const VerbRun& run, const std::filesystem::path& file, const Model& model,
                        const std::filesystem::path& folder);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables and lines: tests and exclusions in CSV, lines of the test protocol, and interactive commands.
+// Reads tables and lines: tests and exclusions in CSV, lines of the test protocol, and interactive commands.
 #include <sstream>
 
 #include "fuzz/common.hpp"
@@ -26,7 +26,7 @@ const Chart& press() {
     return *model.charts.begin();
 }
 
-/// Messages about unknown lines contain no control characters.
+/// Checks that messages about unknown lines contain no control characters.
 std::string session_complaint(const std::string& verb, std::string_view typed) {
     static const app::Folder folder;
     static const std::string file = folder.write("press.grafcet", press_text);

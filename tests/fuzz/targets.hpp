@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Fuzz targets: all readers of foreign bytes, and every command on generated charts. A target is a function of bytes,
-// so that libFuzzer can drive it (`./dev fuzz`) and a test can replay the findings with any compiler (corpus_test).
+// Fuzz targets: all readers of external input, and every command on generated charts. A target is a function of bytes,
+// so that libFuzzer can call it (`./dev fuzz`) and a test can replay the findings with any compiler (corpus_test).
 //
-// Readers get the bytes unchanged. The target `commands` uses them as choices: of a well-formed chart or loop, of a
-// command and of its options. So a changed byte changes the meaning of the input and not its spelling.
+// Readers get the bytes unchanged. The target `commands` interprets them as choices of a well-formed chart or loop, of
+// a command and of its options. A changed byte then changes the meaning of the input and not its spelling.
 #pragma once
 
 #include <span>
@@ -14,7 +14,8 @@ namespace grafverif::fuzz {
 
 struct Target {
     std::string_view name = {};
-    /// The guarantee that `bytes` violate, with the data to reproduce it; empty: none.
+    /// Returns a description of the guarantee that fails on `bytes`, with the data to reproduce the failure, or an
+    /// empty string.
     std::string (*error_text)(std::string_view bytes) = nullptr;
 };
 

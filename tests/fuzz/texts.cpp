@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Texts: grafverif's language, other chart formats, Structured Text. An accepted text is well formed, and its printed
-// form is read back as the same; a rejected text has an error, which can be displayed.
+// Reads texts: the language of grafverif, other chart formats, and Structured Text. An accepted text must be well
+// formed, and its printed form must be read back as the same model. A rejected text must have an error that can be
+// displayed.
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -19,7 +20,7 @@ namespace grafverif::fuzz {
 
 namespace {
 
-/// The contradiction between the result of reading a text and its diagnostics; empty: none.
+/// Describes a contradiction between the result of reading a text and its diagnostics; empty if there is none.
 std::string result_complaint_of(bool read, const Diagnostics& diagnostics, const Sources& sources) {
     if (read == diagnostics.has_errors())
         return read ? "it is read, with errors" : "it cannot be read, without an error";
@@ -33,7 +34,7 @@ std::string result_complaint_of(bool read, const Diagnostics& diagnostics, const
 
 struct TextRead {
     std::optional<Model> model = {};
-    std::string error_text = {};  ///< in its diagnostics
+    std::string error_text = {};  ///< describes an error in its diagnostics
     std::string said = {};
 };
 
@@ -57,7 +58,7 @@ std::string printed(const Model& model) {
     return text.str();
 }
 
-/// True if the generated `text` is read back as `model`.
+/// Checks that the generated `text` is read back as `model`.
 std::string reading_back(const Model& model, const std::string& text, Sources& sources) {
     const TextRead again = read(sources.add({"written.grafcet", text}), sources, false);
     if (!again.error_text.empty()) return again.error_text + "\nof:\n" + text;
@@ -67,7 +68,7 @@ std::string reading_back(const Model& model, const std::string& text, Sources& s
     return {};
 }
 
-/// True if the formatted `text` is unchanged by formatting.
+/// Checks that formatting does not change the formatted `text`.
 std::string form_complaint(const std::string& text, Sources& sources) {
     Diagnostics diagnostics;
     const tree::File file = parse_file(sources.add({"formatted.grafcet", text}), sources, diagnostics);
@@ -115,7 +116,7 @@ std::string import_complaint(std::string_view bytes) {
 std::string program_complaint(std::string_view bytes) {
     Sources sources;
     Diagnostics diagnostics;
-    const std::size_t end = std::min(bytes.find("\n---\n"), bytes.size());  // the properties follow
+    const std::size_t end = std::min(bytes.find("\n---\n"), bytes.size());  // the properties follow this line
     auto text = read_program(sources.add({"fuzzed.st", std::string(bytes.substr(0, end))}), sources, diagnostics);
     std::string error_text = result_complaint_of(text.has_value(), diagnostics, sources);
     if (!error_text.empty() || !text) return error_text;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All stages of the translation of each sample: tests/golden/<sample>/. GRAFVERIF_UPDATE_GOLDEN=1 rewrites the files
-// instead of comparing; review the difference before committing it.
+// Golden tests of all stages of the translation of each sample in tests/golden/<sample>/. GRAFVERIF_UPDATE_GOLDEN=1
+// rewrites the files instead of comparing them; review the difference before you commit it.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -81,7 +81,7 @@ TEST_P(Golden, EveryStageIsAsReviewed) {
     EXPECT_FALSE(job.diagnostics.has_errors());
     CheckOptions options;
     options.witnesses = false;
-    if (stem == "transfer_line")  // too many states; safety is checked by localization
+    if (stem == "transfer_line")  // this sample has too many states; localization checks its safety properties
         for (const Property& property : network->properties)
             if (property.pattern == Pattern::Never) options.properties.push_back(property.name);
     const auto report = grafverif::check(*model, *loop, {}, options, job.diagnostics);

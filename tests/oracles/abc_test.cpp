@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// ABC as an engine, compared with the embedded engines: the same verdicts on random systems and on the controllers of
-// random loops; its invariants and runs are validated in the same way.
+// Compares ABC as an engine with the embedded engines on random systems and on the controllers of random loops. The
+// verdicts must be equal. The invariants and runs of ABC are validated in the same way as those of the embedded
+// engines.
 #include <gtest/gtest.h>
 
 #include <algorithm>

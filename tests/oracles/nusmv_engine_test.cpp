@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// NuSMV as an engine, compared with the embedded engines: the same verdicts and numbers of states, and counterexamples
-// that are runs, read from its output; on random systems and on the controllers of random loops.
+// Compares NuSMV as an engine with the embedded engines on random systems and on the controllers of random loops. The
+// verdicts and numbers of states must be equal, and the counterexamples read from the output of NuSMV must be runs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,10 +28,10 @@
 namespace grafverif {
 namespace {
 
-/// Some small models take minutes with either engine.
+/// Either engine takes minutes on some small models.
 constexpr std::chrono::seconds patience(2);
 
-/// The results of NuSMV, with the model and its output for failure messages.
+/// The results of NuSMV, with its model and its output for failure messages.
 struct Requested {
     NusmvResult result = {};
     std::string conversation = {};
@@ -57,7 +57,7 @@ struct Agreement {
     std::size_t verdicts = 0, runs = 0, given_up = 0;
 };
 
-/// Checks that a run of NuSMV shows its verdict, by the reference evaluation of the property.
+/// Checks by the reference evaluation of the property that a run of NuSMV shows its verdict.
 void expect_agreement(const TransitionSystem& system, const std::string& program, Agreement& agreement) {
     const SymbolicResult ours = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + patience});
     if (ours.fault) return;
@@ -91,7 +91,7 @@ void expect_agreement(const TransitionSystem& system, const std::string& program
     }
 }
 
-/// Random systems with additional properties, until `expect` fails fatally.
+/// Calls `expect` with random systems that have additional properties, until it fails fatally.
 template <class Expect>
 void for_random_systems(const Expect& expect) {
     for (int seed = 1; seed <= test_size(40); ++seed) {
@@ -129,7 +129,7 @@ TEST(NusmvEngine, CounterexamplesReplayOnTheRules) {
         const Model model = random_loop(random);
         const std::vector<const Chart*> charts = charts_of(model);
         for (const TransitionSystem& system : untimed_models(model)) {
-            if (!explored(system, 300, 256)) continue;  // NuSMV may take minutes
+            if (!explored(system, 300, 256)) continue;  // NuSMV may take minutes for larger models
             SCOPED_TRACE(system.scope);
             for (const auto& run : asked_nusmv(system, program->string()).result.runs) {
                 if (!run) continue;
@@ -142,7 +142,7 @@ TEST(NusmvEngine, CounterexamplesReplayOnTheRules) {
     std::cout << replayed << " runs replayed\n";
 }
 
-/// Every exported model of a sample, including one with fairness.
+/// Checks every exported model of a sample, including one with fairness.
 TEST(NusmvEngine, AgreesWithTheSymbolicEngineOnTheSamples) {
     const auto program = app::find_program("NuSMV");
     if (!program) GTEST_SKIP() << "NuSMV is not on the PATH";
@@ -160,7 +160,8 @@ TEST(NusmvEngine, AgreesWithTheSymbolicEngineOnTheSamples) {
     EXPECT_GT(agreement.verdicts, 200u);
 }
 
-/// The results of `NuSMV FILE`, as run by a user, by the formulas that it prints; several specifications may share one.
+/// Returns the results that `NuSMV FILE` prints when a user runs it, with their formulas. Several specifications may
+/// have the same formula.
 std::vector<std::pair<SpecTerm, bool>> printed_verdicts(const std::string& out) {
     std::vector<std::pair<SpecTerm, bool>> found;
     std::istringstream lines(out);
@@ -176,7 +177,8 @@ std::vector<std::pair<SpecTerm, bool>> printed_verdicts(const std::string& out) 
     return found;
 }
 
-/// The verdicts of `NuSMV FILE` agree with those of the embedded engine, matched by the names in the text.
+/// Checks that the verdicts of `NuSMV FILE` equal those of the embedded engine. The names in the text match verdicts
+/// with properties.
 void expect_same_as_a_user_sees(const TransitionSystem& system, const std::string& program, Agreement& agreement) {
     const SymbolicResult ours = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + patience});
     if (ours.fault || ours.states.empty()) return;
@@ -222,7 +224,7 @@ TEST(NusmvAsAUserRunsIt, AgreesWithTheSymbolicEngineOnRandomSystemsAndLoops) {
         SCOPED_TRACE("loop of seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         for (TransitionSystem& system : untimed_models(random_loop(random), chance(random, 50))) {
-            if (!explored(system, 300, 256)) continue;  // NuSMV may take minutes
+            if (!explored(system, 300, 256)) continue;  // NuSMV may take minutes for larger models
             ask_more(system, random);
             ASSERT_NO_FATAL_FAILURE(expect_same_as_a_user_sees(system, program->string(), agreement));
         }
@@ -246,7 +248,7 @@ TEST(NusmvAsAUserRunsIt, AgreesWithTheSymbolicEngineOnTheSamples) {
     EXPECT_GT(agreement.verdicts, 50u);
 }
 
-/// A lamp for two seconds, and sentences about it that observers check, some of them false.
+/// A lamp that lights for two seconds, and sentences about it that observers check. Some of the sentences are false.
 std::string watched_lamp(const std::string& sentence) {
     return "grafcet light {\n    input BUTTON;\n    output LAMP;\n    initial step 0;\n    step 1 { LAMP; }\n    step "
            "2;\n"
@@ -315,7 +317,7 @@ TEST(NusmvEngine, AgreesWithTheTimedEngineOnSentencesInDiscreteTime) {
             diagnostics);
         ASSERT_TRUE(system);
         const auto [theirs, conversation] = asked_nusmv(*system, program->string());
-        if (conversation.empty()) continue;  // takes minutes
+        if (conversation.empty()) continue;  // such a model takes minutes
         const auto here =
             std::ranges::find(ours->answers, "S", [](const PropertyResult& one) { return one.verdict.property; });
         const auto there = std::ranges::find(theirs.verdicts, "S", &Verdict::property);

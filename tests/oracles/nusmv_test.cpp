@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// NuSMV itself, if it is installed: it accepts every exported model, finds it total, has the same number of states, and
-// gives the verdicts of an explicit search of the transition system.
+// Tests the exported models with NuSMV, if it is installed. NuSMV must accept every model, find it total, compute the
+// same number of states, and give the verdicts of an explicit search of the transition system.
 #include "emit/nusmv/nusmv.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,8 @@ using System = TransitionSystem;
 
 bool nusmv_is_installed() { return std::system("command -v NuSMV >/dev/null 2>&1") == 0; }
 
-/// The output of NuSMV for `model` and `commands`; nothing after `patience` seconds: some small models take it minutes.
+/// Returns the output of NuSMV for `model` and `commands`, or nothing after `patience` seconds, because NuSMV takes
+/// minutes for some small models.
 std::optional<std::string> nusmv_says(const std::string& model, const std::string& commands, int patience) {
     const std::filesystem::path folder =
         std::filesystem::path(testing::TempDir()) / ("grafverif_nusmv_" + std::to_string(getpid()));
@@ -61,7 +62,7 @@ struct Compared {
     std::size_t systems = 0, states = 0, verdicts = 0, given_up = 0;
 };
 
-/// Larger models are skipped: NuSMV may take minutes for them.
+/// Larger models are skipped, because NuSMV may take minutes for them.
 constexpr std::size_t most_states = 300;
 
 void compare(const System& system, Compared& compared) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// UPPAAL's parser on exported projects: `syntaxcheck` of utap parses and type-checks a file as UPPAAL does.
+// Tests exported projects with the parser of UPPAAL: the program `syntaxcheck` of utap parses and type-checks a file as
+// UPPAAL does.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -15,7 +16,7 @@
 namespace grafverif {
 namespace {
 
-/// The errors of syntaxcheck, without warnings.
+/// Returns the errors of syntaxcheck, without its warnings.
 std::string error_texts(const std::string& xml) {
     const auto file =
         std::filesystem::temp_directory_path() / ("grafverif_utap_" + std::to_string(::getpid()) + ".xml");
@@ -25,7 +26,7 @@ std::string error_texts(const std::string& xml) {
     std::ifstream lines(log);
     std::string errors = WEXITSTATUS(status) > 2 ? "it broke off\n" : "";
     for (std::string line; std::getline(lines, line);) {
-        // A strict invariant, or an update of only scratch variables, causes a warning.
+        // A strict invariant causes a warning, and so does an update that assigns only scratch variables.
         const bool warning = line.find("$Strict_invariant") != std::string::npos ||
                              line.find("$Expression_does_not_have_any_effect") != std::string::npos;
         if (!warning) errors += line + '\n';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Randomized tests of the advice in reports: what blocks time, and why a step is never active. The independent
-// computation is the network simulator.
+// Randomized tests of the advice in reports about invariants that block time and about steps that are never active. The
+// network simulator is the independent computation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,8 @@
 namespace grafverif {
 namespace {
 
-/// The network in which the process stays in the location as long as it likes.
+/// Returns the network without the named invariants, in which the processes may stay in their locations arbitrarily
+/// long.
 Network without_bounds(const Network& network, const std::vector<Standstill::Blocker>& blockers) {
     Network relaxed = expand(network);
     for (const Standstill::Blocker& each : blockers)
@@ -56,7 +57,7 @@ TEST(RandomizedAdvice, NamedInvariantsAndNoOthersBlockTimeAtTheEnd) {
                     EXPECT_FALSE(may_delay(network, (*states)[k]));
                 ++repeating;
             }
-            // Without the named invariants time passes; with one of them it does not.
+            // Checks that time passes without the named invariants, and that it does not pass if one of them is kept.
             const NetworkState& end = states->back();
             if (found.repeating.empty() && !found.blockers.empty()) {
                 EXPECT_TRUE(may_delay(without_bounds(network, found.blockers), end)) << words;
@@ -78,15 +79,15 @@ TEST(RandomizedAdvice, NamedInvariantsAndNoOthersBlockTimeAtTheEnd) {
     EXPECT_GT(repeating, 0);
 }
 
-/// All reachable states in integer time; none if there are too many. A firing condition keeps its value after the edge
-/// of its controller.
+/// Computes all reachable states in integer time, or nothing if there are too many. A firing condition keeps its value
+/// after the edge of its controller.
 struct States {
     std::vector<NetworkState> all = {};
-    std::set<std::uint32_t> cleared = {};  ///< variables of firing conditions that were true
+    std::set<std::uint32_t> cleared = {};  ///< the variables of firing conditions that were true
 };
 
 States states_of(const Network& network, std::size_t most) {
-    constexpr std::int64_t cap = 40;  // above all bounds of random loops
+    constexpr std::int64_t cap = 40;  // exceeds all bounds of random loops
     States found;
     std::set<std::pair<std::vector<std::uint32_t>, std::vector<std::int64_t>>> seen;
     const auto add = [&](NetworkState state) {
@@ -118,7 +119,7 @@ States states_of(const Network& network, std::size_t most) {
     return found;
 }
 
-/// Number of statements on dead transitions in the report; each must be true in all `states`.
+/// Returns the number of statements on dead transitions in the report. Each statement must be true in all `states`.
 int statements_checked(const Report& report, Network network, const std::vector<const Chart*>& charts,
                        const States& states) {
     int checked = 0;
@@ -167,7 +168,7 @@ TEST(RandomizedAdvice, NamedTransitionsAreNeverClearedAndNamedTermsAreNeverTrue)
         options.limits.memory = std::uint64_t{2} << 20U;
         if (const auto report = check(model, {0}, how, options, diagnostics))
             timed += statements_checked(*report, *network, charts, states);
-        if (states.all.size() > 150) continue;  // the symbolic engine may need seconds
+        if (states.all.size() > 150) continue;  // the symbolic engine may need seconds for more states
         how.untimed.plant = PlantApproach::Automata;
         for (const TimeModel time : {TimeModel::Abstract, TimeModel::Discrete}) {
             how.untimed.time = time;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The analysis compared with an explicit search that uses neither equations nor decision diagrams: it visits all points
-// of a random chart by the interpreter. Both model time in the same way: between two instants a timer may expire, on
-// one step in the order of durations.
+// Compares the analysis with an explicit search that uses neither equations nor decision diagrams: the interpreter
+// visits all points of a random chart. Both model time in the same way: between two instants the timers that watch the
+// same step may expire, in the order of their durations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,10 +24,10 @@ namespace {
 
 constexpr std::size_t most_points = 4000;
 
-/// Every possible statement of an analysis, as `code subject`, with the first instant in which its event occurs; none
-/// if it never occurs.
+/// Maps every possible statement of an analysis, written as `code subject`, to the first instant in which its event
+/// occurs. An event that never occurs has no entry.
 using Facts = std::map<std::string, std::size_t>;
-using Rest = std::pair<State, std::vector<bool>>;  ///< with the outputs of the time conditions
+using Rest = std::pair<State, std::vector<bool>>;  ///< a state with the outputs of its time conditions
 
 struct RestOrder {
     static auto key(const Rest& rest) {
@@ -38,13 +38,13 @@ struct RestOrder {
     bool operator()(const Rest& left, const Rest& right) const { return key(left) < key(right); }
 };
 
-/// The events at the points of a chart and at the rests between its instants, and the successors.
+/// The events at the points of a chart and at the rests between its instants, and the successors of both.
 struct Ways {
     struct Node {
         std::set<std::string> comes = {};
         std::vector<std::size_t> next = {};
-        bool unknown = false;                  ///< it aborts, or its instant does not end
-        std::optional<std::size_t> ends = {};  ///< a rest: the first instant that ends in it
+        bool unknown = false;                  ///< the run aborts at this node, or its instant does not end
+        std::optional<std::size_t> ends = {};  ///< of a rest: the first instant that ends in it
     };
     std::vector<Node> nodes = {};
 
@@ -68,7 +68,8 @@ struct Ways {
     std::vector<bool> leading_to(const std::string& what) const {
         return leading_to([&](std::size_t k) { return nodes[k].comes.contains(what); });
     }
-    /// Per rest from which it never occurs again. `broken`: unexplored points may lead back.
+    /// Returns, for each rest, whether the event never occurs again from there. If `broken`, unexplored points may lead
+    /// back.
     std::vector<bool> gone(const std::string& what, bool broken) const {
         std::vector<bool> found =
             leading_to([&](std::size_t k) { return nodes[k].comes.contains(what) || (broken && nodes[k].unknown); });
@@ -82,7 +83,7 @@ struct Ways {
                 if (node.comes.contains(what) && back[next] && !(step && nodes[next].comes.contains(what))) return true;
         return false;
     }
-    /// Terminal sets of nodes, each with its rests; nodes from which a run can abort belong to none.
+    /// Returns the terminal sets of nodes, each with its rests. A node from which a run can abort belongs to no set.
     std::vector<std::vector<bool>> regions() const {
         std::vector<bool> done = leading_to([&](std::size_t k) { return nodes[k].unknown; });
         std::vector<std::vector<bool>> found;
@@ -117,7 +118,7 @@ public:
 
     const Ways& ways() const { return ways_; }
 
-    /// Empty: there are too many points, or a condition is undefined somewhere.
+    /// Returns nothing if there are too many points, or if a condition is undefined at one of them.
     std::optional<Facts> facts() {
         for_each_input([&](const std::vector<std::int64_t>& inputs) {
             begin({power_on(chart_), std::vector<bool>(elements_.size())}, inputs, add_node());
@@ -164,7 +165,7 @@ private:
         }
     }
 
-    /// The term that element k watches: a step, or another term.
+    /// Returns the term that element k watches: a step, or another term.
     std::pair<bool, std::size_t> watched(std::size_t k) const {
         const TimedElement& element = elements_[k];
         if (element.step.valid()) return {true, element.step.index};
@@ -175,7 +176,8 @@ private:
 
     static bool level(const State& state, std::size_t k) { return state.timing[k].risen >= 0; }
 
-    /// Timer outputs of one watched term: shorter durations first, equal ones together.
+    /// True if the timers of one watched term expire in the order of their durations, and equal durations expire
+    /// together.
     bool in_order(const Rest& rest) const {
         for (std::size_t i = 0; i < elements_.size(); ++i)
             for (std::size_t j = 0; j < elements_.size(); ++j) {
@@ -219,7 +221,7 @@ private:
                 comes.insert(chart_.variables[id].name);
     }
 
-    /// Explores one instant from a node.
+    /// Explores one instant, which begins at a node.
     void begin(Rest at, const std::vector<std::int64_t>& inputs, std::size_t node) {
         std::set<Rest, RestOrder> seen;
         for (std::size_t next = node; !lost_; node = next) {
@@ -300,9 +302,9 @@ private:
     std::vector<Id<Chart::Variable>> inputs_ = {};
     std::set<std::uint32_t> active_ = {};
     std::set<std::string> fired_ = {}, always_ = {};
-    std::map<Rest, std::size_t, RestOrder> known_ = {};  ///< with their nodes
+    std::map<Rest, std::size_t, RestOrder> known_ = {};  ///< maps each rest to its node
     Ways ways_ = {};
-    std::deque<std::pair<Rest, std::size_t>> open_ = {};  ///< with their instant, by distance
+    std::deque<std::pair<Rest, std::size_t>> open_ = {};  ///< pairs of a rest and its instant, in order of distance
     std::size_t instant_ = 1;
     std::size_t points_ = 0;
     bool lost_ = false;
@@ -314,16 +316,16 @@ bool is_compared(const std::string& code) {
            code != "action-conflict" && code != "comes-once" && !is_trap(code) && !code.starts_with("forc");
 }
 
-/// If an evolution has several races or values out of range, the interpreter names one.
+/// The interpreter names only one fault if an evolution has several races or values out of range.
 bool masked(const std::string& fact, const Facts& expected) {
     const std::string code = fact.substr(0, fact.find(' ') + 1);
     return (code == "action-race " || code == "out-of-range ") &&
            std::ranges::any_of(expected, [&](const auto& other) { return other.first.starts_with(code); });
 }
 
-/// The part of a chart that is analysed.
+/// Limits the part of a chart that is analysed.
 struct Bounds {
-    int looks = -1;  ///< stops the analysis after this number of instants of its parts; negative: never
+    int looks = -1;  ///< number of instants of the parts after which the analysis stops; negative: no limit
     std::int64_t longest_count = 256;
 };
 
@@ -331,8 +333,9 @@ std::string fact_of(const std::string& code, const std::string& subject) {
     return code + (subject.empty() ? "" : " " + subject);
 }
 
-/// Wrong statements about open queries: every event in an instant that was searched must have been found. Several
-/// queries may have one subject: that of a known event may be another one.
+/// Returns the wrong statements about open queries: the analysis must have found every event of the instants that it
+/// searched. Several queries may have the same subject, so an open query and the query of a known event may differ only
+/// in their events.
 std::string wrongly_open(const Analysis& analysis, const Facts& expected, const std::set<std::string>& found) {
     std::string text;
     for (const OpenQuestion& question : analysis.open) {
@@ -346,8 +349,8 @@ std::string wrongly_open(const Analysis& analysis, const Facts& expected, const 
     return text;
 }
 
-/// The instants of the first rests from which none of `lost` ever occurs again; per region, of the rests that lead to
-/// it.
+/// Returns the instants of the first rests from which none of `lost` ever occurs again. If there are several regions,
+/// each region contributes the first instants of the rests that lead to it.
 std::set<std::size_t> first_without(const Ways& ways, const std::vector<std::string>& lost, bool broken) {
     std::vector<bool> all(ways.nodes.size(), true);
     for (const std::string& each : lost) {
@@ -369,11 +372,11 @@ std::set<std::size_t> first_without(const Ways& ways, const std::vector<std::str
     return result;
 }
 
-/// Differences of the two results about events that never occur again.
+/// Returns the differences of the two results about events that never occur again.
 std::string disagreement_on_ways(const Chart& chart, const Equations& equations, const Ways& ways,
                                  const Analysis& analysis, const Bounds& bounds) {
     std::string text;
-    // Runs aborted by a counter's range or another part are not seen, so that they do not lead back.
+    // The analysis does not see that a counter or another part aborts a run. Such a run does not lead back.
     const bool one_part = analysis::cones(equations).size() == 1;
     const bool cut = bounds.longest_count < 256 || !one_part;
     std::map<std::string, Finding::Level> found;
@@ -385,18 +388,22 @@ std::string disagreement_on_ways(const Chart& chart, const Equations& equations,
         sure = sure && finding.timing != Finding::Timing::Unconfirmed;
         for (const std::string& each : finding.lost) {
             found[each] = finding.level;
-            if (finding.timing == Finding::Timing::Unconfirmed) unconfirmed.insert(each);  // it may not be one
+            // This region may be infeasible.
+            if (finding.timing == Finding::Timing::Unconfirmed) unconfirmed.insert(each);
         }
         if (finding.lost.empty() || finding.timing == Finding::Timing::Unconfirmed) continue;
-        const bool once = finding.code == "comes-once";  // its path leads to a point where the first of them is dead
+        // Its path leads to a point where the first event of the group never occurs again.
+        const bool once = finding.code == "comes-once";
         const auto first = first_without(ways, once ? std::vector{finding.lost.front()} : finding.lost, !cut);
         const std::size_t way = finding.evidence ? finding.evidence->rows.size() - 1 : 0;
-        const bool cyclic = analysis.mode == ExecutionMode::EveryCycle;  // dead when an instant begins, or at its end
+        // a path of a chart with timers may need impossible expiries
+        const bool cyclic = analysis.mode == ExecutionMode::EveryCycle;
         if (first.empty()) text += "not lost: " + finding.message + '\n';
         else if (!first.contains(way) && !(cyclic && first.contains(way - 1)) && one_part)
             text += "not shortest: " + finding.message + ", " + std::to_string(way) + " instants\n";
     }
-    const bool timeless = timed_elements(chart).empty();  // else a path may need impossible expiries
+    // If the chart has timers, a path may need impossible expiries.
+    const bool timeless = timed_elements(chart).empty();
     std::set<std::string> open, steps;
     for (const OpenQuestion& question : analysis.open)
         if (is_trap(question.code)) open.insert(question.subject);
@@ -420,7 +427,7 @@ std::string disagreement_on_ways(const Chart& chart, const Equations& equations,
     const auto regions = ways.regions();
     if (region && one_part && sure && regions.size() < 2) {
         std::vector<bool> inside = regions.empty() ? std::vector<bool>(ways.nodes.size()) : regions.front();
-        bool any = false;  // outside the only region: true if a transition occurs infinitely often
+        bool any = false;  // true if a transition occurs infinitely often outside the only region
         for (const Id<Chart::Transition> id : chart.transitions.ids()) {
             const std::string& fired = chart.transitions[id].name;
             for (std::size_t k = 0; k < inside.size(); ++k) {
@@ -442,7 +449,8 @@ std::string disagreement_on_ways(const Chart& chart, const Equations& equations,
     return text;
 }
 
-/// Differences of the two results; empty: none. Empty optional: the chart is too large for the comparison.
+/// Returns the differences of the two results, which are empty if the results agree. Returns nothing if the chart is
+/// too large for the comparison.
 std::optional<std::string> disagreement(const Chart& chart, ExecutionMode mode, const Bounds& bounds = {}) {
     if (chart.steps.empty()) return {};
     ExplicitSearch search(chart, mode);
@@ -468,8 +476,8 @@ std::optional<std::string> disagreement(const Chart& chart, ExecutionMode mode, 
             .insert(fact_of(finding.code, finding.subject));
     }
     for (const OpenQuestion& question : analysis.open) open.insert(fact_of(question.code, question.subject));
-    // Timers may expire in orders that no times realize: an event that occurs only then is not reported as never
-    // occurring.
+    // Timers may expire in orders that no times realize. The analysis does not report an event as never occurring if it
+    // occurs only in such an order.
     for (const auto& [fact, instant] : *expected)
         if (!found.contains(fact) && !unconfirmed.contains(fact) && !open.contains(fact) && unconfirmed.empty())
             text += "not found: " + fact + '\n';

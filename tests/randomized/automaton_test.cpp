@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Randomized test: the location automaton of a chart, computed for all inputs together, predicts location, outputs and
-// total instability of every run of the interpreter; and tests generated from it pass on the interpreter.
+// Randomized test: the location automaton of a chart, computed for all inputs together, predicts the location, the
+// outputs and total instability in every run of the interpreter. The tests generated from the automaton pass on the
+// interpreter.
 #include <algorithm>
 #include <optional>
 #include <sstream>
@@ -21,7 +22,7 @@ struct Walked {
         several = 0, waiting = 0, merged = 0, constrained = 0;
 };
 
-/// Per timer of the equations: the corresponding timed element of the chart.
+/// Returns, for each timer of the equations, the corresponding timed element of the chart.
 std::vector<std::size_t> elements_of(const Chart& chart, const Equations& equations) {
     const std::vector<TimedElement> elements = timed_elements(chart);
     std::vector<std::size_t> result(equations.timers.size());
@@ -49,7 +50,8 @@ public:
           state_(power_on(chart)),
           location_(automaton.init) {}
 
-    /// Executes one cycle; returns a difference, or nothing. `ended`: the run cannot continue.
+    /// Executes one cycle. Returns a description of a difference, or an empty string. Sets `ended` if the run cannot
+    /// continue.
     std::string cycle_with(const std::vector<std::int64_t>& inputs, bool& ended) {
         read_inputs(inputs);
         const Cycle run = cycle(chart_, state_, inputs, automaton_.mode);
@@ -72,7 +74,7 @@ public:
         if (taken != nullptr) location_ = taken->to;
         ended = false;
         state_ = run.state;
-        read_inputs(inputs);  // timer outputs as seen by the outputs
+        read_inputs(inputs);  // the timer outputs that the outputs of the chart read
         return compared();
     }
 
@@ -122,13 +124,13 @@ private:
     const Chart& chart_;
     const LocationAutomaton& automaton_;
     Walked& walked_;
-    std::vector<std::size_t> elements_ = {};  ///< per timer of the equations
+    std::vector<std::size_t> elements_ = {};  ///< indexed by timer of the equations
     State state_ = {};
     Id<LocationAutomaton::Location> location_ = {};
-    std::vector<std::int64_t> inputs_ = {};  ///< per input of the automaton
+    std::vector<std::int64_t> inputs_ = {};  ///< indexed by input of the automaton
 };
 
-/// Excludes that two of the Boolean inputs are true together, if there are so many.
+/// Adds the constraint that two of the Boolean inputs are not true together, if the chart has two.
 void constrain(Chart& chart, Random& random) {
     std::vector<Id<Expr>> inputs;
     for (const Id<Chart::Variable> id : chart.variables.ids())
@@ -165,7 +167,7 @@ std::string walk(const Chart& chart, const Equations& equations, const LocationA
     return {};
 }
 
-/// Tests of every coverage criterion, replayed.
+/// Replays tests of every coverage criterion.
 std::string tested(const Chart& chart, const MealyMachine& machine, Walked& walked) {
     Diagnostics diagnostics;
     for (const TestCover cover : {TestCover::Transitions, TestCover::Evolutions, TestCover::Locations})
@@ -187,7 +189,7 @@ std::string tested(const Chart& chart, const MealyMachine& machine, Walked& walk
     return {};
 }
 
-/// Tests of the machine and of the minimized one.
+/// Replays tests of the machine and of the minimized machine.
 std::string tested(const Chart& chart, const LocationAutomaton& automaton, Walked& walked) {
     Diagnostics diagnostics;
     const auto machine = mealy_machine(automaton, {.max_states = 300}, diagnostics);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every operation on random functions compared with truth tables, with collections and reorderings in between and the
-// invariants of the space checked after each.
+// Compares every operation on random functions with truth tables. Collections and reorderings occur between the
+// operations, and the invariants of the space are checked after each operation.
 #include "bdd/bdd.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,8 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t most_variables = 10;
-using Truth = std::bitset<std::size_t{1} << most_variables>;  // bit n: the value where variable i is bit i of n
+// Bit n is the value for the assignment in which variable i is bit i of n.
+using Truth = std::bitset<std::size_t{1} << most_variables>;
 
 struct Tabled {
     Bdd bdd = {};
@@ -35,7 +36,7 @@ public:
         for (int i = 0; i < 12; ++i) pool_.push_back(variable());
     }
 
-    /// One operation on some functions of the pool; its result replaces one of them.
+    /// Applies one operation to some functions of the pool. The result replaces one of them.
     void step() {
         Tabled result = made();
         expect_same(result);
@@ -152,7 +153,7 @@ private:
                 })};
     }
 
-    /// Operations that only read a function, and its simplification, which is arbitrary outside the care set.
+    /// Tests operations that only read a function, and its simplification, which is arbitrary outside the care set.
     Tabled looked_at(const Tabled& f, const Tabled& care) {
         std::vector<std::uint32_t> all(variables_), used;
         std::iota(all.begin(), all.end(), 0U);
@@ -203,7 +204,8 @@ TEST(RandomizedBdd, OperationsAgreeWithTruthTablesIfMemoryIsScarce) {
     for (int seed = 0; seed < worlds; ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
-        RandomSpace world(random, {.memory = 135'000});  // some thousand nodes: collections occur within operations
+        // The space holds some thousand nodes, so that collections occur within operations.
+        RandomSpace world(random, {.memory = 135'000});
         for (int i = 0; i < 100 && !testing::Test::HasFailure(); ++i) try {
                 world.step();
             } catch (const BddExhausted& failure) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A circuit, its AIGER text and its BTOR2 text, read back by independent readers, compared with their system: their
-// possible runs are runs of the system, properties hold exactly where the terms do, and every state is reached.
+// Compares a circuit, its AIGER text and its BTOR2 text, read back by independent readers, with their system. Their
+// possible runs must be runs of the system, the properties must hold exactly in the states in which their terms hold,
+// and every state must be reached.
 #include "circuit/circuit.hpp"
 
 #include <gtest/gtest.h>
@@ -30,12 +31,12 @@ struct Seen {
     std::size_t systems = 0, steps = 0, targets = 0, hits = 0, starts = 0;
 };
 
-/// A random run of the circuit: tries inputs until the current state is possible, then makes a step.
+/// A random run of the circuit. It tries inputs until the current state is possible, and then makes a step.
 class Walk {
 public:
     Walk(const Circuit& circuit, Random& random) : circuit_(circuit), random_(random), values_(circuit.gates.size()) {}
 
-    /// True if a possible state was found, with random inputs.
+    /// Tries random inputs; true if a possible state was found.
     bool look() {
         for (int tries = 0; tries < 200; ++tries) {
             given_.assign(circuit_.inputs.size(), false);
@@ -86,7 +87,7 @@ void expect_targets(const System& system, FlatSystem& flat, const Circuit& circu
     }
 }
 
-/// The text is equivalent to the circuit in every step.
+/// Checks that the text is equivalent to the circuit in every step.
 void expect_same_text(const Circuit& circuit, const aiger::AigerText& written,
                       const std::vector<aiger::AigerProperty>& requested,
                       const std::vector<std::vector<bool>>& inputs) {
@@ -118,7 +119,7 @@ void expect_same_text(const Circuit& circuit, const aiger::AigerText& written,
     }
 }
 
-/// The bit vectors in the text represent the bits of the circuit in every state.
+/// Checks that the bit vectors in the text represent the bits of the circuit in every state.
 void expect_same_words(const System& system, const FlatSystem& flat, const Circuit& circuit,
                        const std::vector<std::vector<bool>>& inputs) {
     const btor2::Btor2Text written = btor2::written(system);
@@ -211,7 +212,7 @@ TEST(RandomizedCircuit, MakesTheStepsOfRandomLoops) {
     EXPECT_GT(seen.steps, 0u);
 }
 
-/// The encoding of values does not affect any value.
+/// Checks that the encoding of values does not change any value.
 TEST(RandomizedCircuit, WordsHoldTheValuesOfTheirRanges) {
     for (const Type type : {integer_type(-3, 4), integer_type(-4, 3), integer_type(0, 5), integer_type(7, 7),
                             integer_type(5, 9), integer_type(1000, 1003), integer_type(-9, -8), Type{}}) {

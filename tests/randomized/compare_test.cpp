@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Randomized test: charts that `compare` reports as equal have equal outputs in random scans of the interpreter. A
-// distinguishing sequence distinguishes charts by the interpreter in its last scan and not before; no random scans do
-// so in fewer if it is reported as shortest. Uses charts and their mutants, in both modes, timed ones too. Also: a
-// mutant of `mutate` is read back as written, and its chart differs in one location, which `compare` detects.
+// Randomized test: charts that `compare` reports as equal have equal outputs in random scans of the interpreter. In the
+// interpreter, a distinguishing sequence distinguishes the charts in its last scan and not before. If it is reported as
+// shortest, no shorter random sequence distinguishes them. The test uses charts and their mutants in both modes,
+// including timed charts. It also checks that a mutant of `mutate` is read back as written, and that it differs in one
+// location, which `compare` detects.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -22,19 +23,19 @@
 namespace grafverif {
 namespace {
 
-constexpr std::size_t most_steps = 6;  ///< number of charts that are compared
+constexpr std::size_t most_steps = 6;  ///< the number of steps of a chart that is compared
 
 /// Counts of the situations in the random charts.
 struct Met {
     int equal = 0, different = 0, timed = 0, stops = 0, long_ones = 0, shortest = 0, unknown = 0;
 };
 
-/// One chart, scan by scan; written independently for this test.
+/// Executes one chart scan by scan, by an implementation written only for this test.
 class Plc {
 public:
     Plc(const Chart& chart, ExecutionMode mode) : chart_(chart), mode_(mode), state_(power_on(chart)) {}
 
-    /// Outputs by name, or nothing if it stops. `inputs` in the order of the chart's inputs.
+    /// Returns the outputs by name, or nothing if the chart stops. `inputs` are in the order of the chart's inputs.
     std::optional<std::vector<std::pair<std::string, std::int64_t>>> scan(std::int64_t wait,
                                                                           const std::vector<std::int64_t>& inputs) {
         if (state_.started) state_ = pass_time(state_, wait);
@@ -58,7 +59,7 @@ private:
     State state_;
 };
 
-/// The first scan with different outputs.
+/// Returns the first scan with different outputs.
 std::optional<std::size_t> difference(const Chart& a, const Chart& b, ExecutionMode mode,
                                       const std::vector<Comparison::Scan>& scans) {
     Plc one(a, mode), other(b, mode);
@@ -85,7 +86,7 @@ std::vector<Comparison::Scan> random_scans(const Comparison& about, Random& rand
     return scans;
 }
 
-/// A chart with one element changed; it may be rejected.
+/// Returns a chart with one element changed, which may be invalid.
 Chart mutant(Chart chart, Random& random) {
     const auto any = [&](auto& table) -> auto& {
         return table[*(table.ids().begin() + random_number(random, 0, static_cast<std::int64_t>(table.size()) - 1))];
@@ -136,7 +137,8 @@ Model model_of(const Chart& chart) {
     return model;
 }
 
-/// The error in the verdict on both; nothing: it is right, or one of them is rejected.
+/// Returns the error in the verdict on both charts. Returns nothing if the verdict is right, or if one of the charts is
+/// rejected.
 std::string violation(const Chart& a, const Chart& b, ExecutionMode mode, Random random, Met& met) {
     Diagnostics diagnostics;
     if (!derive(a, diagnostics) || !derive(b, diagnostics)) return {};
@@ -206,7 +208,7 @@ TEST(RandomizedCompare, AChartWithOtherNamesForItsStepsIsTheSame) {
     EXPECT_GT(met.equal, 0);
 }
 
-/// The error in the location of a mutation; nothing: the charts differ only there.
+/// Returns the error in the location of a mutation, or nothing if the charts differ only at that location.
 std::string misplaced(const Mutant& mutant, const Chart& a, const Chart& b) {
     std::set<std::string> subjects;
     for (const ChartChange& change : difference(a, b)) {
@@ -223,7 +225,7 @@ std::string misplaced(const Mutant& mutant, const Chart& a, const Chart& b) {
 
 TEST(RandomizedCompare, MutantsDifferInOnePlaceAndEquivalentOnesAreNeverDistinguished) {
     Met met;
-    constexpr std::size_t most = 4;  // number of compared charts
+    constexpr std::size_t most = 4;  // the number of charts that are compared
     int read = 0, refused = 0;
     std::set<std::string> kinds;
     for (int seed = 1; seed <= test_size(8); ++seed) {

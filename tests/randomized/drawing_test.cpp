@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Randomized test of drawings: no elements overlap, and the drawing contains each element of the chart once.
+// Randomized test of drawings: no elements overlap, and the drawing contains each element of the chart exactly once.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace grafverif {
 namespace {
 
-/// Steps and transitions connected arbitrarily, unlike any practical chart.
+/// Returns a chart whose steps and transitions are connected arbitrarily, unlike those of any practical chart.
 Chart tangle(Random& random) {
     Chart chart{.name = "tangle"};
     const auto partial = chart.partial_charts.add({});
@@ -40,7 +40,7 @@ Chart tangle(Random& random) {
     return chart;
 }
 
-/// A ring of `steps` with some links back, and some links that skip steps.
+/// Returns a ring of `steps` steps with some links back and some links that skip steps.
 Chart long_ring(std::uint32_t steps, Random& random) {
     Chart chart{.name = "ring"};
     const auto partial = chart.partial_charts.add({});

@@ -42,8 +42,8 @@ struct Pair {
         for (const Equations::Variable& variable : of.variables) inputs.push_back(variable.initial);
     }
 
-    /// Takes edges until time can pass: first timer expiries, since the equations see those of one instant together.
-    /// False if the model is faulty or never becomes quiescent.
+    /// Takes edges until time can pass. Timer expiries come first, because the equations treat all expiries of one
+    /// instant together. Returns false if the model is faulty or never becomes quiescent.
     bool settle() {
         for (int count = 0; count < many_edges; ++count) {
             std::vector<TaddMove> moves = tadd.successors(state);
@@ -68,7 +68,7 @@ struct Pair {
         return false;
     }
 
-    /// The same for the equations: cycles until one is stable.
+    /// Executes cycles of the equations until one is stable. Returns false as settle does.
     bool run_cycles() {
         for (int count = 0; count < many_edges; ++count) {
             const EquationsCycle done = cycle(equations, expected, inputs, mode);
@@ -89,7 +89,7 @@ struct Pair {
         state.variables[tadd.variable_id("EVOL_PL").index] = 1;
     }
 
-    /// One unit of time; true if a timer expires.
+    /// Lets one unit of time pass; true if a timer expires.
     bool pass_unit() {
         state = std::move(tadd.successors(state).back().next);
         const EquationsState before = expected;
@@ -113,7 +113,7 @@ struct Pair {
     }
 };
 
-/// Runs both; false if the run ends early because the chart is faulty or unstable.
+/// Runs both models. Returns false if the run ends early because the chart is faulty or unstable.
 bool run_both(Pair& pair) {
     const auto agree = [&](bool something_happened) {
         if (something_happened && !pair.run_cycles()) return false;
@@ -136,7 +136,7 @@ void check(std::uint64_t seed, Grain grain, ExecutionMode mode, int& completed) 
     const Model model = lone_controller(chart);
     Diagnostics diagnostics;
     const auto equations = derive(chart, diagnostics);
-    if (!equations) return;  // outputs that read each other
+    if (!equations) return;  // derive rejects outputs that read each other
     const ClosedLoop& loop = model.loops[{0}];
     const auto alone = plant(model, loop, diagnostics);
     ASSERT_TRUE(alone);

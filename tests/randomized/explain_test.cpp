@@ -35,7 +35,7 @@
 namespace grafverif {
 namespace {
 
-/// The network of a random loop; nothing if equations cannot be derived from its charts.
+/// Returns the network of a random loop, or nothing if equations cannot be derived from its charts.
 std::optional<Network> network_for(const Model& model, const ModelOptions& how = {}) {
     Diagnostics diagnostics;
     return network_of(model, {0}, how, diagnostics);
@@ -47,7 +47,7 @@ TimedResult searched(const Network& network) {
     return check_timed(network, options);
 }
 
-/// The properties of these patterns; the memory limit bounds the time of the test.
+/// Checks the properties of these patterns. The memory limit bounds the time of the test.
 SymbolicResult searched(const TransitionSystem& system, const std::vector<Pattern>& patterns) {
     SymbolicOptions options;
     options.witnesses = false;
@@ -58,8 +58,8 @@ SymbolicResult searched(const TransitionSystem& system, const std::vector<Patter
     return options.properties.empty() ? SymbolicResult() : check_symbolic(system, options);
 }
 
-/// The independent computation: the search of `analyse`, on the equations of the chart alone. It has no inputs that
-/// change during an instant, hence the atomic grain.
+/// The independent computation is the search of `analyse` on the equations of the chart alone. It has no inputs that
+/// change during an instant, and therefore corresponds to the atomic grain.
 TEST(RandomizedExplain, ChartsReportedAsUnstableAreTotallyUnstableForAnalyse) {
     int unstable = 0;
     for (int seed = 1; seed <= test_size(120); ++seed) {
@@ -91,7 +91,7 @@ TEST(RandomizedExplain, ChartsReportedAsUnstableAreTotallyUnstableForAnalyse) {
 
 std::size_t below(Random& random, std::size_t bound) { return random() % bound; }
 
-/// A term over the first `variables` variables; some terms occur twice.
+/// Returns a term over the first `variables` variables. Some of its subterms occur twice.
 Id<Expr> random_term(Random& random, Exprs& exprs, std::size_t variables, int depth) {
     if (depth == 0 || below(random, 4) == 0) {
         const Id<Expr> leaf = exprs.leaf(Op::Variable, static_cast<std::uint32_t>(below(random, variables)));
@@ -103,16 +103,16 @@ Id<Expr> random_term(Random& random, Exprs& exprs, std::size_t variables, int de
     return below(random, 2) == 0 ? exprs.conjunction(left, right) : exprs.disjunction(left, right);
 }
 
-using Pair = std::pair<std::uint32_t, std::size_t>;  // a term, a state
+using Pair = std::pair<std::uint32_t, std::size_t>;  // a term and a state
 
-/// A run of states on which a property fails, with the literal definition of causes.
+/// Computes causes by their literal definition, for a run of states on which a property fails.
 class Enumeration {
 public:
     Enumeration(const Network& network, const Property& property, std::vector<NetworkState> states, std::size_t count,
                 std::optional<std::size_t> loop)
         : network_(network), property_(property), states_(std::move(states)), count_(count), loop_(loop) {}
 
-    /// Empty optional: it does not fail, or there is too much to enumerate.
+    /// Returns nothing if the property does not fail, or if there are too many sets to enumerate.
     std::optional<std::set<Pair>> causes() {
         for (explained_ = 0; explained_ < count_; ++explained_)
             if (fails({})) break;
@@ -140,7 +140,7 @@ public:
 private:
     bool responds() const { return property_.pattern == Pattern::LeadsTo; }
 
-    /// The states whose values may be changed: for `leads to` all following ones.
+    /// Returns the pairs whose values may be changed. For `leads to` these include all following states.
     std::vector<std::size_t> pairs_of() const {
         std::vector<std::size_t> list = {explained_};
         for (std::size_t k = 0; k < count_ && responds(); ++k)
@@ -177,7 +177,8 @@ private:
                std::ranges::none_of(pairs_of(), [&](std::size_t state) { return holds(p[1], state, changed); });
     }
 
-    /// Each occurrence of a term in the requirement on `state`, in negation normal form, with its required value.
+    /// Returns each occurrence of a term in the requirement on `state`, in negation normal form, with its required
+    /// value.
     std::vector<std::pair<std::uint32_t, bool>> literals(std::size_t state) const {
         std::vector<std::pair<std::uint32_t, bool>> list;
         const auto walk = [&](const auto& self, Id<Expr> term, bool wanted) -> void {
@@ -236,7 +237,7 @@ TEST(RandomizedExplain, CausesAreThoseOfTheDefinitionByEnumeration) {
         std::set<Pair> pairs;
         for (const Causes::Pair& pair : found->pairs) EXPECT_TRUE(pairs.insert({pair.term.index, pair.state}).second);
         ASSERT_EQ(pairs, *expected);
-        // For a run of an untimed model: no state is repeated.
+        // A run of an untimed model repeats no state.
         TransitionSystem system;
         system.exprs = network.exprs;
         SystemRun untimed{{}, loop};
@@ -256,7 +257,7 @@ const Network::Edge& edge_of(const Network& network, const Fire& fire) {
     return network.templates[network.processes[fire.process].automaton].edges[fire.edge];
 }
 
-/// As defined in explain/counterfactual.hpp, in the order of its sentences.
+/// Implements the definition in explain/counterfactual.hpp, in the order of its sentences.
 bool nothing_forces(const Network& network, const Move& move) {
     if (std::holds_alternative<Delay>(move)) return false;
     const Fire& fire = std::get<Fire>(move);
@@ -266,7 +267,7 @@ bool nothing_forces(const Network& network, const Move& move) {
            !edge_of(network, fire).urgent && from.invariant.empty();
 }
 
-/// The states of the re-executed run; nothing if it is not a run.
+/// Returns the states of the re-executed run, or nothing if the result is not a run.
 std::optional<std::vector<NetworkState>> made_again(const Network& network, const Network& timed, const Run& run,
                                                     const std::set<std::size_t>& left_out) {
     std::vector<NetworkState> states = {initial_state(network)};
@@ -294,7 +295,7 @@ std::optional<std::vector<NetworkState>> made_again(const Network& network, cons
     for (int tries = 0; must(true); ++tries)
         if (tries > 500) return {};
     for (const Fire& fire : enabled(network, states.back()))
-        if (edge_of(network, fire).urgent) return {};  // model error
+        if (edge_of(network, fire).urgent) return {};  // the edge causes a model error
     return states;
 }
 
@@ -302,8 +303,8 @@ struct ChangeCounts {
     int mended = 0, hopeless = 0;
 };
 
-/// Compares the shortest change of a run that violates `property` with all sets of free moves. `timed`: `network` with
-/// its clocks.
+/// Compares the shortest change of a run that violates `property` with all sets of free moves. `timed` is `network`
+/// with its clocks.
 void expect_smallest(const Network& network, const Network& timed, const Property& property, const grafverif::Run& run,
                      ChangeCounts& counts) {
     const auto good = [&](const NetworkState& state) {
@@ -356,8 +357,8 @@ TEST(RandomizedExplain, TheShortestChangeIsTheSmallestSetOfFreeMovesThatMendsThe
 // -- proof cores
 // -------------------------------------------------------------------------------------------------------
 
-/// The properties about single states that hold, by the reference semantics; nothing if there are too many states, or a
-/// model error.
+/// Returns the properties about single states that hold, by the reference semantics. Returns nothing if there are too
+/// many states or a model error.
 std::optional<std::set<std::string>> hold_naively(const Network& network, std::size_t most = 4000) {
     const NaiveTadd naive(network);
     std::set<TaddState> seen = {naive.initial()};
@@ -385,7 +386,7 @@ std::optional<std::set<std::string>> hold_naively(const Network& network, std::s
     return holding;
 }
 
-/// For one of them.
+/// Returns the result of hold_naively for one property.
 std::optional<bool> holds_naively(const Network& network, const std::string& name) {
     const auto holding = hold_naively(network);
     if (!holding) return {};
@@ -396,7 +397,7 @@ bool is_in(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
 }
 
-/// The network without all processes except `ground.parts` and `also`.
+/// Returns the network without all processes except `ground.parts` and `also`.
 Network left_open(const Network& network, const ProofExplanation::ProofCore& ground, const std::string& also) {
     Network open = network;
     const std::vector<std::string> told = display_names(network);
@@ -416,7 +417,7 @@ Network left_open(const Network& network, const ProofExplanation::ProofCore& gro
     return open;
 }
 
-/// A chart of three steps that moves a short cylinder, on random conditions, and six random properties.
+/// Returns a chart of three steps that moves a short cylinder, with random conditions and six random properties.
 std::string random_cylinder(Random& random, bool possible = false) {
     const auto pick = [&](const std::vector<std::string>& words) { return words[below(random, words.size())]; };
     const std::vector<std::string> conditions = {"a", "b", "c", "!a", "!b", "!c", "a && c", "!a && !b"};
@@ -478,7 +479,7 @@ TEST(RandomizedExplain, ARunOfAnUntimedLoopIsOneOfItsNetworkAndItsShortestChange
     EXPECT_GT(counts.hopeless, 0);
 }
 
-/// The elements that `why_it_holds` removes separately, in its order, each with its reported kind.
+/// Returns the elements that `why_it_holds` removes separately, in its order. Each has its reported kind.
 std::vector<std::pair<ProofExplanation::Kind, Model>> left_out_one_by_one(const Model& model) {
     std::vector<std::pair<ProofExplanation::Kind, Model>> all;
     const auto add = [&](ProofExplanation::Kind kind, const auto& leave_out) {
@@ -508,7 +509,8 @@ std::vector<std::pair<ProofExplanation::Kind, Model>> left_out_one_by_one(const 
 
 TEST(RandomizedExplain, ReportedProofCoresAgreeWithTheReferenceSemantics) {
     int needed = 0, enough = 0;
-    std::map<ProofExplanation::Kind, std::array<int, 2>> by_itself;  // not needed, needed
+    // Counts of elements that are not needed and that are needed.
+    std::map<ProofExplanation::Kind, std::array<int, 2>> by_itself;
     for (int seed = 1; seed <= test_size(15); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
@@ -571,7 +573,7 @@ TEST(RandomizedExplain, ReportedProofCoresAgreeWithTheReferenceSemantics) {
     }
 }
 
-// The independent computation: the mutants of the text, of which one kind omits an operand.
+// The independent computation uses the mutants of the text. One kind of mutant omits an operand.
 TEST(RandomizedExplain, RemovingATermAgreesWithTheTextWithoutIt) {
     int same = 0;
     for (int seed = 1; seed <= test_size(25); ++seed) {
@@ -608,8 +610,8 @@ TEST(RandomizedExplain, RemovingATermAgreesWithTheTextWithoutIt) {
     EXPECT_GT(same, test_size(25));
 }
 
-/// The states of `network`, without clocks and without the locations of the processes in `left_out`; nothing if there
-/// are too many.
+/// Returns the states of `network`, without clocks and without the locations of the processes in `left_out`. Returns
+/// nothing if there are too many.
 std::optional<std::set<TaddState>> places_of(const Network& network, Id<Network::Process> left_out = {}) {
     const NaiveTadd naive(network);
     std::set<TaddState> seen = {naive.initial()}, places;
@@ -628,7 +630,7 @@ std::optional<std::set<TaddState>> places_of(const Network& network, Id<Network:
     return places;
 }
 
-// The premise of proofs without an instance or a timing: removing it only adds states.
+// Tests the premise of proofs without an instance or a timing: the removal only adds states.
 TEST(RandomizedExplain, EveryStateOfALoopIsOneOfTheLoopWithoutAnInstanceOrATiming) {
     int instances = 0, timings = 0;
     for (int seed = 1; seed <= test_size(8); ++seed) {
@@ -656,7 +658,8 @@ TEST(RandomizedExplain, EveryStateOfALoopIsOneOfTheLoopWithoutAnInstanceOrATimin
     EXPECT_GT(timings, test_size(8));
 }
 
-// The same for a guard; an edge that is not forced adds states too, so that its removal needs no search.
+// Tests the same premise for a guard. The removal of an edge that is not forced needs no search, because all states
+// without it are states of the loop.
 TEST(RandomizedExplain, EveryStateOfALoopIsOneOfTheLoopWithoutAGuardAndOneWithAnEdgeMoreThatNothingForces) {
     int guards = 0, edges = 0;
     for (int seed = 1; seed <= test_size(6); ++seed) {
@@ -695,7 +698,7 @@ TEST(RandomizedExplain, EveryStateOfALoopIsOneOfTheLoopWithoutAGuardAndOneWithAn
     EXPECT_GT(edges, test_size(6) / 2);
 }
 
-/// The end of a run, by the reference semantics.
+/// Returns the end of a run, computed by the reference semantics.
 TaddState end_of(const NaiveTadd& naive, const grafverif::Run& run) {
     TaddState state = naive.initial();
     const auto take = [&](const Fire* fire) {
@@ -714,7 +717,8 @@ TaddState end_of(const NaiveTadd& naive, const grafverif::Run& run) {
     return state;
 }
 
-/// The transitions cleared in `state`: visible there or, in grain atomic, in the state after the PLC's edge is taken.
+/// Returns the transitions cleared in `state`. They are visible in `state` or, in grain atomic, in the state after the
+/// edge of the PLC.
 std::set<std::string> cleared_in(const Network& network, const TaddState& state) {
     const Network::Controller& controller = *network.controllers.begin();
     NetworkState now = initial_state(network);
@@ -742,7 +746,8 @@ struct LostCounts {
     int never = 0, still = 0;
 };
 
-/// Compares `note`, which lists dead transitions after the end of the run, with all states reachable from there.
+/// Compares `note`, which lists dead transitions after the end of the run, with all states that are reachable from that
+/// end.
 void expect_never_again(const Network& network, const grafverif::Run& run, const std::string& note,
                         LostCounts& counts) {
     const NaiveTadd naive(network);
@@ -767,7 +772,7 @@ void expect_never_again(const Network& network, const grafverif::Run& run, const
     }
 }
 
-/// The note that lists dead transitions; empty if there is none.
+/// Returns the note that lists dead transitions, or an empty string.
 std::string lost_note(const Verdict& verdict) {
     const auto found =
         std::ranges::find_if(verdict.notes, [](const std::string& note) { return note.starts_with(dead_text); });

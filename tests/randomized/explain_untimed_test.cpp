@@ -30,7 +30,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// Nothing if there is no such model.
+/// Returns nothing if there is no such model.
 std::optional<System> system_for(const Model& model, const ScheduleOptions& options) {
     try {
         return untimed_loop(model, options);
@@ -41,7 +41,7 @@ std::optional<System> system_for(const Model& model, const ScheduleOptions& opti
 
 bool is_possible(const Property& property) { return property.pattern == Pattern::AlwaysPossible; }
 
-/// The properties of these patterns; the memory limit bounds the time of the test.
+/// Checks the properties of these patterns. The memory limit bounds the time of the test.
 SymbolicResult searched(const System& system, bool (*requested)(const Property&)) {
     SymbolicOptions options;
     options.witnesses = false;
@@ -53,7 +53,8 @@ SymbolicResult searched(const System& system, bool (*requested)(const Property&)
 
 // -- the shortest change ----------------------------------------------------------------------------------------------
 
-/// The free variables of a run of controllers alone, as defined in explain/inputs.hpp, in the order of its sentences.
+/// The changes of the free variables in a run of controllers alone. It implements the definition in
+/// explain/inputs.hpp, in the order of its sentences.
 class Told {
 public:
     struct Event {
@@ -84,7 +85,8 @@ public:
         return true;
     }
 
-    /// The states without some events, and the state after which they repeat; nothing if there are none.
+    /// Returns the states without some events and the index of the state after which they repeat. Returns nothing if
+    /// there is no such run.
     std::optional<std::pair<std::vector<SystemState>, std::size_t>> made_again(const std::set<Event>& left_out,
                                                                                const Property& property) const {
         std::map<std::string, std::int64_t> now;
@@ -140,7 +142,7 @@ private:
             if (told(name, state) != 0 && (state == 0 || told(name, state - 1) == 0)) events_.push_back({name, state});
     }
 
-    /// The value in a state of the run, after the value `before`.
+    /// Returns the value in a state of the run. `before` is the previous value.
     std::int64_t value(const std::set<Event>& left_out, const std::string& name, std::size_t state,
                        const std::map<std::string, std::int64_t>& before) const {
         const Event* last = nullptr;
@@ -167,7 +169,7 @@ private:
     std::vector<Event> events_ = {};
 };
 
-/// True if some plant can produce the run, as far as this is decidable.
+/// True if some plant can produce the run, as far as the test can decide it.
 bool is_timely(const System& system, const std::pair<std::vector<SystemState>, std::size_t>& made) {
     SystemRun run{{}, made.second};
     for (const SystemState& state : made.first) {
@@ -178,7 +180,7 @@ bool is_timely(const System& system, const std::pair<std::vector<SystemState>, s
     return !untimely(project(system, run));
 }
 
-/// The sets of events without which the run is good.
+/// Returns the sets of events without which the property does not fail on the run.
 std::vector<std::set<Told::Event>> sets_that_mend(const System& system, const SystemRun& run, const Told& told,
                                                   const Property& property) {
     const bool any = untimely(project(system, run)).has_value();
@@ -193,7 +195,7 @@ std::vector<std::set<Told::Event>> sets_that_mend(const System& system, const Sy
     return found;
 }
 
-/// A run of controllers alone whose inputs change occasionally; nothing if a constraint forbids it.
+/// Returns a run of controllers alone whose inputs change occasionally, or nothing if a constraint forbids it.
 std::optional<SystemRun> random_run(const System& system, Random& random) {
     std::map<std::string, std::int64_t> now;
     const auto choose = [&](std::string_view path, Type type) {
@@ -222,7 +224,8 @@ bool is_time(const System& system, Id<System::Symbol> symbol) {
     });
 }
 
-/// Compares the result for a run on which the property fails with all sets of events of inputs and timers.
+/// Compares the result for a run on which the property fails with the results for all sets of events of inputs and
+/// timers.
 void expect_fewest(const System& system, const std::vector<const Chart*>& charts, const Property& property,
                    const SystemRun& run, std::map<std::string, int>& counts) {
     const Told told(system, run);
@@ -251,7 +254,7 @@ void expect_fewest(const System& system, const std::vector<const Chart*>& charts
     for (std::size_t state = 0; state < again->first.size(); ++state)
         for (const Id<System::Symbol> id : symbols.ids())
             ASSERT_EQ(change.run.states[state][id.index], value_of(system, again->first[state], symbols[id].name));
-    // Its result agrees with the interpreter.
+    // The changed run must agree with the interpreter.
     if (const auto wrong = disagreement(project(system, change.run), charts)) FAIL() << wrong->what;
     ++counts[left_out.size() > 1 ? "several changes" : "one change"];
     ++counts[charts.size() > 1 ? "two controllers" : "one controller"];
@@ -286,7 +289,7 @@ TEST(RandomizedExplainUntimed, FewestInputChangesAgreeWithExhaustiveReplayByTheR
 
 // -- the point of no return -------------------------------------------------------------------------------------------
 
-/// The last state of a run of controllers alone, and the one before.
+/// Returns the last two states of a run of controllers alone.
 std::vector<SystemState> last_two(const System& system, const SystemRun& run) {
     const auto& symbols = system.modules[system.main].symbols;
     std::size_t at = 0;
@@ -367,7 +370,7 @@ TEST(RandomizedExplainUntimed, DeadTransitionsAreNeverClearedAfterThePointOfNoRe
 
 // -- a chart alone ----------------------------------------------------------------------------------------------------
 
-/// True if every instant of the run ends without some of its changes, computed evolution by evolution.
+/// Evaluates the chart evolution by evolution; true if every instant of the run ends without some of its changes.
 bool settles_without(const Chart& chart,
                      const std::vector<std::pair<std::int64_t, std::vector<std::int64_t>>>& instants,
                      const std::set<std::pair<std::size_t, std::size_t>>& left_out) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Randomized test: an imported chart is read back as the same chart, and is accepted by every command. Each of the
-// random and mutated files is rejected with an error, or its text is read back as the same model with the same
-// equations.
+// Randomized test: an imported chart is read back as the same chart, and every command accepts it. Random and mutated
+// files are either rejected with an error, or their text is read back as the same model with the same equations.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -22,7 +21,7 @@
 namespace grafverif {
 namespace {
 
-/// The model as text and its derived equations; empty after an error.
+/// Returns the model as text with its derived equations, or an empty string after an error.
 std::string meaning(const Model& model, Diagnostics& diagnostics) {
     std::ostringstream out;
     print(out, model);
@@ -33,7 +32,7 @@ std::string meaning(const Model& model, Diagnostics& diagnostics) {
 
 struct Tally {
     int taken = 0;
-    std::map<std::string, int> refused = {};  ///< by code of the first error
+    std::map<std::string, int> refused = {};  ///< counts of rejected files by the code of the first error
 };
 
 void check_law(const std::string& written, bool lossy, Tally& tally) {

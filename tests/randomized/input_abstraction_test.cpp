@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Verdicts found on input abstractions compared with those of the complete loop, on random loops with panels; and each
-// premise of the abstraction omitted once, to show that the comparison detects it.
+// Compares the verdicts found on input abstractions with those of the complete loop, on random loops with panels. Each
+// premise of the abstraction is omitted once, to show that the comparison detects the omission.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,16 +25,16 @@ std::string one_of(Random& random, const std::vector<std::string>& from) {
     return from[static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(from.size()) - 1))];
 }
 
-/// An instance of the panel and what the chart reads of it.
+/// An instance of the panel, with the names of its ports and the conditions on them that the chart may read.
 struct Element {
     std::string instance = "", ports = "";
     std::vector<std::string> conditions = {};
 };
 
-/// A chart of three steps with a panel of two or three elements: push buttons with and without a bound on the time
-/// pressed, a selector, a free input, an integer input. Further elements are an actuator of the plant, times and edges
-/// of inputs, and conditional, stored and counting actions. In some loops a lamp reads a button itself, or a second
-/// chart reads the same panel.
+/// Returns a chart of three steps with a panel of two or three elements: push buttons with and without a bound on the
+/// time pressed, a selector, a free input, an integer input. The loop also has an actuator of the plant, times and
+/// edges of inputs, and conditional, stored and counting actions. In some loops a lamp reads a button itself, or a
+/// second chart reads the same panel.
 std::string panel_loop(Random& random) {
     std::vector<Element> panel{{"environment EA = push_button(OUT = A);", "A", {"A", "rise(A)", "fall(A)", "1s/A"}},
                                {"environment EB = free(OUT = B);", "B", {"B", "rise(B)"}},
@@ -118,7 +118,7 @@ std::string panel_loop(Random& random) {
     return text + "}\n";
 }
 
-/// A property that `by inputs` decides, with the network that its run is of.
+/// Compares the verdicts of the input abstractions with those of the complete search.
 struct Compared {
     int wrong = 0;
     std::map<std::string, int>& seen;
@@ -172,7 +172,8 @@ int compare(const Network& loop, const InputAblations& ablations, bool expected,
         TimedOptions options{.max_states = 3, .timelock = group.empty()};
         TimedResult inputs = check_timed(network, options);
         if (inputs.complete) continue;
-        inputs.time_passes = complete.time_passes;  // results of a longer first search
+        // The complete search provides the result that a longer first search would find.
+        inputs.time_passes = complete.time_passes;
         options.max_states = complete_limit;
         InputSearch search(loop, observe, options, inputs, {.followed = 20'000, .explored = explored}, ablations);
         for (const std::uint64_t states : {std::uint64_t{30}, options.max_states})

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Compositional checking of untimed models compared with checking the complete model, on random networks of two to four
-// parts in abstract and in discrete time; each premise omitted once, to show that the comparison detects it.
+// Compares compositional checking of untimed models with checking the complete model, on random networks of two to four
+// parts in abstract and in discrete time. Each premise is omitted once, to show that the comparison detects the
+// omission.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +31,7 @@ namespace {
 using System = TransitionSystem;
 using Counts = std::map<std::string, int>;
 
-/// A loop with the same properties as the network.
+/// Returns a loop with the same properties as the network.
 ClosedLoop loop_around(const Network& network) {
     ClosedLoop loop;
     loop.name = network.name;
@@ -44,7 +45,7 @@ ClosedLoop loop_around(const Network& network) {
         const bool race = network.race.valid() && property.pattern == Pattern::Never &&
                           network.exprs[property.operands[0]].op == Op::Variable &&
                           network.exprs[property.operands[0]].value == network.race.index;
-        if (race) continue;  // it is added to every model
+        if (race) continue;  // every model contains the property of races
         for (Id<Expr>& operand : property.operands) operand = translate(network.exprs, operand, loop.exprs, leaf);
         loop.properties.add(std::move(property));
     }
@@ -59,7 +60,8 @@ System random_system(Random& random, int parts, TimeModel time) {
     return schedule_network({}, loop_around(network), {}, network, options, diagnostics).value();
 }
 
-/// The states, by the symbols of main, to which `run` may lead; empty: it is not a run of the system.
+/// Follows `run` in the system. Its result is the set of states, given by the symbols of main, to which `run` may lead;
+/// an empty set means that `run` is not a run of the system.
 class Follower {
 public:
     Follower(const System& system, const SystemRun& run) : system_(system) {
@@ -102,7 +104,7 @@ private:
     std::vector<SystemState> loop_ = {}, end_ = {};
 };
 
-/// The run is one of the complete model, and shows the verdict on the property.
+/// Checks that the run is a run of the complete model and shows the verdict on the property.
 void confirm(const System& system, const Property& property, const SystemRun& run) {
     EXPECT_FALSE(Follower(system, run).end().empty()) << "it is no run of the whole";
     const auto holds = [&](std::size_t state, std::size_t operand) {
@@ -110,7 +112,7 @@ void confirm(const System& system, const Property& property, const SystemRun& ru
     };
     const std::size_t last = run.states.size() - 1;
     const bool settled = !property.at_stable || value_in(system, run.states[last], system.settled) != 0;
-    std::size_t kept = 0;  // from here on the goal is avoided
+    std::size_t kept = 0;  // index of the state from which on the run avoids the goal
     if (property.pattern == Pattern::LeadsTo)
         for (std::size_t state = 0; state <= last; ++state)
             if (holds(state, 1) && settled) kept = state + 1;
@@ -151,7 +153,8 @@ void compare(const SymbolicResult& apart, const SymbolicResult& whole, const Sys
         EXPECT_EQ(here.property, there.property);
         if (apart.runs[i]) confirm(system, property, *apart.runs[i]);
         if (apart.runs[i]) ++seen["runs"];
-        if (!property.operands.empty() && property.operands[0] == system.parts.can_move) {  // per part: stronger
+        // The property of the parts is stronger.
+        if (!property.operands.empty() && property.operands[0] == system.parts.can_move) {
             EXPECT_FALSE(here.outcome == Outcome::Holds && there.outcome == Outcome::Violated);
             continue;
         }
@@ -220,7 +223,7 @@ TEST(RandomizedInterleaving, PortfolioGivesTheVerdictsAndRunsOfTheCompleteModel)
     print_counts(seen);
 }
 
-/// An omitted premise: assumed for every neighbour.
+/// A premise that is omitted, which means that it is assumed of every neighbour.
 struct Premise {
     const char* name = "";
     void (*grant)(OmittedSubsystem&) = nullptr;
@@ -254,7 +257,7 @@ Alone alone(const System& system, std::uint32_t part, const std::vector<Id<Prope
     return found;
 }
 
-/// Verdicts of one part for the complete model if all but one premise hold.
+/// Computes the verdicts of one part for the complete model under all premises but one.
 void leave_out(const System& system, Counts& tried, Counts& failed) {
     const SymbolicOptions options;
     const SubsystemSearches parts(system, options);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Randomized test: the interpreter of the IEC rules agrees with the equations that derive computes from the same chart,
-// cycle by cycle and in both execution modes. The interpreter is based on sets of steps and transitions only. Compared
-// are transitions cleared, situation, variables, outputs written, stability, total instability, races and values out of
-// range.
+// cycle by cycle and in both execution modes. The interpreter uses only sets of steps and transitions. The test
+// compares the transitions cleared, the situation, the variables, the outputs written, stability, total instability,
+// races and values out of range.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -34,7 +34,7 @@ std::vector<std::int64_t> random_inputs(const Chart& chart, std::vector<std::int
     return values;
 }
 
-/// The first disagreement of one cycle, or nothing.
+/// Returns the first disagreement of one cycle, or an empty string.
 std::string disagreement(const Chart& chart, const Equations& equations,
                          const std::vector<std::int64_t>& outputs_before, const Cycle& run,
                          const EquationsCycle& algebra) {
@@ -97,7 +97,7 @@ void meet(const Chart& chart, const State& before, const Cycle& run, Met& met) {
         if (run.state.situation[order.step.index] && !before.situation[order.step.index]) ++met.forced;
 }
 
-/// Runs both with the inputs and delays of `seed`; returns the first difference, or nothing.
+/// Runs both with the inputs and delays of `seed`. Returns the first difference, or an empty string.
 std::string violation(const Chart& chart, std::uint64_t seed, ExecutionMode mode, Met& met) {
     Diagnostics diagnostics;
     const auto equations = derive(chart, diagnostics);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Verdicts of localization compared with those of the complete network, on random networks and loops whose fragments
-// read each other; and each premise omitted once, to show that the comparison detects it.
+// Compares the verdicts of localization with those of the complete network, on random networks and on loops whose
+// fragments read each other. Each premise is omitted once, to show that the comparison detects the omission.
 #include "check/localization/localization.hpp"
 
 #include <gtest/gtest.h>
@@ -25,13 +25,13 @@ namespace {
 
 constexpr std::uint64_t complete_limit = 20'000;
 
-/// The verdicts of localization, with a minimal first search of the complete network.
+/// Returns the verdicts of localization after a minimal first search of the complete network.
 TimedResult by_cells(const Network& network, const LocalAblations& ablations = {}) {
     return check_timed_by_cells(network, {.max_states = complete_limit}, {.whole = 3, .local = complete_limit},
                                 ablations);
 }
 
-/// The number of verdicts of localization that differ from those of the complete network.
+/// Returns the number of verdicts of localization that differ from those of the complete network.
 int differing(const Network& network, const TimedResult& whole, const TimedResult& cells, bool expected,
               std::map<std::string, int>& seen) {
     int wrong = 0;
@@ -112,9 +112,9 @@ TEST(RandomizedLocalization, LocalizationGivesTheVerdictsOfTheCompleteNetwork) {
     EXPECT_GT(seen["by invariants"], test_size(2));
 }
 
-/// A line of two or three fragments, each a partial chart in a common PLC, or each with a separate PLC. Each has a
-/// button, a cylinder or a lamp, a time, a counter that may leave its range, and stored actions that may race.
-/// Neighbours are linked, and steps are read by the next chart.
+/// Returns a line of two or three fragments, which are partial charts in a common PLC, or charts in separate PLCs. Each
+/// fragment has a button, a cylinder or a lamp, a time, a counter that may leave its range, and stored actions that may
+/// race. Neighbours are linked, and the next chart reads steps of the previous one.
 std::string loop_of_cells(Random& random) {
     const auto pick = [&](const std::vector<std::string>& from) {
         return from[static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(from.size()) - 1))];
@@ -200,8 +200,8 @@ TEST(RandomizedLocalization, LocalizationOfLoopsGivesTheVerdictsOfTheCompleteNet
     EXPECT_GT(seen["by cells: holds"], test_size(20));
 }
 
-/// Verdicts of localization on an untimed model, with a minimal search of the complete one, compared with the symbolic
-/// engine.
+/// Compares the verdicts of localization on an untimed model with those of the symbolic engine. A minimal search of the
+/// complete model precedes localization.
 void compare_untimed(const SystemToCheck& check, std::map<std::string, int>& seen) {
     const std::vector<Verdict> decided = decided_by_cells(check, {.jobs = 1}, {.whole = 50, .local = complete_limit});
     if (decided.empty()) return;
@@ -220,11 +220,11 @@ void compare_untimed(const SystemToCheck& check, std::map<std::string, int>& see
     }
 }
 
-/// Cells first of those who join the symbolic engine, in threads and without.
+/// Tests the portfolio in which localization joins the symbolic engine first, with and without threads.
 void compare_portfolio(const SystemToCheck& to_check, std::map<std::string, int>& seen) {
     const Report expected = check(to_check, {});
     for (const auto& [alone, jobs] : {std::pair<std::uint64_t, unsigned>{0, 2}, {0, 1}, {~0ULL, 0}}) {
-        if (jobs == 1 && to_check.system.ticks.valid()) continue;  // PDR would take long on clocks that count
+        if (jobs == 1 && to_check.system.ticks.valid()) continue;  // PDR is slow on clocks that count
         const Report report = check_together(to_check, {.jobs = jobs}, alone);
         EXPECT_EQ(report.failures, std::vector<std::string>{});
         EXPECT_EQ(report.settings.engine, alone == 0 ? "auto" : "symbolic");
@@ -308,7 +308,7 @@ TEST(RandomizedLocalization, EachPremiseIsNeeded) {
     print_counts(counts);
     EXPECT_EQ(counts.size(), 10U);
     for (const auto& [what, count] : counts) {
-        // In 30,000 networks: 17 of 13,842, and 3 of 13,837.
+        // In 30,000 networks, 17 of 13,842 and 3 of 13,837 verdicts were wrong.
         const bool rare = (what.starts_with("urgency") || what.starts_with("invariants")) && networks < 10'000;
         EXPECT_TRUE(count > 0 || rare) << what;
     }

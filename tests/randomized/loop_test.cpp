@@ -19,7 +19,8 @@ bool derivable(const Model& model) {
     return !diagnostics.has_errors();
 }
 
-/// The observable part of a state: variables that both grains have, and locations of the plant and the timers.
+/// Returns the observable part of a state as text: the variables that both grains have, and the locations of the plant
+/// and the timers.
 std::string visible(const Network& network, const TaddState& state) {
     std::string text;
     std::map<std::string, std::int64_t> values;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Randomized test of the specifications in a NuSMV text: a model checker's verdicts on them, by their names, are the
-// engine's verdicts on the properties, for each approach, schedule, number of initial states and fairness.
+// Randomized test of the specifications in a NuSMV text. A model checker's verdicts on the specifications must equal
+// the engine's verdicts on the properties of the same name, for each approach, schedule, number of initial states and
+// fairness.
 #include "support/nusmv_specs.hpp"
 
 #include <gtest/gtest.h>
@@ -26,8 +27,8 @@ struct Compared {
     std::size_t systems = 0, verdicts = 0, several_starts = 0, nothing_fair = 0;
 };
 
-/// With the engine that users run, or with the explicit search that is its reference elsewhere: the engine is slow on
-/// some small models.
+/// The source of our verdicts: the engine that users run, or the explicit search that is its reference in other tests.
+/// The engine is slow on some small models.
 enum class Ours { Engine, ExplicitSearch };
 
 void expect_agreement(const System& system, Compared& compared, Ours of = Ours::Engine) {
@@ -119,7 +120,7 @@ TEST(RandomizedNusmvSpecs, ToolsDecideASmallLoopAsOurEngineDoesInEveryApproachAn
         << "with and without fairness, in two approaches without a plant and six ways with one";
 }
 
-/// Only one free input.
+/// A system with a single free input.
 struct OneInput {
     System system = {};
     Id<Expr> input = {};
@@ -143,7 +144,7 @@ struct OneInput {
 TEST(RandomizedNusmvSpecs, StateReachedFromOnlyOneInitialStateIsReachable) {
     OneInput one;
     auto& symbol = one.system.modules[one.system.main].symbols[{0}];
-    symbol.kind = System::StateSymbol{{}, one.input};  // it keeps its initial value
+    symbol.kind = System::StateSymbol{{}, one.input};  // the symbol keeps its initial value
     Compared compared;
     expect_agreement(one.system, compared);
     EXPECT_EQ(compared.several_starts, 1u);

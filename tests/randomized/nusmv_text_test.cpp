@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Randomized test of emit/nusmv: the text, read back with NuSMV's own precedences, is equal to the transition system.
-// It has the same modules, parameters, variables, initial and next values, definitions and specifications, term by
-// term.
+// Randomized test of emit/nusmv: the text, read back with NuSMV's own precedences, equals the transition system. Both
+// have the same modules, parameters, variables, initial and next values, definitions and specifications, term by term.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +19,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// The difference between the text of one symbol and the system; empty: none.
+/// Returns the difference between the text of one symbol and the system, or an empty string.
 std::string difference(const System& system, const System::Module& module, const System::Symbol& symbol,
                        NusmvModel& text, NusmvModel::Module& there) {
     const auto same = [&](Id<Expr> term, std::map<std::string, Id<Expr>>& found) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Observers compared with their sentences: a loop with an observer has exactly the runs of the loop. On each of them
-// the observer can fail if and only if the formula of docs/reference/properties.md, evaluated naively on the states of
-// the run, is violated.
+// Compares observers with their sentences. A loop with an observer has exactly the runs of the loop. On each run the
+// observer can fail if and only if the run violates the formula of docs/reference/properties.md, which the test
+// evaluates naively on the states of the run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,15 +48,16 @@ Truth weak(const Truth& a, const Truth& b) { return backwards(a, b, true); }
 Truth F(const Truth& a) { return until(Truth(a.size(), true), a); }
 Truth G(const Truth& a) { return weak(a, Truth(a.size(), false)); }
 
-/// A run as a property sees it.
+/// The part of a run on which a property depends.
 struct Seen {
-    std::vector<std::int64_t> begin = {}, end = {};  ///< of each checked state, in time units
-    std::vector<Truth> operands = {};                ///< per operand and checked state
-    std::int64_t over = 0;                           ///< the end of the run
+    /// Time at which each checked state begins and ends, in time units.
+    std::vector<std::int64_t> begin = {}, end = {};
+    std::vector<Truth> operands = {};  ///< indexed by operand and checked state
+    std::int64_t over = 0;             ///< the end of the run, in time units
 };
 
-/// `p at most count times`, generalized from the pattern catalogue's formula for two: alternating phases without and
-/// with p.
+/// Evaluates `p at most count times`. The formula generalizes that of the pattern catalogue for two: phases without p
+/// and with p alternate.
 bool holds_counted(const Sentence& watch, const Seen& seen) {
     using enum Sentence::Scope;
     if (seen.begin.empty()) return true;
@@ -68,7 +69,7 @@ bool holds_counted(const Sentence& watch, const Seen& seen) {
             inner = until((!p) & (!closes), closes | until(p & (!closes), closes | inner));
         return inner;
     };
-    Truth open = G(!p);  // ((!p W (p W (!p W (p W G !p)))
+    Truth open = G(!p);  // the formula is ((!p W (p W (!p W (p W G !p))))
     for (std::int64_t i = 0; i < watch.count; ++i) open = weak(!p, weak(p, open));
     if (watch.scope == Globally) return open[0];
     if (watch.scope == Before) return (F(r) >> phases(until(!p, r), r))[0];
@@ -112,13 +113,14 @@ bool holds_untimed(const Sentence& watch, const Seen& seen) {
     }
 }
 
-/// States of a run within a scope, without `to`; `closed`: the scope ends there, before the run.
+/// The states from..to-1 of a run within a scope. If `closed`, the scope ends at state `to` of the run.
 struct Window {
     std::size_t from = 0, to = 0;
     bool closed = false;
 };
 
-/// Every scope, from each state that opens one; scopes that must be closed only if they are.
+/// Returns every scope, from each state that opens one. Scopes that must be closed are included only if they are
+/// closed.
 std::vector<Window> windows(Sentence::Scope scope, const Seen& seen, std::size_t operands) {
     using enum Sentence::Scope;
     const std::size_t size = seen.begin.size();
@@ -136,7 +138,7 @@ std::vector<Window> windows(Sentence::Scope scope, const Seen& seen, std::size_t
     return found;
 }
 
-/// Sentences with a duration in a scope.
+/// Evaluates sentences with a duration in a scope.
 bool holds_within(const Sentence& watch, std::int64_t d, const Seen& seen) {
     const bool response = watch.kind == Sentence::Kind::Response;
     const Truth& p = seen.operands[0];
@@ -157,7 +159,7 @@ bool holds_timed(const Sentence& watch, std::int64_t d, const Seen& seen) {
     if (watch.scope != Sentence::Scope::Globally) return holds_within(watch, d, seen);
     const std::size_t size = seen.begin.size();
     const Truth &p = seen.operands[0], &q = seen.operands.back();
-    /// From `time` on, a state with `wanted` begins at `from` or later, within d.
+    /// True if a state with `wanted` begins at index `from` or later, and at most d after `time`.
     const auto comes = [&](std::int64_t time, std::size_t from, const Truth& wanted) {
         if (seen.over <= time + d) return true;
         for (std::size_t j = from; j < size; ++j)
@@ -185,11 +187,11 @@ bool holds_timed(const Sentence& watch, std::int64_t d, const Seen& seen) {
             if (watch.kind == Sentence::Kind::HoldsFor ? j < size && lasted < d : lasted > d) return false;
         }
         return true;
-    default:  // p at most d after q
+    default:  // the pattern is `p at most d after q`
         for (std::size_t i = 0; i < size; ++i) {
             if (!p[i] || q[i]) continue;
             std::size_t j = i;
-            while (j > 0 && !q[j - 1]) --j;  // the first state without q after the last one with it
+            while (j > 0 && !q[j - 1]) --j;  // the first state without q after the last state with q
             if (j == 0 || seen.end[i] - seen.begin[j] > d) return false;
         }
         return true;
@@ -216,7 +218,7 @@ public:
         arrive();
     }
 
-    /// True if some event is possible, the same in both networks.
+    /// Performs an event that is possible in both networks; true if there is one.
     bool move(Random& random) {
         std::vector<Fire> choices = enabled(plain_, state_), beside = enabled(watched_, beside_);
         std::erase_if(beside, [&](const Fire& fire) { return fire.process.index == observer_; });
@@ -277,7 +279,7 @@ private:
             look_where_spoilt();
         }
     }
-    /// Its time limit has expired, and it moves because of that: it fails if the scope is closed.
+    /// The time limit of the observer has expired, which causes it to move. It fails if the scope is closed.
     void look_where_spoilt() {
         for (bool looks = spoilt_concurrently_.has_value(); looks;) {
             looks = false;
@@ -291,7 +293,7 @@ private:
         }
     }
 
-    /// The observer must check the state: no time can pass, and no other event can occur before.
+    /// Lets the observer check the state. Before that, no time can pass and no other event can occur.
     void arrive() {
         for (int looks = 0;; ++looks) {
             note_failure();
@@ -339,7 +341,8 @@ private:
 };
 
 TEST(RandomizedObservers, CheckEveryStateOfEveryRunAndFailIfTheirSentenceIsViolated) {
-    std::map<std::pair<int, int>, std::pair<int, int>> met;  // by kind and scope: satisfying, violating runs
+    // Numbers of satisfying and violating runs, by kind and scope.
+    std::map<std::pair<int, int>, std::pair<int, int>> met;
     for (int seed = 1; seed <= test_size(320); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
@@ -362,7 +365,8 @@ TEST(RandomizedObservers, CheckEveryStateOfEveryRunAndFailIfTheirSentenceIsViola
             ++(pair.violated ? violated : hold);
         }
     }
-    // Six patterns in four scopes, two without scope; five with durations, three of them in four scopes too.
+    // Six patterns occur in four scopes, and two patterns have no scope. Five patterns have durations, and three of
+    // these also occur in four scopes.
     EXPECT_EQ(met.size(), 6U * 4U + 2U + 5U + 3U * 4U);
     std::map<int, std::pair<int, int>> kinds, scopes;
     for (const auto& [of, counts] : met)

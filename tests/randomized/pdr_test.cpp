@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The PDR engine and BMC compared with an explicit search and the symbolic engine: the same faults and verdicts, and
-// valid runs, on random systems and on random loops in every approach and schedule. Runs reported as shortest are
-// shortest, and lengths that BMC excludes are impossible. A certificate with a removed part is rejected.
+// Compares the PDR engine and BMC with an explicit search and the symbolic engine, on random systems and on random
+// loops in every approach and schedule. The faults and verdicts must be equal, and all runs valid. Runs reported as
+// shortest must be shortest, and lengths that BMC excludes must be impossible. A certificate with a removed part must
+// be rejected.
 #include "check/pdr/pdr.hpp"
 
 #include <gtest/gtest.h>
@@ -29,10 +30,10 @@ using System = TransitionSystem;
 
 struct Compared {
     std::size_t systems = 0, verdicts = 0, violated = 0, faults = 0, given_up = 0;
-    std::size_t bounded = 0;  ///< verdicts that BMC could not give because of its limit of steps
+    std::size_t bounded = 0;  ///< number of verdicts that BMC did not decide within its limit of steps
 };
 
-/// Some small models take an engine minutes.
+/// The engines need minutes for some small models.
 constexpr std::chrono::milliseconds patience(200);
 
 bool gave_up(const std::vector<Verdict>& verdicts) {
@@ -49,7 +50,7 @@ bool says(const std::vector<std::string>& notes, const char* what) {
     return std::ranges::find(notes, what) != notes.end();
 }
 
-/// Runs of up to that many steps, compared with those of the symbolic engine, which are shortest.
+/// Compares the runs of at most that many steps with those of the symbolic engine, which are shortest.
 void compare_bounded(const System& system, const SymbolicResult& symbolic, std::size_t steps, Compared& compared) {
     PdrOptions options;
     options.method = PdrOptions::Method::Bmc;
@@ -239,7 +240,8 @@ TEST(RandomizedPdr, InvariantsWithoutAClauseOrLiteralAreCheckedAgain) {
     EXPECT_GT(rejected, 50u);
 }
 
-/// Gives the correct result, or one of two wrong ones; for quiescent states always that one is reached.
+/// Returns a search that gives the correct result or one of two wrong results. For the quiescent states it always
+/// reports that one is reached.
 decltype(PdrOptions::reach) liar(Random& random) {
     return [&random](const Circuit& circuit, Gates::Literal bad, pdr::LimitMonitor& watch) -> pdr::PdrAnswer {
         const std::int64_t choice = bad == circuit.settled ? 0 : static_cast<std::int64_t>(random() % 4);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The portfolio engine compared with the symbolic engine alone: the same faults, verdicts, vacuity and lengths of
-// shortest runs on random systems and on random loops in every approach and schedule, whichever engine is first, and in
-// any order.
+// Compares the portfolio engine with the symbolic engine alone, on random systems and on random loops in every approach
+// and schedule. Faults, verdicts, vacuity and the lengths of shortest runs must be equal, in any order of the engines.
 #include "check/portfolio.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +24,7 @@ using System = TransitionSystem;
 
 struct Compared {
     std::size_t systems = 0, runs = 0, faults = 0, given_up = 0, alone = 0;
-    std::map<std::string, std::size_t> by = {};  ///< verdicts by the engine that their notes name
+    std::map<std::string, std::size_t> by = {};  ///< number of verdicts for each engine named in their notes
 };
 
 bool gave_up(const std::vector<Verdict>& verdicts) {
@@ -60,7 +59,7 @@ void compare_verdict(const Verdict& verdict, const std::optional<SystemRun>& run
     ++compared.runs;
 }
 
-/// Skips a system with a dead end: one engine searches for dead ends and finds it, the others do not.
+/// Skips a system with a dead end, which only one of the engines searches for.
 std::optional<PdrResult> compare(const System& system, Compared& compared, const PortfolioOptions& how = {}) {
     constexpr std::chrono::milliseconds patience(300);
     const SymbolicResult alone = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + patience});
@@ -106,7 +105,7 @@ TEST(RandomizedPortfolio, AgreesWithTheSymbolicEngineAloneOnRandomSystems) {
     EXPECT_GT(compared.runs, 100u);
 }
 
-/// Without threads, too, and where the others join at any time; against PDR alone as well.
+/// Tests the portfolio without threads, with engines that join at any time, and with PDR alone.
 TEST(RandomizedPortfolio, VerdictsDoNotDependOnWhoWorksWhen) {
     Compared compared;
     std::size_t by_pdr = 0;

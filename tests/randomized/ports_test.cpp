@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// An input of an instance bound to a term, compared with the same loop written by hand: a separate component with an
-// input for each variable that the term reads, and the term in its guards. Both have the same states and the same
-// verdicts by the timed and the symbolic engine, and the UPPAAL project is read back as the network.
+// Compares an input of an instance that is bound to a term with the same loop written by hand. In that loop a separate
+// component has an input for each variable of the term, and its guards contain the term. Both loops must have the same
+// states and the same verdicts by the timed and the symbolic engine, and the UPPAAL project must be read back as the
+// network.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -22,7 +23,7 @@
 namespace grafverif {
 namespace {
 
-/// True while A holds and X is at least 1; writes this value.
+/// A component that outputs true while A holds and X is at least 1.
 Component watcher() {
     ComponentBuilder build{{.name = "watcher"}};
     Exprs& exprs = build.component.exprs;
@@ -72,8 +73,8 @@ Id<Expr> number(ClosedLoop& loop, Random& random) {
     return loop.exprs.apply(chance(random, 50) ? Op::Plus : Op::Minus, read(loop, shared), constant);
 }
 
-/// A random loop whose actuators follow terms, with one or two watchers of terms; `read`: properties refer to their
-/// ports.
+/// Returns a random loop whose actuators follow terms, with one or two watchers of terms. If `read`, properties refer
+/// to their ports.
 Model with_terms(Random& random) {
     Model model = random_loop(random);
     const Id<Component> watchers = model.components.add(watcher());
@@ -97,10 +98,10 @@ Model with_terms(Random& random) {
     return model;
 }
 
-/// The component for an instance: no input is a term; each variable that a term reads is an input.
+/// Returns the component for an instance in which no input is a term. Each variable that a term reads becomes an input.
 Component written_out(const ClosedLoop& loop, ClosedLoop::Instance& instance, const Component& from) {
     Component made{.name = from.name + "_" + instance.name};
-    std::map<std::uint32_t, Id<Expr>> reads;  // by shared variable
+    std::map<std::uint32_t, Id<Expr>> reads;  // indexed by shared variable
     std::vector<Id<Expr>> parameters;
     std::vector<ClosedLoop::Argument> arguments;
     const auto add = [&](Component::Parameter parameter, ClosedLoop::Argument argument) {

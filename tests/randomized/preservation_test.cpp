@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Statements of verdicts about other models (`valid for every plant`, `valid for the timed loop`) compared with those
-// models, on random loops: each approach, schedule, grain and mode. Also compares the reasons for vacuous verdicts, and
-// replays every run of a verdict by the interpreter.
+// Compares statements of verdicts about other models (`valid for every plant`, `valid for the timed loop`) with the
+// verdicts of those models, on random loops in each approach, schedule, grain and mode. The test also compares the
+// reasons for vacuous verdicts, and the interpreter replays every run of a verdict.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -81,12 +81,13 @@ bool starves_a_controller(const Network& network, const Run& run) {
     });
 }
 
-/// Limits for one loop: some models would take forever; properties that are undecided in time are not compared.
+/// Limits for one loop, because some models would take too long. The test does not compare properties that are
+/// undecided within these limits.
 constexpr std::size_t most_bits = 70;
 constexpr std::uint64_t most_memory = std::uint64_t{16} << 20U;
 constexpr std::chrono::milliseconds patience{100};
 
-/// In a state of the network.
+/// Returns the number of bits in a state of the network.
 std::size_t bits(const Network& network) {
     std::size_t count = 0;
     for (const Network::Variable& variable : network.variables)
@@ -97,12 +98,12 @@ std::size_t bits(const Network& network) {
     return count;
 }
 
-/// One loop in all its models.
+/// Checks one loop in all its models.
 class Trial {
 public:
     Trial(Model model, std::optional<ExecutionMode> mode) : model_(std::move(model)), mode_(mode) { add_companions(); }
 
-    /// False if the loop has no models.
+    /// Returns false if the loop has no models.
     bool run() {
         for (const Grain grain : {Grain::Atomic, Grain::Phased})
             if (!check_timed_loop(grain)) return false;
@@ -114,7 +115,8 @@ public:
         return true;
     }
 
-    /// Per statement: how often the other model had the same verdict, and the opposite one.
+    /// For each statement: the number of times that the other model had the same verdict, and the number of times that
+    /// it had the opposite one.
     using Tally = std::map<std::string, std::pair<int, int>>;
     static Tally tally;
     static int replayed;
@@ -127,7 +129,7 @@ private:
             {.name = std::move(name), .pattern = pattern, .operands = std::move(operands), .at_stable = at_stable});
     }
 
-    /// Properties that determine whether a verdict is vacuous, and whether the constraints hold.
+    /// Adds the properties that determine whether a verdict is vacuous and whether the constraints hold.
     void add_companions() {
         const Table<Property> properties = loop().properties;
         for (const Property& property : properties)
@@ -211,7 +213,7 @@ private:
         return found == verdicts.end() ? Outcome::Unknown : found->second.outcome;
     }
 
-    /// The reported reasons why a verdict is vacuous.
+    /// Checks the reported reasons why a verdict is vacuous.
     static void try_notes(const Verdict& verdict, const Verdicts& all) {
         for (const std::string& note : verdict.notes) {
             const bool left = has(note, "the premise is never true"), settled = has(note, "no state is quiescent");
@@ -241,7 +243,7 @@ private:
         EXPECT_TRUE(same) << verdict.property << " " << word(verdict.outcome) << ": " << words;
     }
 
-    /// Statements that may be true or false: only counted.
+    /// Only counts a statement that may be true or false.
     static void count(const std::string& words, const Verdict& verdict, const Verdicts& there) {
         const Outcome found = outcome(there, verdict.property);
         if (found == Outcome::Unknown) return;
@@ -273,7 +275,7 @@ private:
                        outcome(there, "kept_constraint_1") == Outcome::Holds;
             };
             if (kept(atomic_.verdicts)) agree(words, verdict, atomic_.verdicts, &atomic_.loop->network);
-            // Without time the controllers may be delayed forever.
+            // In a model without time the controllers may be delayed forever.
             for (const Untimed& other : untimed_)
                 if (other.grain == Grain::Atomic && other.options.schedule == Schedule::Interleaved &&
                     kept(other.verdicts) &&
@@ -292,8 +294,8 @@ private:
         }
     }
 
-    /// docs/explanation/semantics.md: a violated always or never, and a reachable state, in atomic grain are so in
-    /// phased grain too.
+    /// Checks a statement of docs/explanation/semantics.md: a property that is violated (always, never) or reachable in
+    /// atomic grain is so in phased grain, too.
     void try_grains() {
         for (const auto& [name, verdict] : atomic_.verdicts) {
             const bool of_states = verdict.pattern == Pattern::Always || verdict.pattern == Pattern::Never ||

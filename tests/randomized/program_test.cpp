@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Randomized tests: the interpreter of PLC programs agrees with the equations of one scan, scan by scan: every
-// variable, divisions by zero and overflows. Programs of ladder diagrams and Sequential Function Charts agree with a
-// direct evaluation of the diagram.
+// Randomized tests: the interpreter of PLC programs agrees with the equations of one scan in all variables, divisions
+// by zero and overflows, scan by scan. Programs of ladder diagrams and Sequential Function Charts agree with a direct
+// evaluation of the diagram.
 #include "read/program/program.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ std::string error_texts(const Diagnostics& diagnostics, const Sources& sources) 
     return text.str();
 }
 
-/// The first disagreement of a run, or nothing.
+/// Returns the first disagreement of a run, or an empty string.
 std::string disagreement(const Program& program, const Scan& scan, Random& random, Met& met) {
     ProgramRun run(program);
     const std::size_t cells = scan.layout.cells.size();
@@ -68,7 +68,7 @@ std::string disagreement(const Program& program, const Scan& scan, Random& rando
         met.timers += scan.layout.timers.empty() ? 0 : 1;
         met.intervals += program.interval_ms ? 1 : 0;
         for (std::size_t i = 0; i < cells; ++i) {
-            if (scan.layout.cells[i].temporary) continue;  // its value ends with the call
+            if (scan.layout.cells[i].temporary) continue;  // the value of a temporary variable ends with the call
             if (terms[scan.after[i].index] != run.cells()[i])
                 return scan.layout.cells[i].name + where + ": the equations give " +
                        (terms[scan.after[i].index] ? std::to_string(*terms[scan.after[i].index]) : "nothing") +
@@ -143,7 +143,7 @@ std::int64_t value_of(const ProgramRun& run, const std::string& name) {
     return run.cells()[static_cast<std::size_t>(cell - run.layout().cells.begin())];
 }
 
-/// The first variable whose value differs, or nothing.
+/// Returns the first variable whose value differs, or an empty string.
 std::string difference(const ProgramRun& run, const RandomSfc& chart) {
     for (std::size_t i = 0; i < chart.steps.size(); ++i) {
         const std::string name = "S" + std::to_string(i) + ".X";

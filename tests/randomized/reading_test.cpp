@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Randomized test: a chart that is printed and read back is the same chart, with the same text and the same equations.
-// Skips charts that the language rejects for semantic reasons (for example a step that no sequence of transitions
-// reaches).
+// The test skips charts that the language rejects for semantic reasons, for example a step that no sequence of
+// transitions reaches.
 #include <gtest/gtest.h>
 
 #include <algorithm>

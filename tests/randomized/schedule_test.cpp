@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Randomized test of schedule: on random charts, the transition system of the controller agrees with its equations,
-// cycle by cycle, in both execution modes; and the states that it marks as quiescent are quiescent.
+// cycle by cycle and in both execution modes. The states that it marks as quiescent are quiescent.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,14 +25,14 @@ bool reads_timer(const Equations& equations, Id<Expr> term) {
     });
 }
 
-/// The system with the same inputs as the equations; its timers are simulated here.
+/// The system with the same inputs as the equations. The test simulates its timers here.
 struct Twin {
     const Equations& equations;
     TransitionSystem system = {};
     SystemState state = {};
     std::vector<EquationsTiming> timing = {};
-    bool ends_moved = false;        ///< some timer output changed in the last step
-    std::string before_start = {};  ///< the error at power-on
+    bool ends_moved = false;        ///< true if some timer output changed in the last step
+    std::string before_start = {};  ///< the error before the first step, if there is one
 
     std::string path(Id<Equations::Variable> variable) const {
         return system.instances[{0}].name + "." + equations.variables[variable].name;
@@ -49,7 +49,7 @@ struct Twin {
             set_value(system, state, equations.variables[equations.timers[k].end].name, end(k));
     }
 
-    /// Power-on and, if it is observable, the first evolution.
+    /// Executes power-on and, if it is observable, the first evolution.
     void start(std::span<const std::int64_t> inputs) {
         state = first_state(system, [](std::string_view, Type type) { return type.low; });
         timing.resize(equations.timers.size());
@@ -64,7 +64,7 @@ struct Twin {
 
     static bool is_kept(Role role) { return role == Role::Step || role == Role::Internal || role == Role::Output; }
 
-    /// The level of each timer after a cycle with `inputs`, with the outputs that the cycle sampled.
+    /// Updates the level of each timer after a cycle with `inputs` and with the timer outputs that the cycle sampled.
     void watch(std::span<const std::int64_t> inputs) {
         const std::vector<EquationsTiming> sampled = timing;
         for (std::size_t k = 0; k < timing.size(); ++k) {
@@ -107,10 +107,10 @@ struct Twin {
     }
 };
 
-/// The first difference after a cycle of the equations; empty: none.
+/// Returns the first difference after a cycle of the equations, or an empty string.
 std::string disagreement(const Twin& twin, const EquationsCycle& cycle, ExecutionMode mode) {
     const Equations& equations = twin.equations;
-    // A certain race may hide that another of its values is undefined.
+    // A certain race may hide that another value of the same cycle is undefined.
     const bool faulty = twin.flag("out_of_range") || (cycle.no_value && twin.flag("race"));
     if ((cycle.no_value || cycle.out_of_range) && !faulty) return "out_of_range is not set";
     if ((cycle.race || cycle.conflict) && !twin.flag("race")) return "race is not set";
@@ -121,7 +121,8 @@ std::string disagreement(const Twin& twin, const EquationsCycle& cycle, Executio
         const Equations::Variable& variable = equations.variables[id];
         if (!Twin::is_kept(variable.role)) continue;
         const auto output = std::ranges::find(equations.outputs, id, &Equations::Output::variable);
-        // The timer outputs that an output reads are sampled with the inputs; run_equations reads them after the cycle.
+        // The system samples the timer outputs that an output reads with the inputs. In contrast, run_equations reads
+        // them after the cycle.
         if (mode == ExecutionMode::EveryCycle && twin.ends_moved && output != equations.outputs.end() &&
             reads_timer(equations, output->value))
             continue;
@@ -133,7 +134,7 @@ std::string disagreement(const Twin& twin, const EquationsCycle& cycle, Executio
     return {};
 }
 
-/// True if one more cycle with the same inputs changes only flags.
+/// Checks that one more cycle with the same inputs changes only flags if the system marks the state as quiescent.
 std::string settled_disagreement(const Twin& twin, std::span<const std::int64_t> inputs, bool must_be_settled) {
     const bool settled = value_of(twin.system, twin.state, twin.system.settled) != 0;
     if (must_be_settled && !settled) return "not settled after a stable cycle";
@@ -142,7 +143,8 @@ std::string settled_disagreement(const Twin& twin, std::span<const std::int64_t>
     after.step(inputs);
     for (const Id<Equations::Variable> id : twin.equations.variables.ids()) {
         const Role role = twin.equations.variables[id].role;
-        if (role == Role::FiringCondition || role == Role::Watched) continue;  // the system has no timers
+        // The system has no timers and therefore no such variables.
+        if (role == Role::FiringCondition || role == Role::Watched) continue;
         if (twin.value(id) != after.value(id)) return "settled, but " + twin.equations.variables[id].name + " changes";
     }
     return {};

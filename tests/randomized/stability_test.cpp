@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Randomized tests of the interpreter alone: the meaning of `stable`, and that a total instability is genuine.
+// Randomized tests of the interpreter alone: the meaning of `stable`, and the reported total instabilities, which must
+// be genuine.
 #include <gtest/gtest.h>
 
 #include "run/interpreter.hpp"

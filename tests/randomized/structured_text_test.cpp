@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Randomized test: the controller in Structured Text, executed by a small PLC simulator without knowledge of charts,
-// agrees with the interpreter cycle by cycle, in both execution modes and both forms: outputs, situation, and the point
-// where it stops.
+// Randomized test: a small PLC simulator without knowledge of charts executes the controller in Structured Text. It
+// agrees with the interpreter cycle by cycle, in both execution modes and both forms, in the outputs, the situation,
+// and the point at which the controller stops.
 #include "emit/structured_text/structured_text.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ int fault_of(const Cycle& run) {
 std::string disagreement(const Chart& chart, const Equations& equations, const Cycle& run, const SmallPlc& plc) {
     const int fault = fault_of(run);
     const auto found = plc.value("FAULT");
-    const bool either = fault > 1 && found > 1;  // if several occur in one evolution, their order is arbitrary
+    const bool either = fault > 1 && found > 1;  // the order of several faults in one evolution is arbitrary
     if (found != fault && !either) return "fault " + std::to_string(found) + " instead of " + std::to_string(fault);
     for (const Id<Chart::Variable> id : chart.variables.ids())
         if (chart.variables[id].kind == Chart::VariableKind::Output &&

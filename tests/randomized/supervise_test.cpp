@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Supervisors compared with a naive game and with all other supervisors, on random plants with one hidden bit; and on
-// random loops, whose charts with the conditions are proved again by two engines.
+// Compares supervisors with a naive game and with all other supervisors, on random plants with one hidden bit. On
+// random loops two engines prove the charts with the added conditions again.
 #include "check/supervise/supervise.hpp"
 
 #include <gtest/gtest.h>
@@ -22,8 +22,8 @@ namespace {
 
 using System = TransitionSystem;
 
-// States are bits: the observable and the unobservable bit of the plant, two steps, an output. Choices: whether the
-// chart evolves, the direction of the plant, permissions of two transitions and of the output.
+// The bits of a state are the observable and the unobservable bit of the plant, two steps, and an output. The choices
+// are whether the chart evolves, the direction of the plant, and the permissions of two transitions and of the output.
 enum Bit { Input, Hidden, Step1, Step2, Out, Evolves, Way, May1, May2, MayOut };
 constexpr unsigned states = 32, permitted = 8;
 constexpr unsigned all_permitted = permitted - 1;
@@ -32,10 +32,10 @@ struct Toy {
     System system = {};
     Supervision requested = {};
     std::array<Id<Expr>, 10> bit = {};
-    std::array<Id<Expr>, 5> next = {};  ///< of the bits of a state
+    std::array<Id<Expr>, 5> next = {};  ///< the next value of each bit of a state
     Id<Expr> fires1 = {}, fires2 = {};
 
-    /// Permissions are bits of `may`: of transition 1, of transition 2, of the output.
+    /// The bits of `may` are the permissions of transition 1, of transition 2 and of the output.
     bool value(Id<Expr> term, unsigned state, bool evolves = false, bool way = false, unsigned may = 0) const {
         return *evaluate(system.exprs, term, [&](const Expr& leaf) -> std::int64_t {
             const auto index = static_cast<unsigned>(leaf.value);
@@ -154,7 +154,7 @@ struct Naive {
         return more;
     }
 
-    /// Permissions without effect count as given.
+    /// Returns `may` with the permissions that have no effect set to given.
     unsigned normal(unsigned state, unsigned may) const {
         for (const unsigned index : {0U, 1U})
             if (!toy.value(index == 0 ? toy.fires1 : toy.fires2, state, true, false, all_permitted)) may |= 1U << index;
@@ -167,7 +167,7 @@ struct Naive {
 
 unsigned sight(unsigned state) { return (state & 1U) | ((state >> 1U) & 6U); }
 
-/// Per permission and observation: true if it is given.
+/// A bit set for each permission, which contains the observations for which it is given.
 using Policy = std::array<unsigned, 3>;
 
 unsigned chosen(const Toy& toy, const Policy& policy, unsigned state) {
@@ -327,7 +327,7 @@ TEST(RandomizedSupervise, ConditionsForRandomLoopsAreProvedByBothEngines) {
         std::string doing;
         ask.limits.progress = [&doing](const Progress& now) { doing = now.words(); };
         const auto made = supervised(*reading.model, {0}, {0}, reading.sources, ask, reading.diagnostics);
-        if (!made) continue;  // no property about states
+        if (!made) continue;  // the property is not about states
         EXPECT_TRUE(made->outcome == Supervisor::Outcome::Unknown || !doing.empty()) << "how far it is, is told";
         EXPECT_EQ(made->failures, std::vector<std::string>{});
         ++(made->outcome == Supervisor::Outcome::Found  ? found

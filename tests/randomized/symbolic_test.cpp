@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The symbolic engine compared with an explicit search: the same number of states, faults and verdicts, and valid
-// shortest runs, on random systems and on the controllers of random loops.
+// Compares the symbolic engine with an explicit search on random systems and on the controllers of random loops. The
+// numbers of states, faults and verdicts must be equal, and the runs valid and shortest.
 #include "check/symbolic/symbolic.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// True if a symbol of main is a state variable, of main or of an instance: another symbol may depend on a choice,
+/// True if a symbol of main is a state variable of main or of an instance. Any other symbol may depend on a choice,
 /// which the graph does not store.
 bool is_state(const System& system, const System::Symbol& symbol) {
     if (const auto* member = std::get_if<System::MemberSymbol>(&symbol.kind)) {
@@ -35,7 +35,8 @@ bool is_state(const System& system, const System::Symbol& symbol) {
     return std::holds_alternative<System::StateSymbol>(symbol.kind);
 }
 
-/// The states of a graph that agree with `seen`, by the state variables of main and those of instances that main names.
+/// Returns the states of a graph that agree with `seen` in the state variables of main and in those of instances that
+/// main names.
 StateSet looking_like(const System& system, const SystemGraph& graph, const std::vector<std::int64_t>& seen) {
     const Table<System::Symbol>& symbols = system.modules[system.main].symbols;
     return where(graph, [&](const SystemState& state) {
@@ -59,7 +60,7 @@ StateSet both(StateSet left, const StateSet& right) {
 
 bool any(const StateSet& set) { return std::ranges::find(set, true) != set.end(); }
 
-/// The possible last states of `run` in the graph; empty set: it is not a run.
+/// Returns the possible last states of `run` in the graph. The set is empty if `run` is not a run.
 StateSet ends(const System& system, const SystemGraph& graph, const SystemRun& run) {
     StateSet here(graph.states.size());
     std::fill_n(here.begin(), graph.initial, true);
@@ -92,10 +93,10 @@ void expect_shown(const System& system, const SystemGraph& graph, const Property
 
 struct Compared {
     std::size_t systems = 0, states = 0, verdicts = 0, faults = 0, violated = 0;
-    std::size_t saturated = 0;  ///< if not every ring was needed
+    std::size_t saturated = 0;  ///< number of cases in which not every ring was needed
 };
 
-/// By breadth-first search alone, and by event clusters from the first state on.
+/// The options compare a breadth-first search alone with event clusters from the first state on.
 const SymbolicOptions plain{.by_kind = false}, by_kind{.one_by_one = 0};
 
 void compare(const System& system, std::size_t limit, Compared& compared, const SymbolicOptions& options) {
@@ -155,8 +156,8 @@ TEST(RandomizedSymbolic, AgreesWithAnExplicitSearchOnRandomSystems) {
     EXPECT_GT(compared.faults, 0u);
 }
 
-/// A system of three interleaved parts, scheduled by a choice: only the part that has its turn changes. Free inputs
-/// have initial values, and half of the systems have none. `leaking`: numbers leave their ranges, or are divided by
+/// Returns a system of three interleaved parts, scheduled by a choice: only the selected part changes. Half of the
+/// systems have free inputs, which have initial values. If `leaking`, numbers leave their ranges or are divided by
 /// zero.
 System interleaving(Random& random, bool leaking) {
     System system = random_system(random);
@@ -238,7 +239,7 @@ TEST(RandomizedSymbolic, EventClustersFindTheSameModelErrors) {
     EXPECT_GT(sound, 0u);
 }
 
-/// Every run of the engine is replayed by the interpreter and can be printed.
+/// Checks that the interpreter can replay and print every run of the engine.
 std::size_t expect_replays(const System& system, const std::vector<const Chart*>& charts) {
     std::size_t count = 0;
     const SymbolicResult result = check_symbolic(system);
@@ -286,7 +287,7 @@ struct Cut {
     std::size_t said = 0, unsaid = 0;
 };
 
-/// With insufficient memory, a verdict is that of the complete search or unknown.
+/// Checks that, with insufficient memory, each verdict is that of the complete search or unknown.
 void expect_no_more_said(const System& system, const SymbolicResult& whole, Cut& cut) {
     for (const std::uint64_t part : {40u, 15u}) {
         SymbolicOptions little = by_kind;
@@ -302,7 +303,7 @@ void expect_no_more_said(const System& system, const SymbolicResult& whole, Cut&
     }
 }
 
-/// Every model of a loop, with its plant and without; in some its automata are interleaved.
+/// Tests every model of a loop, with and without its plant. The automata of some models are interleaved.
 TEST(RandomizedSymbolic, EventClustersGiveTheSameVerdictsOnRandomLoops) {
     std::size_t systems = 0, saturated = 0, runs = 0;
     Cut cut;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The engine compared with the reference semantics, on random networks: the same discrete states, and the same verdicts
-// as a naive fixpoint on the explicit graph; a finer time unit changes no verdict.
+// Compares the engine with the reference semantics on random networks. The discrete states must be equal, and the
+// verdicts must be those of a naive fixpoint on the explicit graph. A finer time unit changes no verdict.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -17,12 +17,12 @@
 namespace grafverif {
 namespace {
 
-/// Every reachable state with its moves, by the reference semantics.
+/// Every reachable state with its moves, computed by the reference semantics.
 struct Explored {
     std::vector<TaddState> states = {};
     std::vector<std::vector<std::size_t>> next = {}, actions = {};
     std::vector<bool> passes = {}, acts = {}, faulty = {};
-    std::vector<std::size_t> later = {};  // the successor by a unit of time
+    std::vector<std::size_t> later = {};  // the successor after one unit of time
     bool any_fault = false;
 };
 
@@ -63,7 +63,8 @@ std::optional<Explored> explored(const NaiveTadd& tadd, std::size_t limit) {
     return all;
 }
 
-/// The states from which `met` holds at some time on every maximal run; a state with a model error counts as met.
+/// Returns the states from which `met` holds at some time on every maximal run. A state with a model error counts as
+/// met.
 std::vector<bool> inevitable(const Explored& all, std::vector<bool> met) {
     for (bool changed = true; changed;) {
         changed = false;
@@ -77,7 +78,7 @@ std::vector<bool> inevitable(const Explored& all, std::vector<bool> met) {
     return met;
 }
 
-/// The states from which a state of `goal` is reachable by moves that `by` admits.
+/// Returns the states from which a state of `goal` is reachable by moves that `by` admits.
 template <class By>
 std::vector<bool> possible(const Explored& all, std::vector<bool> goal, const By& by) {
     for (bool changed = true; changed;) {
@@ -91,7 +92,7 @@ std::vector<bool> possible(const Explored& all, std::vector<bool> goal, const By
     return goal;
 }
 
-/// True if the property holds in integer time; of a model with a model error nothing is concluded if it does.
+/// True if the property holds in integer time. If it does in a model with a model error, the test concludes nothing.
 bool naive_verdict(const NaiveTadd& tadd, const Explored& all, const Property& property) {
     const auto where = [&](std::size_t operand) {
         std::vector<bool> set;
@@ -150,13 +151,13 @@ bool naive_verdict(const NaiveTadd& tadd, const Explored& all, const Property& p
     return true;
 }
 
-/// The fewest moves to a state of `goal`, a delay of any length counting one; breadth first over states and whether the
-/// last move was a delay.
+/// Returns the least number of moves to a state of `goal`. A delay of any length counts as one move. The search is
+/// breadth-first over pairs of a state and the information whether the last move was a delay.
 std::optional<std::size_t> fewest_moves(const Explored& all, const std::vector<bool>& goal) {
     std::set<std::pair<std::size_t, bool>> seen, level = {{0, false}};
     for (std::size_t moves = 0; !level.empty(); ++moves) {
         std::vector<std::pair<std::size_t, bool>> open(level.begin(), level.end());
-        for (std::size_t i = 0; i < open.size(); ++i) {  // continuing a delay costs nothing
+        for (std::size_t i = 0; i < open.size(); ++i) {  // the continuation of a delay costs nothing
             const auto [state, waited] = open[i];
             if (waited && all.passes[state] && level.emplace(all.later[state], true).second)
                 open.emplace_back(all.later[state], true);
@@ -178,7 +179,7 @@ bool about_all_states(Pattern pattern) {
     return pattern != Pattern::Reachable && pattern != Pattern::ReachableAllSteps;
 }
 
-/// Every pattern over the network's own operands, so that each test covers every kind.
+/// Adds every pattern over the network's own operands, so that each test covers every kind of property.
 void add_queries(Network& network, Random& random) {
     std::vector<Id<Expr>> terms;
     for (const Id<Network::Variable> id : network.variables.ids())
@@ -235,7 +236,7 @@ void compare(const Network& network, const NaiveTadd& tadd, const Explored& all,
     ++seen.compared;
 }
 
-/// Any number of threads finds the same states in the same order, with the same verdicts.
+/// Checks that any number of threads finds the same states in the same order, with the same verdicts.
 void compare_jobs(const Network& network, const TimedResult& one, bool links) {
     for (const unsigned jobs : {2U, 3U, 5U}) {
         SCOPED_TRACE(std::to_string(jobs) + " threads");
@@ -256,7 +257,8 @@ void compare_jobs(const Network& network, const TimedResult& one, bool links) {
     }
 }
 
-/// A verdict decided at one time unit is the same at any finer one; an inexact one may become violated.
+/// Checks that a verdict decided at one time unit is the same at any finer unit. An inexact verdict may become
+/// violated.
 void compare_units(const Network& network, const TimedResult& result) {
     for (const std::int64_t factor : {2, 3}) {
         const TimedResult finer = checked(refined(network, factor), {.max_states = 200'000});
@@ -270,7 +272,7 @@ void compare_units(const Network& network, const TimedResult& result) {
     }
 }
 
-/// Without strict constraints.
+/// Returns the network without strict constraints.
 Network closed(Network network) {
     const auto close = [](std::vector<Network::ClockConstraint>& constraints) {
         for (Network::ClockConstraint& constraint : constraints) {
@@ -291,7 +293,7 @@ std::set<std::pair<std::vector<std::uint32_t>, std::vector<std::int64_t>>> discr
     return set;
 }
 
-/// The engine reaches exactly the discrete states of the reference semantics.
+/// Checks that the engine reaches exactly the discrete states of the reference semantics.
 void compare_states(Network network, const Explored& all) {
     const auto states = discrete(all);
     if (states.size() > 60) return;
@@ -369,7 +371,7 @@ TEST(RandomizedTimedEngine, RandomClosedLoopsHaveTheStatesAndVerdictsOfTheRefere
             compare_all(composed_loop(model, {.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased}).network, random,
                         seen);
         } catch (const std::invalid_argument&) {
-            continue;  // a loop that compose rejects
+            continue;  // compose rejects this loop
         }
         if (testing::Test::HasFailure()) break;
     }
@@ -377,8 +379,8 @@ TEST(RandomizedTimedEngine, RandomClosedLoopsHaveTheStatesAndVerdictsOfTheRefere
     report(seen);
 }
 
-/// A term that is true in the discrete state, over the variables of networks of both grains: variables of the chart and
-/// of the plant, locations of all processes except the controllers.
+/// Returns a term that is true in the discrete state, over the variables that networks of both grains have. These are
+/// the variables of the chart and of the plant, and the locations of all processes except the controllers.
 Id<Expr> same_state(Network& network, const Network& other, const TaddState& state) {
     std::map<std::string, Id<Network::Variable>> variables;
     for (const Id<Network::Variable> id : network.variables.ids())
@@ -428,7 +430,7 @@ TEST(RandomizedTimedEngine, EveryQuiescentStateOfGrainAtomicIsReachedInGrainPhas
             }
             ++compared;
         } catch (const std::invalid_argument&) {
-            continue;  // a loop that compose rejects
+            continue;  // compose rejects this loop
         }
         if (testing::Test::HasFailure()) break;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vacuity of observed properties: the probes of all engines compared with reachability in the graph of the loop without
-// observer, by the definition of docs/reference/properties.md.
+// Compares the probes of all engines for vacuity of observed properties with reachability in the graph of the loop
+// without observer, by the definition of docs/reference/properties.md.
 #include "check/vacuity.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,8 @@ struct Graph {
     std::vector<TaddState> states = {};
     std::vector<std::vector<std::size_t>> next = {};
 
-    /// The states reachable from `from` without leaving `within`; excludes states of `from` outside it.
+    /// Returns the states reachable from `from` through states of `within` only. States of `from` outside `within` are
+    /// excluded.
     Set reached(const Set& from, const Set& within) const {
         Set seen(states.size());
         std::vector<std::size_t> open;
@@ -48,7 +49,7 @@ struct Graph {
     }
 };
 
-/// Nothing if there are more than `limit` states or the model has an error.
+/// Returns nothing if there are more than `limit` states or the model has an error.
 std::optional<Graph> graph_of(const NaiveTadd& tadd, std::size_t limit) {
     Graph graph;
     std::map<TaddState, std::size_t> numbers;
@@ -118,12 +119,13 @@ bool is_vacuous(const NaiveTadd& tadd, const Graph& graph, const Property& prope
 }
 
 struct Tally {
-    std::map<std::pair<int, int>, std::size_t> vacuous = {}, checked = {};  ///< by kind and scope, if it holds
+    /// Counts of properties that hold, by kind and scope.
+    std::map<std::pair<int, int>, std::size_t> vacuous = {}, checked = {};
     std::map<std::pair<std::pair<int, int>, bool>, std::size_t> untimed = {};
     std::size_t violated = 0, by_symbolic = 0, by_pdr = 0, together = 0;
 };
 
-/// The verdict on the property, ignoring vacuity because no time passes.
+/// The verdict on the property. It does not count a property as vacuous because no time passes.
 struct Found {
     Outcome outcome = Outcome::Unknown;
     bool vacuous = false;
@@ -133,7 +135,7 @@ Found found(const Table<Property>& properties, std::vector<Verdict> verdicts) {
     const Verdict& verdict = *std::ranges::find(verdicts, "S", &Verdict::property);
     Found result{verdict.outcome};
     for (const std::string& note : verdict.notes) {
-        if (note.starts_with("vacuity ")) return {};  // an engine that was stopped
+        if (note.starts_with("vacuity ")) return {};  // the engine was stopped
         result.vacuous = result.vacuous || note.starts_with("the ") || note == "no state is quiescent";
     }
     EXPECT_TRUE(verdict.vacuous || !result.vacuous);
@@ -167,7 +169,7 @@ void check_untimed(Model model, const Network& watched, const Property& property
     };
     compare("symbolic", check_symbolic(*system).verdicts, tally.by_symbolic);
     if (tally.together >= static_cast<std::size_t>(test_size(20))) return;
-    // PDR may take forever on discrete clocks: properties that it does not decide soon are not compared.
+    // PDR may not end on discrete clocks. The test does not compare properties that PDR does not decide soon.
     PdrOptions pdr;
     pdr.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(1);
     compare("pdr", check_pdr(*system, pdr).verdicts, tally.by_pdr);
@@ -181,7 +183,7 @@ void compare(const Model& model, const NaiveTadd& tadd, const Graph& graph, cons
     if (here.outcome == Outcome::Unknown) return;
     const bool vacuous = is_vacuous(tadd, graph, property);
     if (here.outcome == Outcome::Violated) {
-        // `inevitable p before r` is violated by r in the first state, before which the scope is empty.
+        // If r holds in the first state, the scope before r is empty, and `inevitable p before r` is violated.
         const bool empty =
             property.watch.kind == Sentence::Kind::Existence && property.watch.scope == Sentence::Scope::Before;
         EXPECT_TRUE(!vacuous || empty);
@@ -191,7 +193,7 @@ void compare(const Model& model, const NaiveTadd& tadd, const Graph& graph, cons
     EXPECT_EQ(here.vacuous, vacuous);
     const std::pair form{static_cast<int>(property.watch.kind), static_cast<int>(property.watch.scope)};
     ++(vacuous ? tally.vacuous : tally.checked)[form];
-    // Engines that take longer compare each form once.
+    // The test compares each form only once for slower engines.
     std::size_t& untimed = tally.untimed[{form, vacuous}];
     if (untimed >= static_cast<std::size_t>(test_size(1))) return;
     if (timed.states >= 600 || clock_count(watched) > most_clocks) return;

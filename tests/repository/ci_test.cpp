@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Executes the parts of continuous integration in a shell, on charts with and without faults: the steps of the action,
-// the scripts of the template, the entries of the hooks.
+// the scripts of the template, and the entries of the hooks.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -30,13 +30,13 @@ std::vector<std::string> lines_of(const fs::path& file) {
 
 std::size_t indent(const std::string& line) { return std::min(line.find_first_not_of(' '), line.size()); }
 
-/// The value after `key` in `line`, or empty.
+/// Returns the value after `key` in `line`, or an empty string.
 std::string value(const std::string& line, const std::string& key) {
     const std::size_t at = line.find(key);
     return at == std::string::npos ? "" : line.substr(at + key.size());
 }
 
-/// A project with these charts in a separate folder, and a shell in it.
+/// A project with these charts in a separate folder, and a shell that runs in it.
 class Project {
 public:
     explicit Project(const std::map<std::string, std::string>& charts) {
@@ -51,7 +51,7 @@ public:
     Project& operator=(const Project&) = delete;
     ~Project() { fs::remove_all(folder_); }
 
-    /// The exit code of `script`, run as GitHub runs `shell: bash`.
+    /// Returns the exit code of `script`, which runs as GitHub runs `shell: bash`.
     int run(const std::string& script, const std::map<std::string, std::string>& environment = {}) {
         std::ofstream(folder_ / "step.sh") << script;
         std::string command = "cd '" + folder_.string() + "' && PATH='" +
@@ -74,7 +74,7 @@ public:
     std::string output = {};
 
 private:
-    static int nullptr_close(FILE*) { return 0; }  // closed by hand, for its status
+    static int nullptr_close(FILE*) { return 0; }  // the caller closes the stream itself to get the status
     fs::path folder_ = {};
 };
 
@@ -90,7 +90,7 @@ std::map<std::string, std::string> faulty() {
     return {{"charts/gate.grafcet", gate}, {"charts/gate_controller.grafcet", wrong}};
 }
 
-/// A step of the action: `env` with the given inputs, or their defaults.
+/// Returns a step of the action as a shell script. Its `env` has the given inputs, or their defaults.
 struct Step {
     std::string name = {}, script = {};
     std::map<std::string, std::string> environment = {};
@@ -100,7 +100,7 @@ std::vector<Step> steps_of_action() {
     std::map<std::string, std::string> inputs;
     std::vector<Step> steps;
     std::string input;
-    std::size_t block = 0;  // indentation of the current `run: |`
+    std::size_t block = 0;  // the indentation of the current `run: |`
     for (const std::string& line : lines_of(root / "action.yml")) {
         if (block != 0 && (line.empty() || indent(line) > block)) {
             steps.back().script += (line.size() > block + 2 ? line.substr(block + 2) : "") + "\n";
@@ -153,8 +153,8 @@ TEST(Ci, AMisspeltStepOfTheActionIsAnError) {
     }
 }
 
-/// Lines of a log that GitHub would interpret: those that begin with `::`, or contain `##[`, unless commands are
-/// stopped.
+/// Returns the lines of a log that GitHub would interpret: those that begin with `::`, or contain `##[`, unless
+/// commands are stopped.
 std::vector<std::string> workflow_commands(const std::string& log) {
     std::vector<std::string> obeyed;
     std::istringstream in(log);

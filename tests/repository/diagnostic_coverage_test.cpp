@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every diagnostic code has a test: tests/diagnostics/<code>[-n].grafcet.
+// Checks that every diagnostic code has a test: tests/diagnostics/<code>[-n].grafcet.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The codes in src/support/messages*.cpp: the first string of each error(...) or warning(...).
+/// Returns the codes in src/support/messages*.cpp: the first string of each error(...) or warning(...).
 std::set<std::string> codes() {
     static const std::regex pattern(R"re((?:error|warning)\(\s*"([a-z0-9-]+)")re");
     std::string text;
@@ -27,8 +27,9 @@ std::set<std::string> codes() {
     return found;
 }
 
-/// Codes that need more than a chart: files that are missing, too large or cannot be written, options of the command
-/// line, programs that are not installed, and restrictions of one target (see unit_app).
+/// Codes whose test needs more than a chart: files that are missing, are too large or cannot be written, options of the
+/// command line, programs that are not installed, and restrictions of one target. The tests in unit_app check these
+/// codes.
 const std::set<std::string> of_the_world = {
     "cannot-read",       "cannot-write",    "too-large",       "no-closed-loop",         "no-such-choice",
     "ambiguous-choice",  "not-expressible", "bad-sequence",    "not-in-structured-text", "cannot-run",

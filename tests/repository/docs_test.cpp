@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What the documents show is what the program does: each `$ ...` of a console block is run and its output compared (a
-// line `...` stands for any lines); each grafcet block is canonical text, and what it shows of a closed loop is as
-// `check` finds it: a property holds, or says `expected violated`. Commands find the grafcet blocks of their page as
-// files, named after the last chart, component or loop in them.
+// Checks the examples in the documents against the program. Each `$ ...` line of a console block is run and its output
+// is compared; a line `...` matches any lines. Each grafcet block must be canonical text. For a closed loop in such a
+// block, `check` must find that each property holds, or the block must say `expected violated`. Commands find the
+// grafcet blocks of their page as files, which are named after the last chart, component or loop in the block.
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -37,7 +37,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 struct Block {
     std::string language = {};  ///< the word after the opening fence
     std::vector<std::string> lines = {};
-    std::size_t line = 0;  ///< of the opening fence, from 1
+    std::size_t line = 0;  ///< the line of the opening fence, from 1
 };
 
 std::vector<Block> blocks_of(const fs::path& document) {
@@ -71,7 +71,7 @@ std::string written(const Block& block) {
     return text;
 }
 
-/// The name of the last declaration of the block.
+/// Returns the name of the last declaration of the block.
 std::string name_of(const Block& block) {
     static const std::regex pattern("(?:^|\n)(?:grafcet|component|closed_loop) (\\w+)");
     const std::string text = written(block);
@@ -80,7 +80,7 @@ std::string name_of(const Block& block) {
     return name;
 }
 
-/// A folder where the documents' commands run, with the samples as in the repository's root.
+/// A folder in which the documents' commands run. It contains the samples in the same place as the repository.
 class Workplace {
 public:
     Workplace() {
@@ -95,7 +95,8 @@ public:
 
     void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
 
-    /// Applies a `diff` block: its first line names the file, ` ` and `-` lines are replaced by ` ` and `+` lines.
+    /// Applies a `diff` block. Its first line names the file; the lines marked ` ` and `-` are replaced by the lines
+    /// marked ` ` and `+`.
     bool apply(const Block& block) const {
         std::string from, to;
         for (const std::string& line : std::span(block.lines).subspan(1)) {
@@ -110,7 +111,7 @@ public:
         return true;
     }
 
-    /// Both streams of `command`, run by a shell in the folder.
+    /// Returns both output streams of `command`, which a shell runs in the folder.
     std::string output_of(const std::string& command) const {
         const std::string line = "cd '" + folder_.string() + "' && PATH='" + program.parent_path().string() +
                                  "':$PATH; { " + command + "; } 2>&1";
@@ -202,7 +203,7 @@ TEST(Documents, ShowCanonicalText) {
             if (!block.language.starts_with("grafcet")) continue;
             ++charts;
             std::string text = written(block);
-            if (block.language != "grafcet") {  // `grafcet closed_loop`: the content of one
+            if (block.language != "grafcet") {  // a block `grafcet closed_loop` is the content of a closed loop
                 text = "closed_loop page {\n";
                 for (const std::string& line : block.lines) text += (line.empty() ? "" : "    ") + line + '\n';
                 text += "}\n";

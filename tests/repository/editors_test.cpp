@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The keywords of editors, in editors/words.json, equal those of grammars/grafcet.ll. Highlighting is tested with the
-// engines of the editors in tests/editors.
+// Checks that the keywords of editors, in editors/words.json, equal those of grammars/grafcet.ll. The tests in
+// tests/editors test highlighting with the engines of the editors.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -46,13 +46,13 @@ TEST(Editors, KnowTheKeywordsOfTheLexer) {
 TEST(Editors, NameEachWordInBothGrammars) {
     for (const char* name : {"editors/vscode/syntaxes/grafcet.tmLanguage.json", "editors/vim/syntax/grafcet.vim"}) {
         std::string text = text_of(root / name);
-        text = std::regex_replace(text, std::regex(R"(\\+[bs])"), " ");  // removes the escapes of `\bleads\s+to\b`
+        text = std::regex_replace(text, std::regex(R"(\\+[bs])"), " ");  // this removes the escapes of `\bleads\s+to\b`
         const std::set<std::string> known = matches_of(text, std::regex("([A-Za-z_]+)"));
         for (const std::string& word : words_of_table()) EXPECT_TRUE(known.contains(word)) << word << " in " << name;
     }
 }
 
-/// The text that VS Code inserts for a snippet with unchanged fields.
+/// Returns the text that VS Code inserts for a snippet with unchanged fields.
 std::string expanded(std::string text) {
     std::map<std::string, std::string> fields;
     const std::regex field(R"(\$\{(\d+)(?::([^{}$]*)|\|([^,|]*)[^}]*)\})");
@@ -65,7 +65,7 @@ std::string expanded(std::string text) {
     return text;
 }
 
-/// A file in which `text` is valid.
+/// Returns a file in which `text` is valid.
 std::string in_place(const std::string& text) {
     if (std::regex_search(text, std::regex("^(//|grafcet|component|closed_loop)"))) return text;
     if (text.starts_with("property")) return "closed_loop l {\n" + text + "\n}";

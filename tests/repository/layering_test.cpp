@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Layering of the modules: checks that includes respect the layers, which link dependencies alone do not ensure.
+// Checks that includes respect the layers of the modules. Link dependencies alone do not ensure this.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ const std::map<std::string, int> rungs = {
 struct Inclusion {
     fs::path file = {};
     std::string room = {};
-    std::string header = {};  ///< as written between the quotes or brackets
+    std::string header = {};  ///< the text between the quotes or brackets
 };
 
 std::vector<fs::path> sources(const std::vector<fs::path>& folders) {
@@ -41,7 +41,8 @@ std::vector<fs::path> sources(const std::vector<fs::path>& folders) {
     return found;
 }
 
-/// The first folder of `file` below src or include/grafverif; the public API belongs to the pipeline.
+/// Returns the module of `file`: its first folder below src or include/grafverif. The public API belongs to the
+/// pipeline.
 std::string memory_with(const fs::path& file) {
     if (file == root / "include/grafverif/grafverif.hpp") return "pipeline";
     for (const char* base : {"src", "include/grafverif"}) {
@@ -64,7 +65,7 @@ std::vector<Inclusion> inclusions() {
     return found;
 }
 
-/// The module of a header of the project, otherwise empty.
+/// Returns the module of a header of the project, and an empty string for any other header.
 std::string room_of(const std::string& header) {
     const fs::path path(header);
     if (header == "grafverif/grafverif.hpp") return "pipeline";
@@ -113,7 +114,7 @@ TEST(Layering, EveryPathNamedByTheArchitecturePageExists) {
 TEST(Layering, ThirdPartyLibrariesStayInTheirModules) {
     struct Rule {
         std::string prefix = {};
-        std::set<std::string> places = {};  ///< modules or their folders
+        std::set<std::string> places = {};  ///< the modules or their folders
     };
     const std::vector<Rule> rules = {
         {"pugixml", {"read", "emit/uppaal"}},
@@ -166,7 +167,7 @@ TEST(Repository, EveryFileBeginsWithItsLicence) {
 }
 
 TEST(Repository, SourcesAreAsTheFormatterHasThem) {
-    const std::string formatter = "clang-format-14";  // other versions break lines differently
+    const std::string formatter = "clang-format-14";  // other versions of clang-format break lines differently
     if (std::system((formatter + " --version >/dev/null 2>&1").c_str()) != 0)
         GTEST_SKIP() << "there is no " << formatter;
     std::string command = "cd '" + root.string() + "' && " + formatter + " --dry-run --Werror";

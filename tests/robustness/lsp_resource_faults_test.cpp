@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The language server where memory is refused: every request is answered, and once there is memory again every document
-// has its diagnostics.
+// Tests the language server while memory is refused. Every request must be answered, and every document must have its
+// diagnostics once memory is available again.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -62,7 +62,8 @@ Json changed(const std::string& uri, const std::string& text) {
                                            {"contentChanges", Json::array({{{"text", text}}})}});
 }
 
-/// The messages while memory may be refused: every kind of request, for a document with and one without errors.
+/// The messages that the client sends while memory may be refused. They contain every kind of request, for a document
+/// with errors and for one without errors.
 const std::vector<Json>& conversation() {
     static const std::vector<Json> all = [] {
         std::vector<Json> messages = {opened(lamp, lamp_text), opened(press, press_text("G"))};
@@ -94,12 +95,12 @@ const std::vector<Json>& conversation() {
     return all;
 }
 
-/// A client that says all of it, and then corrects its documents with memory at hand.
+/// A client that sends the complete conversation, and corrects its documents once memory is available again.
 class Dialogue {
 public:
     using Limit = std::function<void()>;
-    /// `session` limits memory on the thread of the session, `receiver` on the one that receives, which calls `over`
-    /// once memory is at hand again.
+    /// `session` limits the memory of the thread that runs the session, and `receiver` that of the thread that receives
+    /// messages. The receiving thread calls `over` once memory is available again.
     Dialogue(
         Limit session, Limit receiver, Limit over = [] {})
         : session_(std::move(session)), receiver_(std::move(receiver)), over_(std::move(over)) {
@@ -151,14 +152,14 @@ public:
                 EXPECT_EQ(open_.erase(message["id"].get<int>()), 1U) << message;
                 begun = message["id"] == 1;
             } else if (!message.contains("method")) {
-                ++lost_;  // there was no memory for a message, nor for its number
+                ++lost_;  // there was no memory for the message, nor for its id
             }
         }
         wake_.notify_all();
         if (begun) session_();
     }
 
-    /// The session itself, on this thread.
+    /// Runs the session on this thread.
     void run() {
         ServerEnvironment surroundings;
         surroundings.keep_memory_back = [] { app::keep_memory_back(); };
@@ -171,7 +172,7 @@ public:
     }
 
 private:
-    /// True if the present part has had its effect.
+    /// True if the server has processed the current part.
     bool is_answered() const {
         switch (part_) {
         case 0: return !open_.contains(1);
@@ -187,11 +188,12 @@ private:
     }
 
     Limit session_, receiver_, over_;
-    std::array<std::string, 4> parts_ = {};  ///< the beginning, requests without memory, corrections, the end
+    /// The initialization, the requests without memory, the corrections, the end.
+    std::array<std::string, 4> parts_ = {};
     std::size_t part_ = 0, at_ = 0;
     std::mutex door_ = {};
     std::condition_variable wake_ = {};
-    std::set<int> open_ = {};  ///< requests without an answer
+    std::set<int> open_ = {};  ///< ids of requests that have no answer yet
     std::size_t lost_ = 0;
     std::map<std::string, Json> diagnostics_ = {};
 };
@@ -202,7 +204,7 @@ protected:
         if (sanitized) GTEST_SKIP() << "sanitizers have their own allocator";
         const std::terminate_handler before = std::get_terminate();
         app::expect_memory_to_end();
-        std::set_terminate(before);  // its stack is worth more than an exit code
+        std::set_terminate(before);  // the default handler shows the stack, which is more useful here than an exit code
     }
     void TearDown() override { std::set_new_handler(nullptr); }
 };
@@ -210,7 +212,8 @@ protected:
 constexpr std::int64_t many = std::int64_t{1} << 40;
 const Dialogue::Limit nothing = [] {};
 
-/// One refusal after another, on the thread of the session or on the one that receives.
+/// Repeats the dialogue and refuses another allocation each time, on the thread of the session or on the receiving
+/// thread.
 void refuse_in_turn(bool receives) {
     std::int64_t made = many;
     for (std::int64_t after = many; after > 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The program as a process with little memory, with memory filled with garbage, or interrupted: every command, on
-// samples. It ends with one of its exit codes or by the signal that was sent, and its files are complete.
+// Tests the program as a process with little memory, with memory filled with garbage, or with an interruption, for
+// every command on samples. The program must end with one of its exit codes or by the signal that was sent, and its
+// files must be complete.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +30,7 @@ using std::chrono::steady_clock;
 #endif
 #endif
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool sanitized = true;  // its memory cannot be limited
+constexpr bool sanitized = true;  // the memory of a sanitized program cannot be limited
 #else
 constexpr bool sanitized = false;
 #endif
@@ -37,7 +38,7 @@ constexpr bool sanitized = false;
 const std::string tanks = (root / "samples/tanks/tanks.grafcet").string();
 const std::string blinker = (root / "samples/blinker/blinker.grafcet").string();
 
-/// Every command, limited to some seconds; FOLDER is an output folder.
+/// Every command, limited to some seconds. FOLDER stands for an output folder.
 const std::vector<Words>& verbs() {
     static const std::vector<Words> all{
         {"fmt", tanks},
@@ -83,7 +84,7 @@ ProgramResult ran(const Words& words) {
                        {.deadline = steady_clock::now() + std::chrono::seconds(120)});
 }
 
-/// Without the parts that differ from run to run: durations and paths.
+/// Returns `text` without the parts that differ from run to run, namely durations and paths.
 std::string comparable(std::string text, const Folder& folder) {
     for (const std::string& place : {folder.file("")})
         for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place))
@@ -112,7 +113,7 @@ TEST(Memory, ThatIsNeverCleanChangesNothing) {
     }
 }
 
-/// With an address space of `kilobytes`.
+/// Returns a command that runs the program in an address space of `kilobytes`.
 Words within(std::size_t kilobytes) {
     return {"/bin/sh", "-c", fmt::format("ulimit -v {}; exec \"$0\" \"$@\"", kilobytes)};
 }
@@ -120,7 +121,7 @@ Words within(std::size_t kilobytes) {
 TEST(Memory, ThatIsShortEndsTheProgramByAnExitCode) {
     if (sanitized) GTEST_SKIP() << "sanitizers need more addresses than any limit leaves";
     const Folder folder;
-    std::size_t least = 8192;  // the minimum for a start
+    std::size_t least = 8192;  // the program does not start with less
     while (ran(with(within(least), {"--version"}, folder)).status != 0) least += 1024;
     const std::string large = (root / "samples/testing_station/testing_station.grafcet").string();
     std::vector<Words> runs = verbs();
@@ -180,7 +181,7 @@ TEST(Memory, IsUsedAsValgrindLikesIt) {
     }
 }
 
-/// `serve` listens and answers requests; nothing connects.
+/// `serve` listens and answers requests, but nothing connects to it.
 TEST(Program, CallsNothingThatReachesForTheNetworkOrAShell) {
     if (sanitized) GTEST_SKIP() << "sanitizers bring calls of their own";
     const auto nm = find_program("nm");
@@ -193,7 +194,7 @@ TEST(Program, CallsNothingThatReachesForTheNetworkOrAShell) {
         EXPECT_EQ(listed.out.find(std::string(" U ") + call + "@"), std::string::npos) << call;
 }
 
-/// The duration of the command without an interruption.
+/// Returns the duration of the command without an interruption.
 std::chrono::duration<double> usual(const Words& verb) {
     const Folder folder;
     const auto start = steady_clock::now();
@@ -257,7 +258,7 @@ TEST(Signals, EndEveryCommandAtAnyTime) {
     }
 }
 
-/// The output of a shell for `commands`, run in the folder; `$P` is the program.
+/// Returns the output of a shell that runs `commands` in the folder. `$P` is the program.
 ProgramResult in_shell(const Folder& folder, const std::string& commands) {
     return run_program({"/bin/sh", "-c", "P='" GRAFVERIF_PROGRAM "'\n" + commands}, "",
                        {.deadline = steady_clock::now() + std::chrono::seconds(120), .folder = folder.file("")});
@@ -297,7 +298,7 @@ TEST(Init, TwoConcurrentRunsLeaveOneCompleteProjectAndOverwriteNothing) {
     EXPECT_FALSE(fs::exists(folder.file("press/CMakeLists.txt"))) << "where one file is there, none is written";
 }
 
-/// Two of the runs have unreadable input, and two run concurrently on one file; they end on request.
+/// Two of the runs have unreadable input, and two run concurrently on one file. They end on request.
 TEST(Watch, SurvivesUnreadableInputAndLeavesNoProcesses) {
     const Folder folder;
     folder.write("lamp.grafcet",

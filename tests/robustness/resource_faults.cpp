@@ -15,8 +15,9 @@
 
 namespace {
 
-thread_local std::int64_t allocations_left = -1;  ///< number of allocations before one is refused; negative: none is
-thread_local int threads_left = -1;               ///< number of threads that this one may start; negative: unlimited
+/// Number of allocations until one is refused; negative: none is refused.
+thread_local std::int64_t allocations_left = -1;
+thread_local int threads_left = -1;  ///< number of threads that this thread may start; negative: unlimited
 thread_local bool unlimited = false;
 std::atomic<bool> lifted = false;
 
@@ -71,7 +72,7 @@ void released(void* memory) {
 
 }  // namespace
 
-// Not inlined: GCC would warn about `free` of a pointer from `operator new`.
+// This function is not inlined, because GCC would warn about `free` of a pointer from `operator new`.
 [[gnu::noinline]] void* operator new(std::size_t size) {
     for (;;) {
         if (void* const memory = allocated(size)) return memory;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Refusals of memory and threads inside this process. Like the system, it asks the new-handler before an allocation
-// fails, and repeats it if that returns.
+// Refusals of memory and threads inside this process. As in the standard library, a refused allocation calls the
+// new-handler before it fails, and is repeated if the handler returns.
 #pragma once
 
 #include <cstddef>
@@ -9,23 +9,23 @@
 namespace grafverif {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr bool sanitized = true;  ///< sanitizers replace the same functions: nothing is refused
+inline constexpr bool sanitized = true;  ///< nothing is refused, because sanitizers replace the same functions
 #else
 inline constexpr bool sanitized = false;
 #endif
 
-/// Refuses one allocation of this thread while it exists, after so many.
+/// Refuses one allocation of this thread: that which follows `after` others during the lifetime of the object.
 class Refusal {
 public:
     explicit Refusal(std::int64_t after);
     ~Refusal();
     Refusal(const Refusal&) = delete;
     Refusal& operator=(const Refusal&) = delete;
-    /// How many are left until it is refused.
+    /// The number of allocations until one is refused.
     std::int64_t left() const;
 };
 
-/// Allocations of this thread are neither limited nor counted down while it exists.
+/// Exempts the allocations of this thread from limits and counters during the lifetime of the object.
 class Unlimited {
 public:
     Unlimited();
@@ -37,15 +37,15 @@ private:
     bool before_;
 };
 
-/// Bytes that all threads may have beyond those that they have now.
+/// Limits the heap of all threads to its current size plus `bytes`.
 void limit_heap(std::size_t bytes);
-/// Ends this limit, and the refusals that are still to come in any thread.
+/// Removes this limit, and the refusals that have not occurred yet in any thread.
 void lift_limits();
-/// The most bytes in use since the last call.
+/// The maximum number of bytes in use since the last call.
 std::size_t peak_of_heap();
 std::size_t heap_in_use();
 
-/// Threads that this thread starts beyond so many are refused while it exists.
+/// Refuses the threads beyond `count` that this thread starts during the lifetime of the object.
 class FewThreads {
 public:
     explicit FewThreads(int count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Refusals of the system in this process: one allocation after another in the SAT engines, and threads.
+// Tests refusals of the system in this process: each allocation of the SAT engines in turn, and threads.
 #include "robustness/resource_faults.hpp"
 
 #include <gtest/gtest.h>

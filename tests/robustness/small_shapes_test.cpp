@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every valid chart with at most two steps, one transition, one input and one output, including empty ones, with every
-// command: programs often fail on missing elements.
+// Tests every command on every valid chart with at most two steps, one transition, one input and one output, including
+// empty charts. Programs often fail on missing elements.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@
 namespace grafverif {
 namespace {
 
-/// The possible actions of a step; `o` is the output, and `{}` the place of the condition.
+/// The possible actions of a step. `o` is the output, and `{}` marks the position of the condition.
 constexpr std::array actions = {"",
                                 "o;",
                                 "o if {};",
@@ -38,7 +38,7 @@ std::vector<std::string> conditions(bool input, bool output, std::size_t steps) 
     return list;
 }
 
-/// No transition, and each one from some of the steps to some of them.
+/// Returns the possible sets of transitions: none, and each single transition from some of the steps to some of them.
 std::vector<std::string> transitions(const std::vector<std::string>& conditions, std::size_t steps) {
     std::vector<std::string> list{""};
     const std::vector<std::string> sets = steps == 0   ? std::vector<std::string>{""}
@@ -52,7 +52,7 @@ std::vector<std::string> transitions(const std::vector<std::string>& conditions,
     return list;
 }
 
-/// Each step with or without an initial mark, with or without an action.
+/// Returns the declarations of each step with or without an initial mark, and with or without an action.
 std::vector<std::string> steps(std::size_t count, bool output, const std::string& term) {
     std::vector<std::string> list{""};
     for (std::size_t step = 0; step < count; ++step) {
@@ -61,7 +61,7 @@ std::vector<std::string> steps(std::size_t count, bool output, const std::string
             for (const char* initial : {"initial ", ""})
                 for (const char* action : actions) {
                     if (*action != '\0' && (!output || before.find('{') != std::string::npos))
-                        continue;  // one action per chart
+                        continue;  // a chart has at most one action
                     const std::string does = fmt::format(fmt::runtime(action), term);
                     longer.push_back(before + fmt::format("    {}step {}{};\n", initial, step,
                                                           does.empty() ? "" : " { " + does + " }"));
@@ -93,7 +93,7 @@ std::optional<Model> read(const std::string& text) {
     return read_text(sources.add({"small.grafcet", text}), sources, {}, diagnostics);
 }
 
-/// The chart with a plant that may do anything.
+/// Returns a loop of the chart and a plant that may do anything.
 std::string loop_of(const std::string& chart) {
     return "component any(output OUT) {\n    initial location on;\n    timed on -> on when true do OUT := !OUT;\n}\n" +
            chart + "closed_loop smallest {\n    controller small;\n" +
@@ -106,8 +106,9 @@ TEST(SmallShapes, AreAcceptedByEveryCommand) {
     const std::span<const fuzz::VerbRun> runs = fuzz::command_runs();
     const std::vector<std::string> all = shapes();
     const std::size_t law = static_cast<std::size_t>(test_size(1));
-    const std::size_t stride = law >= 8 ? 1 : 8 / law;  // number of charts, in turn; from GRAFVERIF_TEST_SIZE=8 all
-    const std::size_t each = (law + 7) / 8;             // number of runs, in the same way
+    // Every stride-th chart is tested; all charts from GRAFVERIF_TEST_SIZE=8 on.
+    const std::size_t stride = law >= 8 ? 1 : 8 / law;
+    const std::size_t each = (law + 7) / 8;  // number of runs, which depends on the test size in the same way
     std::size_t legal = 0, next = 0;
     for (const std::string& chart : all) {
         const auto alone = read(chart);
@@ -126,7 +127,7 @@ TEST(SmallShapes, AreAcceptedByEveryCommand) {
     EXPECT_GT(legal, 1000U);
 }
 
-/// Empty frames: empty files, empty charts, empty loops.
+/// Tests empty files, empty charts and empty loops.
 TEST(SmallShapes, EmptyOnesAreRejectedByName) {
     const app::Folder folder;
     for (const char* text : {"", "\n", "// nothing\n", "grafcet g {}\n", "closed_loop l {}\n", "component c() {}\n",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texts with bytes changed at random positions, for tests of readers.
+// Changes bytes of texts at random positions, for tests of readers.
 #pragma once
 
 #include <random>
@@ -9,9 +9,9 @@
 namespace grafverif {
 
 struct Damage {
-    std::string_view likely = {};    ///< bytes with a meaning in such a text
-    std::size_t most_changes = 3;    ///< bytes changed or deleted, pieces copied elsewhere
-    std::size_t longest_piece = 60;  ///< number of copied pieces, minus one
+    std::string_view likely = {};    ///< bytes that have a meaning in such a text
+    std::size_t most_changes = 3;    ///< number of bytes changed or deleted, or of pieces copied elsewhere
+    std::size_t longest_piece = 60;  ///< length of copied pieces, minus one
 };
 
 inline std::string damaged(std::string text, const Damage& damage, std::mt19937& random) {

@@ -11,7 +11,7 @@
 
 namespace grafverif {
 
-/// In the order of the controllers; empty for a chart without equations.
+/// Returns the equations in the order of the controllers. They are empty for a chart without equations.
 std::optional<std::vector<Equations>> derived(const Model& model, Diagnostics& diagnostics);
 std::optional<std::vector<Equations>> derived(const Model& model);
 

@@ -13,7 +13,7 @@ namespace {
 struct Area {
     int left = 0, top = 0, right = 0, bottom = 0;
     std::size_t element = 0;
-    bool frame = false;  ///< of a partial chart: may be overlapped by its content
+    bool frame = false;  ///< the area is the frame of a partial chart, which its content may overlap
 };
 
 bool meet(const Area& a, const Area& b) {
@@ -36,7 +36,7 @@ Area area_of(const Drawing::Text& text, std::size_t element) {
     return {left, text.at.y - text.size * 3 / 4, left + text.width, text.at.y + text.size / 5, element, false};
 }
 
-/// Calls `pair` for all pairs that overlap: a sweep over `areas` from left to right.
+/// Calls `pair` for all pairs that overlap, in a sweep over `areas` from left to right.
 void each_pair(std::vector<Area> areas, const std::function<void(const Area&, const Area&)>& pair) {
     std::ranges::sort(areas, {}, &Area::left);
     for (std::size_t k = 0; k < areas.size(); ++k)
@@ -109,7 +109,7 @@ private:
         });
     }
 
-    /// A line may end at a box, and run along the edge of the element that it belongs to.
+    /// A line may end at a box, and may run along the edge of the element that it belongs to.
     void look_at_lines() {
         std::vector<Area> areas;
         for (const auto* list : {&boxes_, &texts_})
@@ -118,9 +118,9 @@ private:
         const std::size_t count = areas.size();
         std::vector<Area> all = areas;
         all.insert(all.end(), lines_.begin(), lines_.end());
-        for (std::size_t k = count; k < all.size(); ++k) all[k].frame = true;  // here: a line
+        for (std::size_t k = count; k < all.size(); ++k) all[k].frame = true;  // `frame` here means a line
         for (Area& area : all)
-            if (area.frame) --area.left, ++area.right;  // so that a vertical line has a positive width for the sweep
+            if (area.frame) --area.left, ++area.right;  // a vertical line gets a positive width for the sweep
         each_pair(std::move(all), [&](const Area& a, const Area& b) {
             if (a.frame == b.frame || a.element == b.element) return;
             Area line = a.frame ? a : b;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Readability check of a drawing, based on its marks alone: overlapping boxes or texts, lines through them, oblique
-// lines, upward links without an arrow.
+// Checks the readability of a drawing, based on its marks alone. Faults are overlapping boxes or texts, lines through
+// them, oblique lines, and upward links without an arrow.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace grafverif {
 
-/// One sentence per fault; empty for a readable drawing.
+/// Returns one sentence for each fault, and nothing for a readable drawing.
 std::vector<std::string> faults(const Drawing& drawing);
 
 }  // namespace grafverif

@@ -26,7 +26,7 @@ StateSet complement(StateSet set) {
 
 bool is_empty(const StateSet& set) { return std::ranges::find(set, true) == set.end(); }
 
-/// The states of `within` from which `goal` is reachable in it, by one backward search.
+/// Returns the states of `within` from which a path in `within` reaches `goal`, by one backward search.
 StateSet leading_to(const SystemGraph& graph, const StateSet& within, const StateSet& goal) {
     std::vector<std::vector<std::size_t>> predecessors(graph.states.size());
     for (std::size_t from = 0; from < graph.states.size(); ++from)
@@ -48,7 +48,8 @@ StateSet leading_to(const SystemGraph& graph, const StateSet& within, const Stat
     return found;
 }
 
-/// The states from which `state` is reached in `within`, and that it reaches: its strongly connected component.
+/// Returns the strongly connected component of `state` in `within`: the states that reach `state` and are reached from
+/// it.
 StateSet component_of(const SystemGraph& graph, const StateSet& within, std::size_t state) {
     StateSet one(graph.states.size()), forward(graph.states.size());
     one[state] = true;

@@ -106,7 +106,7 @@ bool NaiveTadd::assign(const std::vector<Network::Assignment>& assignments, cons
     });
 }
 
-/// CEP13 equation (10).
+/// Implements CEP13 equation (10).
 std::optional<TaddMove> NaiveTadd::fire(Id<Network::Process> id, Id<Network::Edge> edge_id,
                                         const TaddState& state) const {
     const Network::Process& process = network_.processes[id];
@@ -148,7 +148,7 @@ std::vector<TaddMove> NaiveTadd::successors(const TaddState& state) const {
         }
     }
     if (urgent) return moves;
-    TaddMove delay{{}, {}, state, false};  // CEP13 equation (9), one unit
+    TaddMove delay{{}, {}, state, false};  // implements CEP13 equation (9) for one unit of time
     for (std::int64_t& clock : delay.next.clocks) clock = std::min(clock + 1, cap_);
     if (invariants_hold(delay.next)) moves.push_back(std::move(delay));
     return moves;
@@ -241,7 +241,7 @@ std::set<std::string> Bench::locations(const std::string& process) const {
 
 namespace {
 
-/// A constant of a component: given, or its default over the others.
+/// Returns a constant of a component: the given value, or its default, which may depend on other constants.
 std::int64_t constant(const Component& component, const std::map<std::string, std::int64_t>& given,
                       std::uint32_t index) {
     const Component::Parameter& parameter = component.parameters[{index}];

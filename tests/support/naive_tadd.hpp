@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The reference semantics of a Network in integer time, directly from CEP13 section 2 (equations (9) and (10)). The
-// target invariant of urgent edges is tested after their resets (ETFA12 section 2). Small and slow: it evaluates terms
-// and tests every edge. Engines, emitters and library components are compared with it.
+// The reference semantics of a Network in integer time, taken directly from CEP13 section 2 (equations (9) and (10)).
+// The target invariant of urgent edges is tested after their resets (ETFA12 section 2). The implementation is small and
+// slow: it evaluates terms and tests every edge. Tests compare engines, emitters and library components with it.
 #pragma once
 
 #include <cstddef>
@@ -18,19 +18,21 @@
 namespace grafverif {
 
 struct TaddState {
-    std::vector<std::uint32_t> locations = {};  ///< per process
+    std::vector<std::uint32_t> locations = {};  ///< indexed by process
     std::vector<std::int64_t> variables = {};   ///< scratch variables are 0
-    std::vector<std::int64_t> clocks = {};      ///< of every process in order, limited to the largest constant plus one
+    /// Indexed by the clocks of all processes in order; limited to the largest constant plus one.
+    std::vector<std::int64_t> clocks = {};
 
     auto operator<=>(const TaddState&) const = default;
 };
 
-/// One step: an edge of a process, or one unit of time (`process` is not valid then).
+/// One step: an edge of a process, or one unit of time, for which `process` is not valid.
 struct TaddMove {
     Id<Network::Process> process = {};
     Id<Network::Edge> edge = {};
     TaddState next = {};
-    bool out_of_range = false;  ///< a value left its range or is undefined: a model error; `next` is invalid then
+    /// A value left its range or is undefined, which is a model error; `next` is then invalid.
+    bool out_of_range = false;
 
     bool delay() const { return !process.valid(); }
 };
@@ -40,7 +42,7 @@ public:
     explicit NaiveTadd(const Network& network);
 
     TaddState initial() const;
-    /// Every enabled edge, in order, then the delay if time can pass.
+    /// Returns every enabled edge in order, and then the delay if time can pass.
     std::vector<TaddMove> successors(const TaddState& state) const;
     bool urgent_enabled(const TaddState& state) const;
     bool holds(Id<Expr> formula, const TaddState& state) const {
@@ -48,7 +50,7 @@ public:
     }
     bool settled(const TaddState& state) const { return holds(network_.settled, state); }
 
-    /// By name.
+    /// Returns the value of the variable of that name.
     std::int64_t variable(const TaddState& state, const std::string& name) const;
     Id<Network::Variable> variable_id(const std::string& name) const;
     std::string location(const TaddState& state, const std::string& process) const;
@@ -65,13 +67,13 @@ private:
     std::optional<TaddMove> fire(Id<Network::Process> process, Id<Network::Edge> edge, const TaddState& state) const;
 
     const Network& network_;
-    std::vector<std::size_t> first_clock_ = {};  // per process
+    std::vector<std::size_t> first_clock_ = {};  // indexed by process
     std::size_t clocks_ = 0;
     std::int64_t cap_ = 0;
-    std::vector<std::vector<std::vector<Id<Network::Edge>>>> leaving_ = {};  // per template and location
+    std::vector<std::vector<std::vector<Id<Network::Edge>>>> leaving_ = {};  // indexed by template and location
 };
 
-/// All reachable states; stops after `limit` states.
+/// Returns all reachable states, but at most `limit` of them.
 struct Reachable {
     std::set<TaddState> states = {};
     bool complete = false;
@@ -79,30 +81,31 @@ struct Reachable {
 };
 Reachable reachable(const Network& network, std::size_t limit);
 
-/// A network under test: the test sets inputs and lets time pass. Keeps every possible state, so that free choices
-/// appear as several values.
+/// A network under test: the test sets inputs and lets time pass. The bench keeps every possible state, so that a
+/// variable may have several values after a free choice.
 class Bench {
 public:
     explicit Bench(Network network);
 
-    /// Writes an input, then executes all events of this instant.
+    /// Writes an input, and then executes all events of this instant.
     void set(const std::string& variable, std::int64_t value);
-    /// Lets time pass, unit by unit. No values remain if time cannot pass.
+    /// Lets time pass, one unit after another. No values remain if time cannot pass.
     void wait(std::int64_t units);
     std::set<std::int64_t> values(const std::string& variable) const;
     std::set<std::string> locations(const std::string& process) const;
     const std::set<TaddState>& states() const { return states_; }
 
 private:
-    void rest();  ///< takes edges until time can pass; drops states in which time cannot pass
+    void rest();  ///< Takes edges until time can pass, and drops the states in which time cannot pass.
 
     Network network_;
     NaiveTadd tadd_;
     std::set<TaddState> states_ = {};
 };
 
-/// The plant of one instance of `component`, named `it`. Its parameters become variables of the same names; constants
-/// are given or have their defaults. The time unit is the greatest common divisor of its durations.
+/// Returns the plant of one instance of `component`, named `it`. Its parameters become variables of the same names, and
+/// its constants have the given values or their defaults. The time unit is the greatest common divisor of its
+/// durations.
 Network lone_component(const Component& component, const std::map<std::string, std::int64_t>& constants = {},
                        const std::string& initially = "");
 

@@ -11,7 +11,7 @@ namespace grafverif {
 namespace {
 
 bool starts_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-/// For NuSMV, `a-b` is one identifier.
+/// NuSMV reads `a-b` as one identifier.
 bool in_name(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '$' || c == '#' || c == '-';
 }
@@ -144,7 +144,7 @@ struct Reader {
         if (peek().empty() || !starts_name(peek().front())) expect("a term");
         return model.leaf(identifier());
     }
-    /// `case c : v; ... TRUE : w; esac`, or an expression.
+    /// Reads `case c : v; ... TRUE : w; esac`, or an expression.
     Id<Expr> value() {
         if (!accept("case")) return expression();
         std::vector<std::pair<Id<Expr>, Id<Expr>>> cases;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A reader of the part of the NuSMV language that the emitter writes, with NuSMV 2.6's own precedences. Tests compare
-// an emitted text with the TransitionSystem that it came from.
+// A reader for the part of the NuSMV language that the emitter writes, with the operator precedences of NuSMV 2.6.
+// Tests compare an emitted text with the TransitionSystem from which it was generated.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ struct NusmvModel {
     struct Variable {
         std::string name = {};
         Type type = {};
-        std::vector<std::string> values = {};  ///< of an enumeration
-        bool chosen = false;                   ///< IVAR
+        std::vector<std::string> values = {};  ///< the values of an enumeration
+        bool chosen = false;                   ///< the variable is declared with IVAR
     };
     struct Instance {
         std::string name = {}, module = {};
@@ -27,7 +27,7 @@ struct NusmvModel {
     };
     struct Specification {
         std::string keyword = {}, name = {};
-        std::string formula = {};  ///< its tokens, separated by one space
+        std::string formula = {};  ///< the tokens of the formula, separated by one space
     };
     struct Module {
         std::string name = {};
@@ -39,10 +39,10 @@ struct NusmvModel {
         std::vector<Specification> specifications = {};
     };
 
-    Exprs exprs = {};                           ///< Variable leaves refer to `identifiers` by index
-    std::vector<std::string> identifiers = {};  ///< as written: `x`, `instance.x`
+    Exprs exprs = {};                           ///< Variable leaves contain an index into `identifiers`.
+    std::vector<std::string> identifiers = {};  ///< the identifiers in the text: `x`, `instance.x`
     std::vector<Module> modules = {};
-    std::string error_text = {};  ///< the first element that could not be read; empty: none
+    std::string error_text = {};  ///< the first element that could not be read; empty if there is none
 
     Id<Expr> leaf(std::string_view identifier);
 };

@@ -117,7 +117,7 @@ private:
 
 // -- deciding ---------------------------------------------------------------------------------------------------------
 
-/// The value of a term in each state.
+/// The value of a term in each state of the graph.
 using Values = std::vector<std::int64_t>;
 
 class Decision {
@@ -166,7 +166,7 @@ private:
             for (const std::size_t to : graph_.successors[from]) result[from] = result[from] || set[to];
         return result;
     }
-    /// E [within U goal], the least fixpoint.
+    /// Computes E [within U goal] as the least fixpoint.
     StateSet reaching(const StateSet& within, const StateSet& goal) const {
         StateSet found = goal;
         for (StateSet last; last != found;) {
@@ -175,7 +175,7 @@ private:
         }
         return found;
     }
-    /// EG within along fair paths: the greatest fixpoint of Emerson and Lei.
+    /// Computes EG within along fair paths, by the greatest fixpoint of Emerson and Lei.
     StateSet always_fair(const StateSet& within) const {
         StateSet found = within;
         for (StateSet last; last != found;) {
@@ -202,7 +202,7 @@ private:
         for (std::size_t i = 0; i < condition.size(); ++i) result.push_back(condition[i] ? then[i] : otherwise[i]);
         return result;
     }
-    /// For a condition or a number.
+    /// Returns the values of a condition or of a number.
     Values value_of_either(const SpecTerm& term) {
         static const std::array<std::string_view, 5> logical{"&", "|", "->", "!", "xor"};
         if (std::ranges::find(logical, term.op) == logical.end()) return values(term);
@@ -240,7 +240,7 @@ private:
         return left;
     }
 
-    /// A name that is not a variable's is a value of the other operand's type.
+    /// A name that is not the name of a variable is a value of the other operand's type.
     Values compared(const SpecTerm& term) {
         const auto side = [&](std::size_t k) {
             const SpecTerm& here = term.operands[k];

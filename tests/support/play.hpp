@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Charts from text, executed cycle by cycle by the interpreter, with inputs by name and states as text.
+// Reads charts from text and executes them cycle by cycle with the interpreter. Inputs are given by name, and states
+// are compared as text.
 #pragma once
 
 #include <string>
@@ -12,14 +13,14 @@
 
 namespace grafverif {
 
-/// The only chart of `text`, which is written without its frame: the declarations of a grafcet. Fails the test, with
-/// the rendered diagnostics, if it is invalid.
+/// Returns the only chart of `text`, which contains the declarations of a grafcet without its frame. Fails the test,
+/// with the rendered diagnostics, if the chart is invalid.
 Chart chart(std::string_view text);
 
-/// The equations of chart(text). Fails the test if derive rejects it, or computes malformed ones.
+/// Returns the equations of chart(text). Fails the test if derive rejects the chart or computes malformed equations.
 Equations equations(std::string_view text);
 
-/// The messages of derive for a chart that it rejects, each with its code: `[output-cycle] the output ...`.
+/// Returns the messages of derive for a chart that it rejects, each with its code: `[output-cycle] the output ...`.
 std::vector<std::string> refusals(std::string_view text);
 
 struct Play {
@@ -30,16 +31,17 @@ struct Play {
 
 Play play(std::string_view text, ExecutionMode mode = ExecutionMode::StabilitySearch);
 
-/// Executes one cycle with the named inputs true (`a b`; integers as `level=2`), all others false or 0.
+/// Executes one cycle in which the named inputs are true (`a b`) or have the given values (`level=2`). All other inputs
+/// are false or 0.
 Cycle run(Play& play, std::string_view inputs = {});
 void wait(Play& play, std::int64_t milliseconds);
 
-/// Names of the active steps, in order: `1 4`.
+/// Returns the names of the active steps in order: `1 4`.
 std::string situation(const Play& play);
-/// Names of the outputs that are written true, integers as `SPEED=2`.
+/// Returns the names of the outputs that are written true, with integers as `SPEED=2`.
 std::string outputs(const Play& play);
 std::int64_t value(const Play& play, std::string_view variable);
-/// Names of the transitions cleared, with evolutions separated by `;`: `t0 t1; t2; `.
+/// Returns the names of the transitions cleared, with evolutions separated by `;`: `t0 t1; t2; `.
 std::string fired(const Play& play, const Cycle& cycle);
 
 }  // namespace grafverif

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A chart as a tree: declarations, then steps and transitions written directly, then the partial charts.
+// Converts a chart to a tree: the declarations, the steps and transitions of the unnamed partial chart, and then the
+// other partial charts.
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -49,7 +50,7 @@ private:
         return written;
     }
 
-    /// Booleans of one kind share a line with their neighbours; each integer has a separate line.
+    /// Booleans of one kind share a line with their neighbours, whereas each integer has a separate line.
     void variables(std::vector<tree::ChartItem>& items) {
         const Chart::Variable* last = nullptr;
         for (const Chart::Variable& declared : chart_.variables) {
@@ -74,7 +75,7 @@ private:
 
     // -- conditions ---------------------------------------------------------------------------------------------------
 
-    /// `X2`, with its partial chart if the plain name would not refer to it.
+    /// Returns `X2`, with the name of its partial chart if the plain name would not refer to it.
     Id<tree::Expr> step_variable_in(Id<Chart::Step> id, Id<Chart::PartialChart> here) {
         const Chart::Step& step = chart_.steps[id];
         if (step.chart == here || namesakes_.at(step.name) == 1) return trees_.path("X" + step.name);
@@ -181,7 +182,7 @@ private:
         return written;
     }
 
-    /// The steps and transitions of each partial chart, computed once.
+    /// Computes the steps and transitions of each partial chart once.
     void sort_into_partials() {
         steps_.resize(chart_.partial_charts.size());
         transitions_.resize(chart_.partial_charts.size());

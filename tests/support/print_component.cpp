@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A component as a tree; its summary is the comment above it.
+// Converts a component to a tree. The summary of the component becomes the comment above it.
 #include <string>
 #include <vector>
 
@@ -46,7 +46,8 @@ private:
         return written;
     }
 
-    /// The type is omitted if the default implies it, or if it is the unbounded integer.
+    /// Converts the declaration of a constant. It omits the type if the default value implies it, or if it is the
+    /// unbounded integer.
     tree::Variable constant(const Component::Parameter& declared) {
         tree::Variable written = variable(declared);
         written.type = tree::TypeWord::None;
@@ -94,7 +95,8 @@ private:
         }
     }
 
-    /// Guard first, then the clocks; not valid if both are trivial.
+    /// Returns the conjunction of the guard and the clock constraints, in this order. The result is not valid if both
+    /// are trivial.
     Id<tree::Expr> conjunction(Id<Expr> guard, const std::vector<Component::ClockConstraint>& clocks) {
         std::vector<Id<tree::Expr>> conjuncts;
         if (guard.valid() && !is_true(component_.exprs, guard)) conjuncts.push_back(expression(guard));

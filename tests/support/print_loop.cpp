@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A closed loop as a tree. Arguments with their default value are written too: the IR does not distinguish them.
+// Converts a closed loop to a tree. Arguments with their default value are written too, because the IR does not
+// distinguish them.
 #include <cassert>
 #include <string>
 #include <unordered_map>
@@ -149,7 +150,7 @@ private:
         return loop_.controllers[of.controller].name + '.' + (partial.empty() ? "" : partial + '.') + "X" + step.name;
     }
 
-    // Names of the time conditions t/X that random_loop declares.
+    // The names of the time conditions t/X that random_loop declares.
     Id<Chart::Step> watched_step(const ClosedLoop::TimeSymbol& of) const {
         if (!of.condition.valid()) return of.step;
         const Chart& chart = model_.charts[loop_.controllers[of.controller].chart];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The canonical text of a Network, for display, golden files and comparison up to locations. Two networks with equal
-// texts have the same meaning; the text is not read back.
+// Prints the canonical text of a Network, for display, golden files, and comparison without regard to source locations.
+// Two networks with equal texts have the same meaning. The text is not read back.
 #pragma once
 
 #include <iosfwd>

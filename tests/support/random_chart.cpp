@@ -21,7 +21,8 @@ struct Generator {
     Random& random;
     TimedTerms timed;
     Chart chart = {};
-    std::vector<std::int64_t> outer = {};  ///< per partial chart: the one with the step that owns it; -1: none
+    /// For each partial chart: the one that contains its owner step; -1: it has no owner.
+    std::vector<std::int64_t> outer = {};
     std::vector<Id<Chart::Variable>> inputs = {}, continuous = {}, stored_bools = {}, stored_ints = {}, numbers = {};
 
     std::int64_t number(std::int64_t low, std::int64_t high) { return random_number(random, low, high); }
@@ -51,7 +52,7 @@ struct Generator {
         numbers.insert(numbers.end(), stored_ints.begin(), stored_ints.end());
     }
 
-    /// Each chart belongs to a step of an earlier one, or to no step.
+    /// Adds the steps. Each partial chart belongs to a step of an earlier partial chart, or to no step.
     void steps() {
         const std::int64_t partials = often(50) ? 1 : number(2, 4);
         for (std::int64_t p = 0; p < partials; ++p) {
@@ -75,7 +76,7 @@ struct Generator {
         const std::int64_t entry = number(0, count - 1), exit = number(0, count - 1);
         for (std::int64_t s = 0; s < count; ++s) {
             Chart::Step step;
-            // A step of the unnamed chart is inaccessible where another one hides its name.
+            // A step of the unnamed chart is inaccessible if another step hides its name.
             step.name = std::to_string(p == 0 || often(80) ? 10 * p + s : 100 + s);
             step.initial = owned ? often(15) : s == initial || often(10);
             step.entry = kind == Chart::PartialKind::Expansion && s == entry;
@@ -97,14 +98,14 @@ struct Generator {
         }
     }
 
-    /// The chart that contains `partial`.
+    /// Returns the chart that contains `partial`.
     std::int64_t home(std::int64_t partial) const {
         while (chart.partial_charts[{static_cast<std::uint32_t>(partial)}].kind == Chart::PartialKind::Expansion)
             partial = outer[static_cast<std::size_t>(partial)];
         return partial;
     }
 
-    /// Orders go from earlier to later charts.
+    /// Adds the forcing orders, which go from earlier to later charts.
     void forcing() {
         for (std::int64_t count = often(50) ? number(1, 3) : 0; count > 0; --count) {
             const Id<Chart::Step> step = pick_step();
@@ -121,7 +122,7 @@ struct Generator {
         std::ranges::stable_sort(chart.forcing, {}, &Chart::ForcingOrder::step);
     }
 
-    /// Within a partial chart; different partial charts may share names.
+    /// Makes names unique within each partial chart. Different partial charts may use the same names.
     void make_names_unique() {
         for (const Id<Chart::Step> id : chart.steps.ids())
             for (const Id<Chart::Step> other : chart.steps.ids())
@@ -137,9 +138,9 @@ struct Generator {
         return result;
     }
 
-    /// The variables that a term may read besides inputs, steps and stored variables.
+    /// The variables that a term may read, in addition to inputs, steps and stored variables.
     struct Allowed {
-        std::size_t outputs = 0;  ///< the first ones of the continuous outputs
+        std::size_t outputs = 0;  ///< number of continuous outputs, from the first one on
         bool edges = false;
         bool times = true;
     };
@@ -155,7 +156,7 @@ struct Generator {
         return chart.exprs.apply(relations[static_cast<std::size_t>(number(0, 5))], value(1), value(0));
     }
 
-    /// A Boolean term.
+    /// Returns a Boolean term.
     Id<Expr> condition(int depth, Allowed allowed) {
         Exprs& exprs = chart.exprs;
         if (depth > 0 && often(60)) {
@@ -186,7 +187,7 @@ struct Generator {
         return chart.exprs.apply(often(60) ? Op::Rise : Op::Fall, std::array{operand});
     }
 
-    /// A condition that is false if there is no edge.
+    /// Returns a condition that is false if there is no edge.
     Id<Expr> event() {
         const Id<Expr> first = edge(everything());
         if (often(50)) return first;
@@ -199,7 +200,7 @@ struct Generator {
             static_cast<std::uint32_t>(number(0, static_cast<std::int64_t>(chart.steps.size()) - 1))};
     }
 
-    /// For the delay or the limit of an action; 0: none.
+    /// Returns the time for the delay or the limit of an action; 0 means none.
     std::int64_t action_time() { return timed == TimedTerms::Any && often(20) ? duration() : 0; }
 
     std::int64_t duration() { return pick(std::vector<std::int64_t>{500, 1000, 3000}); }
@@ -217,7 +218,7 @@ struct Generator {
         return chart.exprs.leaf(Op::Timed, chart.time_conditions.add(time).index);
     }
 
-    /// An integer term.
+    /// Returns an integer term.
     Id<Expr> value(int depth) {
         Exprs& exprs = chart.exprs;
         if (depth > 0 && often(50)) {
@@ -275,7 +276,7 @@ struct Generator {
             for (std::int64_t count = number(0, 3); count > 0; --count) store(target, stored_number(target));
     }
 
-    /// In the order of a reader: by step, then by transition.
+    /// Sorts the actions as a reader does: by step, then by transition.
     void sort_actions() {
         std::ranges::stable_sort(chart.continuous, {}, &Chart::ContinuousAction::step);
         std::ranges::stable_sort(chart.stored, {}, [](const Chart::StoredAction& action) {

@@ -2,10 +2,11 @@
 // Random well-formed charts with all elements that derive supports, for randomized tests, and reduction of a failing
 // chart to a small one that still fails.
 //
-// A chart has one to four partial charts of a few steps: plain ones, expansions and enclosed ones. They have rings with
-// alternatives, parallel branches, sources and sinks, some under forcing orders. There are bool and small int
-// variables, and continuous actions, including conditional, delayed and limited ones. Stored actions of each kind have
-// arithmetic that sometimes leaves the range; conditions are over inputs, steps, internals, outputs, edges and time.
+// A chart has one to four partial charts of a few steps, which are plain charts, expansions or enclosed charts. The
+// partial charts have rings with alternatives, parallel branches, sources and sinks, and some are subject to forcing
+// orders. Variables are Booleans and small integers. Continuous actions may be conditional, delayed or limited. Stored
+// actions of each kind use arithmetic that sometimes leaves the range. Conditions read inputs, steps, internal
+// variables, outputs, edges and time.
 #pragma once
 
 #include <cstdint>
@@ -20,25 +21,26 @@ namespace grafverif {
 
 using Random = std::mt19937_64;
 
-/// A number from `low` to `high`, platform-independent.
+/// Returns a number from `low` to `high`, which is the same on all platforms.
 std::int64_t random_number(Random& random, std::int64_t low, std::int64_t high);
-/// True with a probability of `percent`.
+/// Returns true with a probability of `percent`.
 bool chance(Random& random, int percent);
 
-/// The terms in time conditions: any Boolean term with both edges, in delayed and limited actions too; or, as `t/X`,
-/// the time for which a step has been active.
+/// The terms in time conditions: any Boolean term with both edges, also in delayed and limited actions; or `t/X`, the
+/// time for which a step has been active.
 enum class TimedTerms { Any, Steps };
 
 Chart random_chart(Random& random, TimedTerms timed = TimedTerms::Any);
 
-/// The same chart without unused terms and time conditions, in order of first use: as if read from its text.
+/// Returns the same chart without unused terms and time conditions. The others are in the order of their first use, as
+/// if the chart was read from its text.
 Chart tidied(const Chart& chart);
 
-/// A smaller chart that still `fails`: removes steps, transitions and actions, and simplifies conditions, until no
-/// reduction is possible. Keeps variables, so that inputs keep their meaning.
+/// Returns a smaller chart for which `fails` is still true. The function removes steps, transitions and actions, and
+/// simplifies conditions, until no reduction is possible. It keeps variables, so that inputs keep their meaning.
 Chart shrunk(Chart chart, const std::function<bool(const Chart&)>& fails);
 
-/// The chart as text, for the message of a failed test.
+/// Returns the chart as text, for the message of a failed test.
 std::string chart_text(const Chart& chart);
 
 }  // namespace grafverif

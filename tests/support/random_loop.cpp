@@ -13,7 +13,7 @@ namespace {
 using ParameterKind = ComponentBuilder::ParameterKind;
 using ValueKind = ComponentBuilder::ValueKind;
 
-/// Changes OUT at any time, at least PERIOD after the last change.
+/// Returns a component that changes OUT at any time, but at least PERIOD after the last change.
 Component toggle() {
     ComponentBuilder build{{.name = "toggle"}};
     const Id<Expr> out = build.parameter("OUT", ParameterKind::Output);
@@ -28,7 +28,7 @@ Component toggle() {
     return std::move(build.component);
 }
 
-/// Moves OUT up or down by one every second, within LOW..HIGH.
+/// Returns a component that increments or decrements OUT every second, within LOW..HIGH.
 Component wander() {
     ComponentBuilder build{{.name = "wander"}};
     Exprs& exprs = build.component.exprs;
@@ -51,7 +51,8 @@ Component wander() {
     return std::move(build.component);
 }
 
-/// OUT becomes true DELAY after G, and false with it; counts its movements.
+/// Returns a component whose OUT becomes true DELAY after G, and false together with G. The component counts its
+/// movements.
 Component follower() {
     ComponentBuilder build{{.name = "follower"}};
     Exprs& exprs = build.component.exprs;
@@ -81,8 +82,8 @@ struct Generator {
     Model model = {};
     ClosedLoop loop = {};
     std::map<std::string, Id<ClosedLoop::Shared>> shared = {};
-    std::vector<Id<ClosedLoop::Shared>> orders = {};  ///< bool outputs
-    bool requested = false;                           ///< terms read internals and observers too
+    std::vector<Id<ClosedLoop::Shared>> orders = {};  ///< the Boolean outputs
+    bool requested = false;                           ///< terms may read internal variables and observers, too
 
     std::int64_t number(std::int64_t low, std::int64_t high) { return random_number(random, low, high); }
     template <class T>
@@ -109,7 +110,7 @@ struct Generator {
         }
     }
 
-    /// A second chart: its outputs have different names, and some of its inputs are outputs of the first.
+    /// Returns a second chart. Its outputs have different names, and some of its inputs are outputs of the first chart.
     Chart second_chart() {
         Chart chart = random_chart(random);
         std::vector<Id<ClosedLoop::Shared>> free = orders;
@@ -181,7 +182,7 @@ struct Generator {
         return leaf(symbol);
     }
 
-    /// The `3s/X2` in transition conditions of the chart, in its delayed actions and in its other terms.
+    /// Returns one of the terms `3s/X2` in the transition conditions, delayed actions and other terms of the chart.
     std::optional<Id<Expr>> time_condition(Id<ClosedLoop::Controller> controller) {
         const Chart& chart = model.charts[loop.controllers[controller].chart];
         std::vector<std::pair<Id<Chart::Step>, ClosedLoop::TimeSymbol>> found;

@@ -13,7 +13,7 @@ using ParameterKind = Network::ParameterKind;
 /// The leaves that a term may read: the variables, and the parameters of a template.
 struct Leaves {
     std::vector<Id<Expr>> booleans = {}, integers = {};
-    std::vector<Id<Expr>> constants = {};  ///< integers that may bound a clock
+    std::vector<Id<Expr>> constants = {};  ///< the integers that may bound a clock
 };
 
 struct Generator {
@@ -104,7 +104,7 @@ struct Generator {
                 constant ? network.exprs.integer(number(1, 5)) : pick(leaves.constants)};
     }
 
-    /// Assigns writable variables; scratch variables only in the form `x := value, y := x`.
+    /// Assigns writable variables. Scratch variables are used only in the form `x := value, y := x`.
     std::vector<Network::Assignment> assignments(const Network::Template& automaton, const Leaves& leaves) {
         std::vector<Network::Assignment> list;
         for (std::int64_t k = number(0, 3); k > 0; --k) {
@@ -132,7 +132,7 @@ struct Generator {
         return node.op == Op::Variable ? network.variables[{index}].type : automaton.parameters[{index}].type;
     }
 
-    /// A value that usually stays in range: engines stop where it does not.
+    /// Returns a value that is usually in range, because engines stop at values out of range.
     Id<Expr> of_type(const Type& type, const Leaves& leaves) {
         if (type.boolean) return boolean_term(leaves, 2);
         if (often(20)) return integer_term(leaves, 1);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Random well-formed networks with all features of the IR, for randomized tests of emitters and engines: templates with
-// parameters of each kind and several processes each; clocks with constant bounds and bounds by parameter, urgent and
-// timed edges; procedures, scratch variables, ranged integers, properties with locations. They have no intended
-// meaning.
+// Generates random well-formed networks with all features of the IR, for randomized tests of emitters and engines.
+// Templates have parameters of each kind and several processes each. The networks have clocks with constant bounds and
+// with bounds given by a parameter, urgent and timed edges, procedures, scratch variables, ranged integers, and
+// properties with locations. They have no intended meaning.
 #pragma once
 
 #include "grafverif/ir/network.hpp"

@@ -15,7 +15,7 @@ struct Block {
     std::string name = {}, type = {};
 };
 
-/// The body of one unit.
+/// Writes the body of one program unit.
 class Writer {
 public:
     Writer(Random& random, bool blocks, int functions) : random_(random), functions_(functions) {

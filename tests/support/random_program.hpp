@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Random PLC programs as Structured Text: every statement, operator, standard function and standard block that programs
-// accept, nested function blocks called several times, functions, loops with EXIT and RETURN, wrap-around, faults.
+// Generates random PLC programs as Structured Text. They contain every statement, operator, standard function and
+// standard block that programs accept. They also have nested function blocks called several times, functions, loops
+// with EXIT and RETURN, arithmetic that wraps around, and faults.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random properties of docs/reference/properties.md, named `S`, of every kind and in every scope, over the names of a
-// network.
+// Generates random properties of docs/reference/properties.md, named `S`, of every kind and in every scope, over the
+// names of a network.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace grafverif {
 
 struct RandomSentence {
     Property property = {};
-    std::int64_t duration = 0;  ///< in units
+    std::int64_t duration = 0;  ///< in time units
 };
 
 inline RandomSentence random_sentence(Network& network, Random& random) {

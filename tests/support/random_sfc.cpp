@@ -79,7 +79,8 @@ void RandomSfc::control(std::size_t index) {
     action.exit.follow(is_active(index, "P0"), now);
     bool value = is_active(index, "N") || action.pulse.rises;
     const bool delayed = action.timed == "DS";
-    if (!action.timed.empty() && action.timed.front() == 'S') {  // SD, SL: stored before the time is counted
+    // With SD and SL the action is stored before its time is counted.
+    if (!action.timed.empty() && action.timed.front() == 'S') {
         action.delay.follow(!reset && (action.delay.on || is_active(index, action.timed)), now);
     } else if (!action.timed.empty()) {
         action.delay.follow(is_active(index, action.timed), now);
@@ -101,7 +102,7 @@ void RandomSfc::scan(const std::vector<std::int64_t>& sampled, std::int64_t elap
     std::vector<bool> before;
     for (const Action& action : actions) before.push_back(action.q);
     for (const std::size_t index : order) control(index);
-    // A statement reads a Boolean variable that a later action assigns before its assignment.
+    // A statement reads a Boolean variable before the assignment of a later action changes it.
     std::vector<bool> after;
     for (const Action& action : actions) after.push_back(action.q);
     for (std::size_t i = 0; i < actions.size(); ++i)
@@ -262,7 +263,7 @@ private:
             }
             const std::size_t next = add_step();
             if (form == 0) add({step}, {next});
-            if (form == 1) {  // a selection
+            if (form == 1) {  // this form is a selection
                 for (std::size_t i = 0; i < 2; ++i) add({step}, {firsts[i]}), add({lasts[i]}, {next});
                 if (is(40)) add({step}, {next});
             }

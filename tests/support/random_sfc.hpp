@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random Sequential Function Charts as text, executed by the rules of IEC 61131-3, 2.6, without the program: qualifiers
-// are computed from times of activation instead of function blocks.
+// Generates random Sequential Function Charts as text, and executes them by the rules of IEC 61131-3, 2.6, without the
+// program. It computes qualifiers from times of activation instead of function blocks.
 #pragma once
 
 #include <array>
@@ -23,16 +23,16 @@ struct RandomSfc {
     };
     struct Transition {
         std::vector<std::size_t> from = {}, to = {};
-        std::vector<Literal> condition = {};  ///< all of them
-        std::int64_t priority = 0;            ///< 0: none
+        std::vector<Literal> condition = {};  ///< all literals must be true
+        std::int64_t priority = 0;            ///< 0: the transition has no priority
     };
     struct Step {
         bool active = false;
-        std::int64_t since = 0;                                        ///< the time of its activation
-        std::int64_t lasted = 0;                                       ///< after its deactivation
-        std::vector<std::pair<std::size_t, std::string>> blocks = {};  ///< action and qualifier
+        std::int64_t since = 0;   ///< the time at which the step was activated
+        std::int64_t lasted = 0;  ///< the time for which the step was active before its deactivation
+        std::vector<std::pair<std::size_t, std::string>> blocks = {};  ///< pairs of an action and a qualifier
     };
-    /// The times at which a condition became true.
+    /// The times at which a condition became true and false.
     struct Stretch {
         bool on = false, rises = false, falls = false;
         std::int64_t since = 0;
@@ -40,9 +40,9 @@ struct RandomSfc {
     };
     struct Action {
         bool variable = false;
-        std::string timed = {};  ///< its only qualifier with a duration
+        std::string timed = {};  ///< the only qualifier of the action that has a duration
         std::int64_t duration = 0;
-        Literal copied = {};  ///< statements assign its value to `m`
+        Literal copied = {};  ///< the statements of the action assign the value of this literal to `m`
         bool used = false, q = false, executed = false, copy = false, stored = false;
         Stretch pulse = {}, entry = {}, exit = {}, delay = {};
         std::int64_t count = 0;
@@ -53,16 +53,17 @@ struct RandomSfc {
     std::vector<Step> steps = {};
     std::vector<Transition> transitions = {};
     std::vector<Action> actions = {};
-    std::vector<std::size_t> order = {};  ///< of actions
+    std::vector<std::size_t> order = {};  ///< the order of the actions
     std::array<bool, inputs> values = {};
     std::int64_t now = 0;
     bool started = false;
-    int cleared = 0;        ///< in the last scan
-    bool selected = false;  ///< in the last scan, an enabled transition gave way to another
+    int cleared = 0;        ///< number of transitions cleared in the last scan
+    bool selected = false;  ///< true if an enabled transition gave way to another one in the last scan
 
     void scan(const std::vector<std::int64_t>& sampled, std::int64_t elapsed);
     std::string text() const;
-    /// The same chart in PLCopen XML. The transitions are in random order; their positions give the order of the text.
+    /// Returns the same chart in PLCopen XML. The transitions are in random order; their positions give the order of
+    /// the text.
     std::string xml(Random& random) const;
 
 private:

@@ -13,10 +13,10 @@ namespace {
 struct PartsGenerator {
     Random& random;
     Network network = {};
-    std::vector<Id<Network::Variable>> flags = {};    // of the current part
-    std::vector<Id<Network::Variable>> counts = {};   // of the current part
-    std::vector<Id<Network::Variable>> foreign = {};  // flags that any part may read
-    std::vector<Id<Network::Variable>> wakes = {};    // flags that any part may set
+    std::vector<Id<Network::Variable>> flags = {};    // Boolean variables of the current part
+    std::vector<Id<Network::Variable>> counts = {};   // integer variables of the current part
+    std::vector<Id<Network::Variable>> foreign = {};  // Boolean variables that any part may read
+    std::vector<Id<Network::Variable>> wakes = {};    // Boolean variables that any part may set
     bool closed = true;
 
     std::int64_t number(std::int64_t low, std::int64_t high) { return random_number(random, low, high); }
@@ -89,7 +89,8 @@ struct PartsGenerator {
         network.processes.add({.name = name, .automaton = id, .initial = {0}});
     }
 
-    /// Quiescence: usually the end of most urgent edges, as in compose, and sometimes another condition.
+    /// Returns the condition of quiescence. This is usually that most urgent edges are disabled, as in compose, and
+    /// sometimes another condition.
     Id<Expr> settled_of(std::size_t first_process) {
         std::vector<Id<Expr>> conjuncts;
         for (auto process = static_cast<std::uint32_t>(first_process); process < network.processes.size(); ++process)

@@ -9,7 +9,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// Terms over some symbols of a module.
+/// Generates terms over some symbols of a module.
 struct Terms {
     Exprs& exprs;
     Random& random;
@@ -44,7 +44,7 @@ struct Terms {
         }
     }
 
-    /// A value of `type`; an integer outside its range is replaced by `otherwise`.
+    /// Returns a value of `type`. `otherwise` replaces an integer outside its range.
     Id<Expr> value(Type type, Id<Expr> otherwise) {
         if (type.boolean) return boolean(3);
         const Id<Expr> wish = integer(2);
@@ -60,9 +60,9 @@ Type random_type(Random& random) {
     return integer_type(low, low + random_number(random, 0, 4));
 }
 
-/// State variables, choices and definitions of a module, after its first symbols.
+/// Adds state variables, choices and definitions to a module, after its first symbols.
 void fill(System::Module& module, Exprs& exprs, Random& random, const std::string& prefix) {
-    Terms before{exprs, random};  // state variables, and the choices
+    Terms before{exprs, random};  // terms over state variables and choices
     std::vector<Id<System::Symbol>> states;
     for (const Id<System::Symbol> id : module.symbols.ids()) before.add(id, module.symbols[id].type);
     const auto add = [&](Type type, auto kind) {
@@ -75,7 +75,7 @@ void fill(System::Module& module, Exprs& exprs, Random& random, const std::strin
     if (chance(random, 50)) add(random_type(random), System::StateSymbol{});
     for (std::int64_t i = random_number(random, 1, 3); i > 0; --i)
         states.push_back(add(random_type(random), System::StateSymbol{}));
-    Terms timeless = before;  // invariants, initial values and justice read no choice
+    Terms timeless = before;  // invariants, initial values and justice conditions read no choice
     if (chance(random, 60)) add(Type{}, System::ChoiceSymbol{});
     if (chance(random, 30)) add(integer_type(0, 2), System::ChoiceSymbol{});
     for (std::int64_t i = random_number(random, 0, 2); i > 0; --i) {
@@ -109,7 +109,7 @@ TransitionSystem random_system(Random& random) {
         System::Module part{.name = "part"};
         part.symbols.add({"p", {}, System::ParameterSymbol{}, "", {}});
         fill(part, system.exprs, random, "s");
-        part.justice.clear();  // so that main can name them all
+        part.justice.clear();  // so that main can name all symbols in justice conditions
         const Id<System::Module> module = system.modules.add(std::move(part));
         const Id<System::Instance> instance = system.instances.add({"part_1", module, {{0}}});
         const Table<System::Symbol> symbols = system.modules[module].symbols;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Random small transition systems with all features of the IR: free variables, choices, bounded integers, definitions,
-// an instance, invariants, constraints on steps, justice; and a property of every pattern. They have no intended
-// meaning; some have no initial state and some have dead ends.
+// Generates random small transition systems with all features of the IR: free variables, choices, bounded integers,
+// definitions, an instance, invariants, constraints on steps, justice conditions, and a property of every pattern. The
+// systems have no intended meaning. Some have no initial state, and some have dead ends.
 #pragma once
 
 #include "grafverif/ir/transition_system.hpp"
@@ -11,11 +11,11 @@ namespace grafverif {
 
 TransitionSystem random_system(Random& random);
 
-/// True if a symbol of main is a function of states, as properties require, and not of steps: definitions of modules
-/// with choices may read them.
+/// True if the value of a symbol of main depends only on the state, as properties require, and not on the step.
+/// Definitions of modules with choices may depend on the step.
 bool holds_in_states(const TransitionSystem& system, const TransitionSystem::Symbol& symbol);
 
-/// Adds a property per pattern over the Boolean symbols of main.
+/// Adds a property of each pattern over the Boolean symbols of main.
 void ask_more(TransitionSystem& system, Random& random);
 
 }  // namespace grafverif

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random walks through a network: runs with all possible events, for randomized tests of traces and replay.
+// Generates random walks through a network, which are runs with all possible events, for randomized tests of traces and
+// replay.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +10,8 @@
 
 namespace grafverif {
 
-/// `moves` moves; fewer if none is possible, at a model error, or if two stored actions race.
+/// Returns a run of `moves` moves. It ends earlier if no move is possible, at a model error, or if two stored actions
+/// race.
 inline Run random_walk(const Network& network, Random& random, int moves) {
     Run run;
     NetworkState state = initial_state(network);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// AIGER 1.9 reader and simulator for both forms, based on the specification alone: the reference for exported files.
+// AIGER 1.9 reader and simulator for both forms, based on the specification alone. It is the reference for exported
+// files.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,7 @@ struct AigerFile {
     struct And {
         std::uint32_t out = 0, left = 0, right = 0;
     };
-    std::uint32_t most = 0;  ///< the greatest variable
+    std::uint32_t most = 0;  ///< the greatest variable index
     std::vector<std::uint32_t> inputs = {}, bads = {};
     std::vector<Latch> latches = {};
     std::vector<std::vector<std::uint32_t>> justice = {};
@@ -26,11 +27,11 @@ struct AigerFile {
 
 AigerFile read_aiger(const std::string& text);
 
-/// The value of a literal; one per variable in `values`.
+/// Returns the value of a literal. `values` has one entry for each variable.
 inline bool aiger_value(const std::vector<bool>& values, std::uint32_t literal) {
     return values[literal / 2] != (literal % 2 != 0);
 }
-/// Per step, the values of all variables; `inputs`: per step, those of the inputs.
+/// Returns the values of all variables in each step. `inputs` has the values of the inputs in each step.
 std::vector<std::vector<bool>> aiger_run(const AigerFile& file, const std::vector<std::vector<bool>>& inputs);
 
 }  // namespace grafverif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// BTOR2 reader and simulator for the exported subset, based on the specification alone: the reference for exported
-// files.
+// BTOR2 reader and simulator for the exported subset, based on the specification alone. It is the reference for
+// exported files.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,10 @@ public:
     explicit Btor2File(const std::string& text);
 
     const std::string& error_text() const { return complaint_; }
-    /// The names of the bad states, in order.
+    /// The names of the bad-state properties, in order.
     const std::vector<std::string>& bads() const { return bads_; }
-    /// One state: its true bad states, with the inputs that `input` returns by name; then one step.
+    /// Evaluates the current state with the inputs that `input` returns by name, and then executes one step. Returns
+    /// which bad-state properties were true.
     std::vector<bool> step(const std::function<std::int64_t(const std::string&)>& input);
 
 private:
@@ -36,7 +37,7 @@ private:
     std::vector<Line> lines_ = {};
     std::vector<std::string> bads_ = {};
     std::map<std::uint64_t, unsigned> sorts_ = {}, widths_ = {};
-    std::map<std::uint64_t, std::int64_t> states_ = {}, values_ = {};  ///< values as signed numbers of their width
+    std::map<std::uint64_t, std::int64_t> states_ = {}, values_ = {};  ///< the values, as signed numbers of their width
     std::string complaint_ = {};
 };
 

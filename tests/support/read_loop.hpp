@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Closed loops from text or from the samples, composed: fixtures for tests of reports, replay and engines.
+// Reads closed loops from text or from the samples and composes them. These are fixtures for tests of reports, replay
+// and engines.
 #pragma once
 
 #include <string>
@@ -15,17 +16,18 @@ struct LoopUnderTest {
     Model model = {};
     Network network = {};
 
-    /// The equations of the controllers, in order.
+    /// The charts of the controllers, in order.
     std::vector<const Chart*> charts() const;
 };
 
-/// The first loop of `model`. Throws std::invalid_argument with the first error if it cannot be composed.
+/// Composes the first loop of `model`. Throws std::invalid_argument with the first error if the loop cannot be
+/// composed.
 LoopUnderTest composed_loop(Model model, const ComposeOptions& options = {});
 
-/// The first loop of `text`; components of templates/ may be used. Throws like composed_loop.
+/// Composes the first loop of `text`, which may use components of templates/. Throws like composed_loop.
 LoopUnderTest read_loop(const std::string& text, const ComposeOptions& options = {});
 
-/// The first loop of samples/PATH.
+/// Composes the first loop of samples/PATH.
 LoopUnderTest read_sample(const std::string& path, const ComposeOptions& options = {});
 
 }  // namespace grafverif

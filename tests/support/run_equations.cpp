@@ -14,7 +14,7 @@ struct Runner {
     std::span<const std::int64_t> inputs;
     EquationsCycle result;
 
-    /// The term over `values`; 0 with `no_value` if it is undefined.
+    /// Evaluates the term over `values`. If it is undefined, returns 0 and sets `no_value`.
     std::int64_t value(Id<Expr> term, const std::vector<std::int64_t>& values) {
         const auto found = evaluate(equations.exprs, term,
                                     [&](const Expr& leaf) { return values[static_cast<std::size_t>(leaf.value)]; });
@@ -22,7 +22,7 @@ struct Runner {
         return found.value_or(0);
     }
 
-    /// Values before the cycle: current inputs and timer outputs.
+    /// Returns the values before the cycle, which contain the current inputs and timer outputs.
     std::vector<std::int64_t> before() const {
         std::vector<std::int64_t> values = result.state.values;
         for (const Id<Variable> id : equations.variables.ids())
@@ -82,7 +82,7 @@ struct Runner {
             result.state.values[previous.variable.index] = value(previous.value, old);
     }
 
-    /// The levels after the cycle, with the inputs and timer outputs that it sampled.
+    /// Updates the levels after the cycle, with the inputs and timer outputs that the cycle sampled.
     void watch(const std::vector<std::int64_t>& old) {
         std::vector<std::int64_t> after = result.state.values;
         for (const Id<Variable> id : equations.variables.ids())

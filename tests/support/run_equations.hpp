@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Direct execution of equations, cycle by cycle, without a network: the reference for their comparison with the
-// interpreter, and for tests of single cycles.
+// Executes equations directly, cycle by cycle, without a network. This is the reference for the comparison of equations
+// with the interpreter, and for tests of single cycles.
 #pragma once
 
 #include <cstdint>
@@ -13,19 +13,20 @@
 
 namespace grafverif {
 
-/// The duration of the level that a timer watches; -1: it is false.
+/// The times for which the level that a timer watches has been true and false, in milliseconds; -1 means that the level
+/// is false.
 struct EquationsTiming {
-    std::int64_t risen = -1;   ///< since it became true
-    std::int64_t fallen = -1;  ///< since it became false after being true for t1
+    std::int64_t risen = -1;   ///< time since the level became true
+    std::int64_t fallen = -1;  ///< time since the level became false after it had been true for t1
 
     auto operator<=>(const EquationsTiming&) const = default;
 };
 
 struct EquationsState {
-    std::vector<std::int64_t> values =
-        {};  ///< per variable, at the end of the cycle; firing conditions 0, inputs initial
-    std::vector<std::int64_t> outputs = {};    ///< per variable: outputs as written
-    std::vector<EquationsTiming> timing = {};  ///< per timer
+    /// Values at the end of the cycle, indexed by variable. Firing conditions are 0, and inputs have initial values.
+    std::vector<std::int64_t> values = {};
+    std::vector<std::int64_t> outputs = {};    ///< the outputs that were written, indexed by variable
+    std::vector<EquationsTiming> timing = {};  ///< indexed by timer
     bool started = false;
 
     auto operator<=>(const EquationsState&) const = default;
@@ -33,25 +34,25 @@ struct EquationsState {
 
 struct EquationsCycle {
     EquationsState state = {};
-    std::vector<std::vector<std::size_t>> fired = {};  ///< per evolution: indices into Equations::firings
+    std::vector<std::vector<std::size_t>> fired = {};  ///< indices into Equations::firings, for each evolution
     bool stable = false;
     bool race = false;
-    bool conflict = false;  ///< of forcing orders
+    bool conflict = false;  ///< forcing orders conflict
     bool no_value = false;
     bool out_of_range = false;
     bool endless = false;
-    bool torn = false;  ///< a step's `activated` or `deactivated` contradicts its activity before and after
+    bool torn = false;  ///< `activated` or `deactivated` of a step contradicts its activity before and after
 };
 
 /// True if `timer` has expired.
 bool is_over(const Equations::Timer& timer, const EquationsTiming& timing);
 
-/// Updates the timer with the level before and after a cycle.
+/// Updates the timer with the level of the watched term before and after a cycle.
 void note_level(const Equations::Timer& timer, bool before, bool after, EquationsTiming& timing);
 
 EquationsState power_on(const Equations& equations);
 
-/// `inputs`: per variable; only the entries of inputs are read.
+/// Executes one cycle. `inputs` is indexed by variable; only the entries of inputs are read.
 EquationsCycle cycle(const Equations& equations, const EquationsState& state, std::span<const std::int64_t> inputs,
                      ExecutionMode mode);
 

@@ -12,9 +12,9 @@ struct SmallPlc::Instance {
     enum class Kind { Unit, OnDelay, OffDelay };
     Kind kind = Kind::Unit;
     const st::Unit* unit = nullptr;
-    std::map<std::string, std::int64_t> values = {};  ///< by names in capitals
+    std::map<std::string, std::int64_t> values = {};  ///< the values of the variables, with names in capitals
     std::map<std::string, std::unique_ptr<Instance>> blocks = {};
-    std::int64_t since = -1;  ///< of a timer: its start; -1: it is not running
+    std::int64_t since = -1;  ///< the start of a timer; -1: the timer is not running
 };
 
 namespace {
@@ -114,7 +114,7 @@ void SmallPlc::call(std::int64_t now) {
     run(*main_);
 }
 
-/// IEC 61131-3, Table 46: TON and TOF.
+/// Implements TON and TOF according to IEC 61131-3, Table 46.
 void SmallPlc::run(Instance& instance) {
     if (instance.kind == Instance::Kind::Unit) {
         execute(instance.unit->body, instance);
@@ -150,7 +150,7 @@ SmallPlc::Flow SmallPlc::execute(const st::Statement& statement, Instance& insta
     case st::StatementKind::Case: return choose(statement, instance);
     case st::StatementKind::While: return repeat(statement, instance);
     case st::StatementKind::For:
-    case st::StatementKind::Repeat:  // MATIEC executes it incorrectly
+    case st::StatementKind::Repeat:  // MATIEC executes this statement incorrectly
     case st::StatementKind::Exit: break;
     }
     refuse("a statement that is never written");
@@ -224,7 +224,7 @@ std::int64_t SmallPlc::evaluate(Id<st::Expr> expression, Instance& instance) con
     return value;
 }
 
-/// Always evaluates both operands: a PLC need not short-circuit.
+/// This function always evaluates both operands, because a PLC need not short-circuit.
 std::int64_t SmallPlc::combine(st::Op op, std::int64_t left, std::int64_t right) const {
     const auto within = [](std::int64_t value) {
         if (value < std::numeric_limits<std::int32_t>::min() || value > std::numeric_limits<std::int32_t>::max())

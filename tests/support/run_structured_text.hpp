@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// PLC simulator for randomized tests: executes programs and function blocks in Structured Text call by call as in IEC
-// 61131-3, with TON, TOF and SEL of the standard library. Independent of charts and equations.
+// PLC simulator for randomized tests. It executes programs and function blocks in Structured Text call by call as
+// specified in IEC 61131-3, with TON, TOF and SEL of the standard library. It is independent of charts and equations.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@
 
 namespace grafverif {
 
-/// The textual form of the units of a PLCopen project. Throws std::runtime_error if it is invalid.
+/// Returns the textual form of the units of a PLCopen project. Throws std::runtime_error if the project is invalid.
 std::string units_of_plcopen(const std::string& xml);
 
-/// Throws std::runtime_error where a real compiler or PLC would report an error: unknown names, division by zero,
-/// values outside 32 bits, an endless loop.
+/// Executes program units. It throws std::runtime_error where a real compiler or PLC would report an error: unknown
+/// names, division by zero, values outside 32 bits, an endless loop.
 class SmallPlc {
 public:
-    /// `units`: texts of programs and function blocks. `unit`: the executed one.
+    /// `units` contains the texts of programs and function blocks; `unit` names the one that is executed.
     SmallPlc(const std::vector<std::string>& units, const std::string& unit);
     SmallPlc(const SmallPlc&) = delete;
     SmallPlc& operator=(const SmallPlc&) = delete;
@@ -30,7 +30,7 @@ public:
     void set(const std::string& variable, std::int64_t value);
     std::int64_t value(const std::string& variable) const;
     bool has(const std::string& variable) const;
-    /// One call, `now` milliseconds after the first.
+    /// Executes one call, `now` milliseconds after the first.
     void call(std::int64_t now);
 
 private:

@@ -15,7 +15,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// The module of a symbol: main, or the instance of this index.
+/// A symbol of a module, which is main or the instance with this index.
 struct Site {
     std::optional<std::size_t> instance = {};
     Id<System::Symbol> symbol = {};
@@ -26,7 +26,7 @@ const System::Module& module_at(const System& system, std::optional<std::size_t>
     return system.modules[system.instances[{static_cast<std::uint32_t>(*instance)}].module];
 }
 
-/// The state symbol or definition that `place` denotes after resolving parameters and members.
+/// Returns the state symbol or definition that `place` denotes after parameters and members are resolved.
 Site resolved(const System& system, Site place) {
     const System::Symbol& symbol = module_at(system, place.instance).symbols[place.symbol];
     if (std::holds_alternative<System::ParameterSymbol>(symbol.kind)) {
@@ -44,7 +44,7 @@ std::string path_of(const System& system, Site place) {
     return system.instances[{static_cast<std::uint32_t>(*place.instance)}].name + "." + own;
 }
 
-/// The known values of state symbols; `missing` provides the others.
+/// Evaluates terms over the known values of state symbols. `missing` provides the other values.
 struct Evaluator {
     const System& system;
     std::function<std::int64_t(Site)> state;
@@ -77,7 +77,7 @@ Evaluator in_state(const System& system, const SystemState& state) {
             }};
 }
 
-/// Main, then every instance.
+/// Calls `visit` for main and then for every instance.
 template <class Visit>
 void each_module(const System& system, const Visit& visit) {
     visit(std::optional<std::size_t>{}, module_at(system, {}));
@@ -148,7 +148,7 @@ SystemState next_state(const System& system, const SystemState& state, const Cho
 }
 
 std::optional<SystemState> step_taken(const System& system, const SystemState& state, const Choose& choose) {
-    SystemState before = state;  // with the choices, in the slots of their symbols
+    SystemState before = state;  // the state, with the choices in the slots of their symbols
     each_module(system, [&](std::optional<std::size_t> instance, const System::Module& module) {
         for (const Id<System::Symbol> id : module.symbols.ids())
             if (std::holds_alternative<System::ChoiceSymbol>(module.symbols[id].kind))
@@ -222,8 +222,8 @@ bool offers(const System& system, const SystemState& state, std::optional<std::s
     return true;
 }
 
-/// Every permitted combination of choices, main's first, as states that contain them; nothing if more than `limit`
-/// combinations would be needed together.
+/// Returns every permitted combination of choices, with those of main first, as states that contain them. Returns
+/// nothing if more than `limit` combinations would be needed together.
 std::optional<std::vector<SystemState>> offered_choices(const System& system, const SystemState& state,
                                                         std::size_t limit) {
     std::vector<SystemState> found;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shrinking: rebuilds the chart without one element, or with one condition replaced by one of its operands. Keeps the
-// result if it still fails, until a complete round changes nothing.
+// Rebuilds a chart without one element, or with one condition replaced by one of its operands. If the result still
+// fails, it replaces the chart. This is repeated until a complete round changes nothing.
 #include <array>
 #include <ostream>
 #include <sstream>
@@ -13,10 +13,11 @@ namespace grafverif {
 
 namespace {
 
-/// The elements that the copy omits, and the replacements of conditions (terms of the original).
+/// The elements that the copy omits, and the replacements of conditions, which are terms of the original.
 struct Cut {
     std::vector<bool> steps = {}, transitions = {}, continuous = {}, stored = {}, forcing = {};
-    std::vector<Id<Expr>> conditions = {}, assignations = {}, values = {}, events = {};  ///< events: if there is one
+    /// Replacements by index. An event is replaced only if there is one.
+    std::vector<Id<Expr>> conditions = {}, assignations = {}, values = {}, events = {};
 };
 
 Cut no_cut(const Chart& chart) {
@@ -68,8 +69,8 @@ struct Copy {
         return result;
     }
 
-    /// A chart without its owner becomes a plain one. A macro-step is removed before the entry and exit of its
-    /// expansion.
+    /// Adjusts the hierarchy. A chart without its owner becomes a plain chart, and a macro-step is removed before the
+    /// entry and exit of its expansion.
     void hierarchy() {
         for (Chart::PartialChart& partial : to.partial_charts) {
             if (!partial.owner.valid()) continue;
@@ -132,7 +133,7 @@ Chart without(const Chart& chart, const Cut& cut) {
     return std::move(copy.to);
 }
 
-/// Each reduction that removes one element.
+/// Returns each reduction that removes one element.
 std::vector<Cut> element_cuts(const Chart& chart) {
     std::vector<Cut> cuts;
     const Cut none = no_cut(chart);
@@ -155,7 +156,7 @@ std::vector<Cut> element_cuts(const Chart& chart) {
     return cuts;
 }
 
-/// Each reduction that replaces one condition or value by one of its operands of the same type.
+/// Returns each reduction that replaces one condition or value by one of its operands of the same type.
 std::vector<Cut> term_cuts(const Chart& chart) {
     std::vector<Cut> cuts;
     const Cut none = no_cut(chart);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Number of random cases of a randomized test: a small number by default, multiplied by the environment variable
-// GRAFVERIF_TEST_SIZE.
+// The number of random cases of a randomized test. This is a small number by default, and the environment variable
+// GRAFVERIF_TEST_SIZE multiplies it.
 #pragma once
 
 #include <algorithm>

@@ -23,8 +23,8 @@ Id<tree::Expr> Trees::node(tree::Op op, std::initializer_list<Id<tree::Expr>> op
 }
 
 Id<tree::Expr> Trees::number(std::int64_t value) {
-    if (value == std::numeric_limits<std::int64_t>::min())  // its digits alone would not fit
-        return node(tree::Op::Minus, {number(value + 1), number(1)});
+    // The digits of this number without its sign do not fit in 64 bits.
+    if (value == std::numeric_limits<std::int64_t>::min()) return node(tree::Op::Minus, {number(value + 1), number(1)});
     const Id<tree::Expr> id = node(tree::Op::Number, {});
     file_->exprs[id].value = value < 0 ? -value : value;
     return value < 0 ? node(tree::Op::Negate, {id}) : id;
@@ -78,7 +78,7 @@ tree::Op tree_op(Op op) {
     case Op::Timed:
     case Op::Parameter:
     case Op::At:
-    case Op::Conditional: break;  // leaves are provided by the caller, conditionals are not in the language
+    case Op::Conditional: break;  // the caller provides leaves, and the language has no conditionals
     }
     unreachable();
 }
@@ -94,7 +94,7 @@ Id<tree::Expr> Trees::expression(const Exprs& exprs, Id<Expr> root,
     const Id<tree::Expr> id = node(tree_op(written.op), {});
     for (const Id<Expr> operand : exprs.operands(root)) {
         const Id<tree::Expr> child = expression(exprs, operand, leaf);
-        file_->exprs[child].bracketed = written.op == Op::Or;  // disambiguates `a || (b && c)`
+        file_->exprs[child].bracketed = written.op == Op::Or;  // this disambiguates `a || (b && c)`
         tree::append(file_->exprs, id, child);
     }
     return id;

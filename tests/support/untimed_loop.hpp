@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Closed loops as untimed models: fixtures for tests of schedules and of untimed engines.
+// Converts closed loops to untimed models. These are fixtures for tests of schedules and of untimed engines.
 #pragma once
 
 #include <string>
@@ -11,15 +11,16 @@
 
 namespace grafverif {
 
-/// The first loop of `model`, in grain `grain` if the schedule is interleaved. Throws std::invalid_argument with the
-/// first error if there is no such model; fails the test if verify finds an error.
+/// Converts the first loop of `model`, in grain `grain` if the schedule is interleaved. Throws std::invalid_argument
+/// with the first error if there is no such model. Fails the test if verify finds an error.
 TransitionSystem untimed_loop(const Model& model, const ScheduleOptions& options, Grain grain = Grain::Phased);
 
-/// The first loop of `model` in every approach and under every schedule, in both grains if the schedule is interleaved,
-/// with discrete and with abstract time; rejected combinations are omitted. Fails the test if verify finds an error.
+/// Converts the first loop of `model` in every approach and under every schedule, in both grains if the schedule is
+/// interleaved, with discrete and with abstract time. Rejected combinations are omitted. Fails the test if verify finds
+/// an error.
 std::vector<TransitionSystem> untimed_models(const Model& model, bool fairness = false);
 
-/// For `text`, and for samples/PATH; components of templates/ may be used.
+/// The same functions for `text` and for samples/PATH, which may use components of templates/.
 TransitionSystem untimed_text(const std::string& text, const ScheduleOptions& options, Grain grain = Grain::Phased);
 TransitionSystem untimed_sample(const std::string& path, const ScheduleOptions& options, Grain grain = Grain::Phased);
 

@@ -74,7 +74,7 @@ void QueryReader::read_universal(Cursor& cursor, Property& property) {
     property.operands = {property.at_stable ? terms_.primary(cursor) : terms_.term(cursor)};
 }
 
-/// `a + !b + (c && d) == 1`, all Boolean; otherwise nothing is read.
+/// Reads `a + !b + (c && d) == 1`, in which all terms are Boolean. Any other text is not read.
 bool QueryReader::read_exactly_one(Cursor& cursor, Property& property) {
     const std::size_t start = cursor.mark();
     try {
@@ -84,14 +84,15 @@ bool QueryReader::read_exactly_one(Cursor& cursor, Property& property) {
         property.pattern = Pattern::ExactlyOneOf;
         if (cursor.number() == 1 && cursor.at_end() && is_boolean(property.operands[0])) return true;
     } catch (const std::runtime_error&) {
-        // another pattern
+        // the query has another pattern
     }
     property.operands.clear();
     cursor.back_to(start);
     return false;
 }
 
-/// The operand of a pattern that is checked where it holds; for quiescent states without that condition.
+/// Reads the operand of a pattern that is checked in the states in which it holds. The condition for quiescent states
+/// is not part of the operand.
 Id<Expr> QueryReader::read_operand(Cursor& cursor, const Property& property) {
     if (!property.at_stable) return terms_.term(cursor);
     network_.settled = terms_.primary(cursor);

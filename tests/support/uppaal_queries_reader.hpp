@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads exported queries back into properties. The comment identifies the pattern if several have the same shape.
+// Reads exported queries back into properties. The comment of a query identifies its pattern if several patterns have
+// the same form.
 #pragma once
 
 #include <pugixml.hpp>
@@ -14,7 +15,7 @@ class QueryReader {
 public:
     QueryReader(Network& network, TermReader terms) : network_(network), terms_(std::move(terms)) {}
 
-    /// Adds a property per query, and `settled` if a query reads it.
+    /// Adds a property for each query, and `settled` if a query reads it.
     void read(pugi::xml_node queries);
 
 private:

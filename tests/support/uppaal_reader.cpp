@@ -33,7 +33,7 @@ const std::map<std::string, Network::ProcessKind> kinds = {{"plant", Network::Pr
                                                            {"timers", Network::ProcessKind::Timer},
                                                            {"observers of properties", Network::ProcessKind::Observer}};
 
-/// The text between the first `before` and the next `after`.
+/// Returns the text between the first `before` and the next `after`.
 std::string between(const std::string& text, const std::string& before, const std::string& after) {
     const std::size_t begin = text.find(before);
     if (begin == std::string::npos) throw std::runtime_error("no `" + before + "` in: " + text);
@@ -48,7 +48,7 @@ Id<T> find(const std::unordered_map<std::string, Id<T>>& map, const std::string&
     return found->second;
 }
 
-/// A controller as described in the header, with its process and variables by name.
+/// The description of a controller in the header, which gives its process and variables by name.
 struct ControllerLine {
     std::string name = {}, process = {}, waiting = {}, stable = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
@@ -117,7 +117,8 @@ private:
         }
     }
 
-    /// The original of the name `legal` in the scope of the template called `scope`, or globally if that is empty.
+    /// Returns the original of the name `legal` in the scope of the template called `scope`, or in the global scope if
+    /// `scope` is empty.
     std::string original(const std::string& legal, const std::string& scope = {}) const {
         const auto found = original_.find(legal);
         if (found == original_.end()) return legal;
@@ -163,7 +164,7 @@ private:
         std::string name = {};
         std::unordered_map<std::string, Id<Network::Parameter>> parameters = {};
         std::unordered_map<std::string, Id<Network::Clock>> clocks = {};
-        std::unordered_map<std::string, Id<Network::Location>> locations = {};  // by XML id
+        std::unordered_map<std::string, Id<Network::Location>> locations = {};  // locations by XML id
         std::unordered_map<std::string, Id<Network::Procedure>> procedures = {};
         std::unordered_map<std::string, Id<Expr>> guards = {};
     };
@@ -267,9 +268,9 @@ private:
         scope.procedures.emplace(name, automaton.procedures.add(std::move(procedure)));
     }
 
-    /// `x = e;`, or a chain of `if (c) x = e; else ...`, in which a missing last branch keeps the value.
+    /// Reads `x = e;`, or a chain of `if (c) x = e; else ...`, in which a missing last branch keeps the value.
     Network::Assignment read_statement(Cursor& cursor, const Scope& scope) {
-        std::vector<std::pair<Id<Expr>, Id<Expr>>> branches;  // condition, value
+        std::vector<std::pair<Id<Expr>, Id<Expr>>> branches;  // pairs of a condition and a value
         Network::Assignment assignment;
         for (bool more = true; more;) {
             Id<Expr> condition;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Reads an exported UPPAAL project back into a Network, so that tests can check that it is complete: original names
-// from the map in the header, roles from the groups of declarations, variables that a template reads and writes from
-// its summary, properties from the queries.
+// Reads an exported UPPAAL project back into a Network, so that tests can check that the project is complete. It reads
+// original names from the map in the header, and roles from the groups of declarations. The variables that a template
+// reads and writes are in its summary, and the properties are in the queries.
 //
-// Elements that a project does not contain are omitted: locations in files, properties without a query, and `settled`
-// if no property reads it.
+// The result omits elements that a project does not contain: locations in source files, properties without a query, and
+// `settled` if no property reads it.
 #pragma once
 
 #include <string>
@@ -13,13 +13,14 @@
 
 namespace grafverif::test {
 
-/// Throws std::runtime_error if `xml` is not of the emitter's form.
+/// Reads the project. Throws std::runtime_error if `xml` does not have the form that the emitter writes.
 Network read_uppaal(const std::string& xml);
 
-/// The expected result of reading back `network`: the network without the elements that a project does not contain.
+/// Returns the expected result of reading back `network`, which is the network without the elements that a project does
+/// not contain.
 Network as_read_back(Network network);
 
-/// The canonical text of a network, with its variables sorted by name: a project groups them by role.
+/// Returns the canonical text of a network with its variables sorted by name, because a project groups them by role.
 std::string comparable_text(const Network& network);
 
 }  // namespace grafverif::test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tokens and terms of the part of UPPAAL's language that the emitter writes, for the reader of tests. Errors throw
-// std::runtime_error, which fails the test.
+// Reads tokens and terms of the part of UPPAAL's language that the emitter writes, for the reader of tests. Errors
+// throw std::runtime_error, which fails the test.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ struct Token {
     std::string text = {};
 };
 
-/// The tokens of `text`; a line comment is one token, without its slashes.
+/// Returns the tokens of `text`. A line comment is one token, without its slashes.
 std::vector<Token> tokens(std::string_view text);
 
 /// Reads tokens sequentially.
@@ -35,7 +35,7 @@ public:
     void expect(std::string_view text);
     Token take();
     std::string name();
-    std::int64_t number();  ///< with an optional minus
+    std::int64_t number();  ///< reads a number with an optional minus sign
 
     std::size_t mark() const { return next_; }
     void back_to(std::size_t mark) { next_ = mark; }
@@ -45,17 +45,17 @@ private:
     std::size_t next_ = 0;
 };
 
-/// Terms over the names that `name` resolves; `member` resolves `process.location`, `function` a call without
-/// arguments.
+/// Reads terms over the names that `name` resolves. `member` resolves `process.location`, and `function` resolves a
+/// call without arguments.
 struct TermReader {
     Exprs& exprs;
     std::function<Id<Expr>(const std::string&)> name = {};
     std::function<Id<Expr>(const std::string&, const std::string&)> member = {};
     std::function<Id<Expr>(const std::string&)> function = {};
 
-    Id<Expr> term(Cursor& cursor) const;      ///< with `? :`
-    Id<Expr> conjunct(Cursor& cursor) const;  ///< binds tighter than `&&`
-    Id<Expr> primary(Cursor& cursor) const;   ///< a name, a number, a call, parentheses; with prefixes
+    Id<Expr> term(Cursor& cursor) const;      ///< reads a term, which may contain `? :`
+    Id<Expr> conjunct(Cursor& cursor) const;  ///< reads a term whose operators bind tighter than `&&`
+    Id<Expr> primary(Cursor& cursor) const;   ///< reads a name, a number, a call or parentheses, with prefix operators
     Id<Expr> sum(Cursor& cursor) const;
 
 private:

@@ -49,7 +49,7 @@ constexpr std::string_view sound = R"(
     transition t1: 1 -> 0 when b;
 )";
 
-/// The transitions cleared in the last row, evolution by evolution.
+/// Returns the transitions cleared in the last row, evolution by evolution.
 std::vector<std::vector<std::string>> cleared(const ChartRun& run) {
     std::vector<std::vector<std::string>> names;
     for (const std::vector<Id<ChartRun::Transition>>& evolution : run.rows.back().fired) {
@@ -412,7 +412,7 @@ TEST(Analyse, TimerOfAnInputRunsIfItRisesWithoutOtherEvents) {
 
 // -- parts, and counters ----------------------------------------------------------------------------------------------
 
-/// Two partial charts that a supervisor forces, each with a counter that is never reset while it runs.
+/// Two partial charts that a supervisor forces. Each has a counter that is never reset while the partial chart runs.
 constexpr std::string_view two_cells = R"(
     input go, halt, p1, q1, p2, q2;
     output m1, m2;
@@ -495,7 +495,7 @@ TEST(Analyse, RepeatedAnalysisGivesTheSameResult) {
 }
 
 TEST(Analyse, EventsExcludedByAnAbortedRunAreNotTransferredFromParts) {
-    // Part b alone reaches b1 in its second instant; the other part races in the first one, for all inputs.
+    // Part b alone reaches b1 in its second instant. The other part races in the first instant for all inputs.
     const Analysis found = analysed(R"(
         input x; output o, p;
         partial a {
@@ -512,7 +512,7 @@ TEST(Analyse, EventsExcludedByAnAbortedRunAreNotTransferredFromParts) {
 }
 
 TEST(Analyse, RunsOfPartsWithoutPossibleTimesAreNotRunsOfTheChart) {
-    // After a rise of `a` the chart is never stable, because of part g; in the shortest run of the other part a timer
+    // After a rise of `a` the chart is never stable, because of part g. In the shortest run of the other part a timer
     // expires too late.
     const Analysis found = analysed(R"(
         input a;
@@ -613,7 +613,8 @@ TEST(Analyse, PathBackThroughARaceIsNotExcluded) {
 }
 
 TEST(Analyse, PathAbortedByAnotherPartLeadsIntoNoAbsorbingRegion) {
-    // Without the counter 2 is left forever; with it a value goes out of range before the instant is over.
+    // Without the counter, step 2 is left forever. With the counter, a value goes out of range before the end of the
+    // instant.
     const Analysis found = analysed(R"(
         input a;
         internal n: int -2..5 = 5;
@@ -641,7 +642,8 @@ TEST(Analyse, InfiniteInstantDoesNotCountAsARunOutsideARegion) {
     EXPECT_EQ(find(found, "region-never-left"), nullptr);
 }
 
-/// More regions than are distinguished: each value of k is one, and two of them have an additional dead element.
+/// There are more regions than the analysis distinguishes: each value of k is a region, and two of them have an
+/// additional dead element.
 TEST(Analyse, DeadElementsOfDifferentRegionsAreReportedSeparately) {
     const Analysis found = analysed(R"(
         input C: int 0..63;

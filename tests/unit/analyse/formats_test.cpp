@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Findings as text, JSON and SARIF, and the table of exclusions.
+// Tests findings as text, JSON and SARIF, and the table of exclusions.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -109,7 +109,7 @@ TEST(Findings, StateHowFarOpenQueriesWereSearched) {
               "inconclusive (stopped before completion): step-never-active of `X1`: true in the first instant");
 }
 
-/// The requirements of the SARIF 2.1.0 schema for a log of this kind.
+/// Checks the requirements of the SARIF 2.1.0 schema for a log of this kind.
 void expect_sarif(const nlohmann::json& log) {
     EXPECT_EQ(log["version"], "2.1.0");
     ASSERT_EQ(log["runs"].size(), 1U);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Limits of a run, for every command on input that exceeds them: `--timeout`, `--max-memory`, Ctrl-C, and memory that
-// the system refuses. Measures processor time of the program, which does not depend on the load of the machine.
+// Tests the limits of a run for every command on input that exceeds them: `--timeout`, `--max-memory`, Ctrl-C, and
+// memory that the system refuses. The tests measure processor time of the program, which does not depend on the load of
+// the machine.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -27,7 +28,7 @@ using Json = nlohmann::json;
 using namespace std::chrono_literals;
 
 #if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;  // uses additional memory and time itself
+constexpr bool sanitized = true;  // the sanitizer itself uses additional memory and time
 #else
 constexpr bool sanitized = false;
 #endif
@@ -55,7 +56,7 @@ double processor_seconds(pid_t child) {
     return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
-/// The program in a separate process, as a user starts it; standard input never ends.
+/// Runs the program in a separate process, as a user starts it. Its standard input never ends.
 Ended run_bounded(const Folder& folder, std::vector<std::string> arguments, const Setting& setting) {
     arguments.insert(arguments.begin(), GRAFVERIF_PROGRAM);
     std::vector<char*> pointers;
@@ -101,7 +102,7 @@ Ended run_bounded(const Folder& folder, std::vector<std::string> arguments, cons
             folder.read("err")};
 }
 
-/// A loop whose chart is one ring; the first of its properties is violated by the second scan.
+/// A loop whose chart is a single ring. The second scan violates the first of its properties.
 std::string ring(std::size_t steps) {
     std::string text = "grafcet ring {\n    input a, b;\n    output O;\n";
     for (std::size_t i = 0; i < steps; ++i)
@@ -115,7 +116,7 @@ std::string ring(std::size_t steps) {
            std::to_string(steps - 1) + ";\n}\n";
 }
 
-/// The same chart as a sequential function chart.
+/// Returns the same chart as a Sequential Function Chart.
 std::string sequence(std::size_t steps) {
     std::string text =
         "PROGRAM p\nVAR_INPUT\n a : BOOL;\nEND_VAR\nVAR_OUTPUT\n O : BOOL;\nEND_VAR\nINITIAL_STEP S0:\n "
@@ -154,7 +155,7 @@ struct Inputs {
                 {"plc", chart},
                 {"test", chart, "--against", "cat"}};
     }
-    /// Every `nth` command; all of them if larger randomized tests are requested.
+    /// Returns every `nth` command, or all commands if larger randomized tests are requested.
     std::vector<std::vector<std::string>> some_commands(std::size_t nth, std::size_t from) const {
         std::vector<std::vector<std::string>> some, all = commands();
         for (std::size_t i = test_size(1) > 1 ? 0 : from; i<all.size(); i += test_size(1)> 1 ? 1 : nth)
@@ -168,7 +169,7 @@ std::vector<std::string> with(std::vector<std::string> command, const std::vecto
     return command;
 }
 
-/// Checks the end by a limit: one line of message, the right exit code, no partial output.
+/// Checks the output of a run that a limit has ended: one line of message, the right exit code, no partial output.
 void expect_bounded(const Ended& ended, const std::string& why) {
     EXPECT_EQ(ended.signal, 0);
     EXPECT_EQ(ended.code, 3) << ended.err;
@@ -179,7 +180,7 @@ void expect_bounded(const Ended& ended, const std::string& why) {
 TEST(Bounds, EveryCommandKeepsTheTimeLimit) {
     const Inputs inputs;
     for (const std::vector<std::string>& command : inputs.commands()) {
-        if (command.front() == "test") continue;  // its limit applies to one response
+        if (command.front() == "test") continue;  // the limit of this command applies to one response
         SCOPED_TRACE(command.front());
         const Ended ended = run_bounded(inputs.folder, with(command, {"--timeout", "100ms"}), {});
         expect_bounded(ended, "[stopped]");
@@ -192,7 +193,7 @@ TEST(Bounds, EveryCommandEndsOnInterrupt) {
     const Inputs inputs;
     for (const std::vector<std::string>& command : inputs.some_commands(3, 1)) {
         SCOPED_TRACE(command.front());
-        const double at_work = sanitized ? 1 : 0.1;  // it listens by then
+        const double at_work = sanitized ? 1 : 0.1;  // the program listens after this time
         const Ended ended = run_bounded(inputs.folder, command, {.interrupt_after = at_work});
         expect_bounded(ended, "[stopped]");
         EXPECT_NE(ended.err.find("Ctrl-C"), std::string::npos) << ended.err;
@@ -222,7 +223,7 @@ TEST(Bounds, RefusedMemoryIsReportedWithoutASignal) {
     }
 }
 
-/// The command line of `check`, by name.
+/// Returns the property of that name from the output of `check`.
 Json property(const Ended& ended, const std::string& name) {
     const Json report = Json::parse(ended.out, nullptr, false);
     if (report.is_discarded()) ADD_FAILURE() << "no JSON: " << ended.out << ended.err;
@@ -234,7 +235,7 @@ Json property(const Ended& ended, const std::string& name) {
 
 TEST(Bounds, ResultsSoFarAreReported) {
     const Folder folder;
-    // Many timers and buttons: too many states for any limit of time or memory.
+    // The chart has many timers and buttons, and therefore too many states for any limit of time or memory.
     std::string text = "grafcet g {\n    input a";
     for (int i = 0; i < 60; ++i) text += ", b" + std::to_string(i);
     text +=
@@ -298,7 +299,8 @@ TEST(Bounds, LimitBeyondTheRangeOfTheClockIsIgnored) {
 }
 
 TEST(Bounds, WorkGrowsInStepWithTheInput) {
-    // Twice the input needs about twice the time; four times would indicate a quadratic algorithm.
+    // If the input is twice as large, the program needs about twice the time. Four times would indicate a quadratic
+    // algorithm.
     const Folder folder;
     const auto seconds = [&](const std::string& text, const std::vector<std::string>& command, std::size_t at) {
         std::vector<std::string> whole = command;

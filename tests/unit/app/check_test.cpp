@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `check` end to end: verdicts, exit codes, reports and traces in files.
+// Tests `check` end to end: verdicts, exit codes, and reports and traces in files.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -296,8 +296,8 @@ TEST(Check, WhyCoversPropertiesWithDurationsAndScopes) {
     EXPECT_TRUE(why["properties"][0]["parts"].is_null());
 }
 
-/// A stand-in for verifyta that reports exactly the formulas containing `wrong` as not satisfied. The licence of the
-/// real program forbids automated tests.
+/// Installs a stand-in for verifyta that reports exactly the formulas containing `wrong` as not satisfied. The licence
+/// of the real program forbids automated tests.
 void install_stand_in(const Folder& folder, const std::string& wrong) {
     fs::permissions(folder.write("verifyta",
                                  "#!/bin/sh\n"

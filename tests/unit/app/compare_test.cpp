@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `compare`: equal, different, unknown, and charts that cannot be compared.
+// Tests `compare` with charts that are equal, different, undecided, and not comparable.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -22,7 +22,7 @@ Result compared(const std::string& a, const std::string& b, std::vector<std::str
     return grafverif(options);
 }
 
-/// `text` with one word replaced.
+/// Returns `text` with one word replaced.
 std::string with(std::string text, const std::string& before, const std::string& after) {
     return text.replace(text.find(before), before.size(), after);
 }
@@ -42,7 +42,7 @@ TEST(Compare, OneRunComparesInEachMode) {
     const std::size_t first = result.out.find("mode stability-search"), second = result.out.find("mode every-cycle");
     EXPECT_LT(first, second) << result.out;
     EXPECT_EQ(result.out.find("the texts differ"), result.out.rfind("the texts differ")) << "once";
-    // An additional transient step is visible in every_cycle mode only.
+    // An additional transient step is visible only in every_cycle mode.
     const std::string longer = with(with(lamp, "step 1 {", "step 9;\n    step 1 {"), "0 -> 1 when on;",
                                     "0 -> 9 when on && !off;\n    transition t9: 9 -> 1 when true;");
     const std::string plain = with(lamp, "when on;", "when on && !off;");
@@ -142,7 +142,8 @@ TEST(Compare, TimesDistinguishCharts) {
     EXPECT_EQ(json["outcome"], "different");
     EXPECT_EQ(json["shortest"], true);
     EXPECT_EQ(json["resolution_ms"], 500);
-    ASSERT_EQ(json["scans"].size(), 3U) << other.out;  // power-on, the first transition, the second
+    // The scans are power-on, the first transition and the second transition.
+    ASSERT_EQ(json["scans"].size(), 3U) << other.out;
     EXPECT_EQ(json["scans"].back()["time_ms"], 2000) << other.out;
     EXPECT_EQ(json["scans"].back()["answers"][0]["outputs"]["L"], true);
     EXPECT_EQ(json["scans"].back()["answers"][1]["outputs"]["L"], false);

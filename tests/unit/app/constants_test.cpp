@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Named constants of a closed loop, and `--set`.
+// Tests named constants of a closed loop, and `--set`.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ TEST(Constants, AreReplacedByTheirValues) {
                                         {"name": "TWICE", "value": 4, "set": false}])"));
     const auto set = checked(file, {"N=5", "UNIT=500ms"});
     EXPECT_EQ(verdict(set, "small"), "violated");
-    EXPECT_EQ(verdict(set, "prompt"), "violated");  // 2.5 s
+    EXPECT_EQ(verdict(set, "prompt"), "violated");  // the constant is 2.5 s
     EXPECT_EQ(set["constants"][0], nlohmann::json::parse(R"({"name": "N", "value": 5, "set": true})"));
     EXPECT_EQ(set["constants"][2], nlohmann::json::parse(R"({"name": "TWICE", "value": 10, "set": false})"));
 }
@@ -101,7 +101,7 @@ TEST(Constants, AreNotSetForAChartAloneWhichReadsNone) {
         EXPECT_NE(result.err.find("a chart alone, which has none"), std::string::npos) << verb << result.err;
         EXPECT_TRUE(result.out.empty()) << verb;
     }
-    // The mutated chart is one of the loop.
+    // The mutated chart is a chart of the loop.
     EXPECT_NE(grafverif({"mutate", file, "--chart", "filling", "--limit", "1", "--set", "N=3"}).code, ExitCode::Input);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Commands based on decision diagrams: with little time or memory, and on trivial models.
+// Tests commands that use decision diagrams, with little time or memory, and on trivial models.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -12,7 +12,7 @@
 namespace grafverif::app {
 namespace {
 
-/// The faulty station with the sensor V_Sen declared first: a poor order, in which one operation takes minutes.
+/// The faulty station with the sensor V_Sen declared first. In this poor order, one operation takes minutes.
 std::string poor_order(const Folder& folder) {
     std::ifstream sample(root / "samples/testing_station/faulty.grafcet");
     std::string text{std::istreambuf_iterator<char>(sample), {}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `draw`: charts of files as drawings.
+// Tests `draw`, which draws the charts of files.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The group of that id in the drawing produced by the arguments.
+/// Returns the group with that id in the drawing that the arguments produce.
 pugi::xml_node group(pugi::xml_document& document, const std::vector<std::string>& arguments, const char* id) {
     const Result result = grafverif(arguments);
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;

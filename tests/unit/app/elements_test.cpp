@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Checks the table of elements and stages in docs/reference/language-elements.md: each entry is tested on a chart that
-// contains the subtle case of its element. `x`: the stage supports the chart and gives the result that the chart
-// declares. `-`: it rejects the element by name, or omits the parts that read it with a message. Empty: the element is
-// irrelevant to the stage.
+// Checks the table of elements and stages in docs/reference/language-elements.md. Each entry is tested on a chart that
+// contains the subtle case of its element. `x` means that the stage supports the chart and gives the result that the
+// chart declares. `-` means that the stage rejects the element by name, or omits the parts that read it with a message.
+// An empty entry means that the element is irrelevant to the stage.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -23,7 +23,7 @@ std::string text_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The rows of the table, each with the name of its chart in the first column.
+/// Returns the rows of the table. The first column of each row is the name of its chart.
 std::vector<Cells> matrix() {
     std::vector<Cells> rows;
     std::istringstream page(text_of(root / "docs/reference/language-elements.md"));
@@ -44,7 +44,7 @@ std::vector<Cells> matrix() {
     return rows;
 }
 
-/// `steps` of `[steps, initial steps](tests/unit/app/elements/steps.grafcet)`.
+/// Returns `steps` for `[steps, initial steps](tests/unit/app/elements/steps.grafcet)`.
 std::string element_of(const std::string& cell) {
     const std::size_t begin = cell.rfind('/') + 1;
     return cell.substr(begin, cell.rfind(".grafcet") - begin);
@@ -71,7 +71,7 @@ Result untimed(const std::string& file) {
                 checked(file, {"--untimed", "--plant", "automata"}));
 }
 
-/// A test sequence is executed by the interpreter before it is written.
+/// The interpreter executes a test sequence before the program writes it.
 Result automaton(const std::string& file) { return both(grafverif({"automaton", file}), grafverif({"testgen", file})); }
 
 struct Stage {

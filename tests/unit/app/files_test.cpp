@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Output files: complete or unchanged, regardless of obstacles, failures and concurrent runs.
+// Tests that output files are complete or unchanged, regardless of obstacles, failures and concurrent runs.
 #include "pipeline/files.hpp"
 
 #include <fcntl.h>
@@ -19,7 +19,8 @@
 
 namespace {
 
-/// The call that fails: the `fail_at`th counted one, unless that is 0; with `fail_on` all later ones too.
+/// The number of the call that fails, among the counted calls; 0 means that no call fails. If `fail_on`, all later
+/// calls fail too.
 std::atomic<int> fail_at = 0, calls = 0;
 std::atomic<bool> fail_on = false;
 
@@ -33,7 +34,7 @@ bool fails(int error) {
 
 }  // namespace
 
-// Replacements of the C library functions.
+// These functions replace functions of the C library.
 extern "C" {
 int renameat(int from, const char* old_name, int to, const char* new_name) noexcept {
     return fails(EIO) ? -1 : static_cast<int>(::syscall(SYS_renameat, from, old_name, to, new_name));
@@ -91,7 +92,7 @@ TEST(WriteFiles, KeepsPermissionsAndReplacesNothingThatMayNotBeWritten) {
     EXPECT_EQ(folder.read("secret"), "new");
 }
 
-/// The content of the folder, by name.
+/// Returns the content of the folder, sorted by name.
 std::string state(const Folder& folder) {
     std::vector<std::string> parts;
     for (const auto& entry : fs::recursive_directory_iterator(folder.file("")))
@@ -104,8 +105,8 @@ std::string state(const Folder& folder) {
     return text;
 }
 
-/// Runs `work` in a folder with files, each time with another failing call, until there are no more calls. `look` gets
-/// the folder, and whether `work` threw.
+/// Runs `work` repeatedly in a folder with files. A different call fails in each run, until the run has no more calls.
+/// `look` gets the folder, and true if `work` threw an exception.
 template <class Work, class Look>
 int with_each_call_failing(const Work& work, const Look& look) {
     int failures = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Messages for new users: wrong files, wrong commands, incomplete charts.
+// Tests the messages for new users: wrong files, wrong commands, incomplete charts.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Strings with terminal control sequences or markup, in all places that foreign input can reach, through every command
-// and every output format. Output for terminals must be clean; output for programs must be read back unchanged.
+// Tests strings with terminal control sequences or markup, in all places that external input can reach, with every
+// command and every output format. Output for terminals must contain no control sequences. Output for programs must be
+// read back unchanged.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -46,7 +47,7 @@ const std::vector<std::string> hostile_strings = {"\x1B[31mred\x1B[0m",
                                                   "two\nlines",
                                                   "quote\"d"};
 
-/// All of them, three at a time.
+/// Returns all of these strings, joined in groups of three.
 std::vector<std::string> mixtures() {
     std::vector<std::string> joined;
     for (std::size_t k = 0; k < hostile_strings.size(); ++k) {
@@ -56,7 +57,8 @@ std::vector<std::string> mixtures() {
     return joined;
 }
 
-/// The control sequences in a text, or nothing. Written independently of the function under test.
+/// Returns a description of the first control sequence in a text, or an empty string. The function is written
+/// independently of the function under test.
 std::string dirt(const std::string& text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         const auto byte = [&](std::size_t k) {
@@ -86,7 +88,8 @@ Result on_a_terminal(const std::vector<std::string>& arguments, const std::strin
     return {code, out.str(), err.str()};
 }
 
-/// The command does not fail internally and prints nothing unclean; nor does a report that is piped.
+/// Checks that the command does not fail internally and prints no control sequences. The same holds for a report that
+/// is piped.
 void expect_clean(const std::vector<std::string>& arguments, const std::string& input = "", bool report = true) {
     std::string told;
     for (const std::string& argument : arguments) told += argument + " ";
@@ -137,7 +140,7 @@ const std::vector<std::vector<std::string>> verbs = {{"check"},
                                                      {"test", "--against", "true"},
                                                      {"check", "--diagnostics", "json"}};
 
-/// A loop with `text` in every place that may contain arbitrary text.
+/// Returns a loop with `text` in every place that may contain arbitrary text.
 std::string loop_with(const std::string& text) {
     return "// " + text +
            "\ngrafcet g { input a; output o; initial step 0; step 1 { o; }\n    transition t0: 0 -> 1 when a;\n    "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Circuits on the command line: `aiger`, the PDR engine, ABC and other programs that read circuits, and stand-ins for
-// them that give wrong results, crash, flood or never end.
+// Tests circuits on the command line: `aiger`, the PDR engine, ABC and other programs that read circuits. Stand-ins for
+// these programs give wrong results, crash, print too much or never end.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Dialogues with well-behaved and with misbehaving programs.
+// Tests dialogues with programs that behave well, and with programs that do not.
 #include "app/system/line_process.hpp"
 
 #include <gtest/gtest.h>
@@ -103,7 +103,7 @@ TEST(LineProcess, AFloodIsCut) {
     EXPECT_EQ(many.ask("a"), (Reply{Kind::Flood, "y"}));
     LineProcess two("while read line; do echo 1; echo 2; done", {});
     Kind kind = two.ask("a").kind;
-    for (int k = 0; k < 100 && kind == Kind::Line; ++k) {  // the second line comes slightly later
+    for (int k = 0; k < 100 && kind == Kind::Line; ++k) {  // the second line comes a little later
         std::this_thread::sleep_for(milliseconds(20));
         kind = two.ask("a").kind;
     }
@@ -131,7 +131,7 @@ TEST(LineProcess, SignalsAreAsTheyWereAfterwards) {
     {
         LineProcess dialogue("exit 0", {});
         dialogue.ask("a");
-        dialogue.ask("b");  // into a pipe without a reader
+        dialogue.ask("b");  // the program writes into a pipe without a reader
     }
     EXPECT_EQ(std::signal(SIGPIPE, before), SIG_DFL);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Manual pages and shell completion contain the complete option table.
+// Tests that manual pages and shell completion contain the complete option table.
 #include <gtest/gtest.h>
 
 #include <algorithm>

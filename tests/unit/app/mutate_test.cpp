@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `mutate`: mutants of a chart, and the properties that detect them.
+// Tests `mutate`: mutants of a chart, and the properties that detect them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ TEST(Mutate, CreatesAndChecksEachKindOfMutant) {
     EXPECT_TRUE(fates.contains("noticed") && fates.contains("unnoticed")) << json["counts"];
     EXPECT_EQ(json["specification"]["of"],
               json["counts"]["noticed"].get<int>() + json["counts"]["unnoticed"].get<int>());
-    EXPECT_EQ(json["properties"].size(), 3U) << json["properties"];  // and no_timelock
+    EXPECT_EQ(json["properties"].size(), 3U) << json["properties"];  // the third property is no_timelock
 }
 
 TEST(Mutate, ScoresOfARunThatWasStoppedAreThoseSoFar) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Consistent names in all output and input: steps, internal variables, variables and locations of instances,
-// properties.
+// Tests that names are consistent in all output and input: names of steps, internal variables, variables and locations
+// of instances, and properties.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -13,8 +13,8 @@ namespace {
 
 using Tree = nlohmann::json;
 
-/// Two controllers with equal names of steps and internal variables; partial charts, a macro-step, an enclosing step; a
-/// variable of an instance.
+/// Two controllers with equal names of steps and internal variables. The model also has partial charts, a macro-step,
+/// an enclosing step, and a variable of an instance.
 const std::string model = R"(
 component gate(input UP, DOWN; output OPEN) {
     variable H: int 0..3 = 0;
@@ -72,10 +72,10 @@ std::string loop(const std::string& properties) {
            properties + "}\n";
 }
 
-/// `press.G1.3` as written in conditions: an X before the step's own name (IEC 60848, 4.3).
+/// Returns `press.G1.3` as written in conditions, with an X before the step's own name (IEC 60848, 4.3).
 std::string variable(std::string step) { return step.insert(step.rfind('.') + 1, 1, 'X'); }
 
-/// Names of variables and steps in the JSON of a run or an automaton; properties accept the names of variables.
+/// The names of variables and steps in the JSON of a run or an automaton. Properties accept the names of variables.
 struct Names {
     std::set<std::string> values = {}, steps = {};
 };
@@ -129,7 +129,7 @@ Names names_of_automaton() {
     return names;
 }
 
-/// The steps of the situations in a test's table.
+/// Returns the names of the steps in the situations of a test's table.
 Names names_of_test() {
     const Folder folder;
     const Result result =
@@ -166,9 +166,9 @@ void can_be_named(const Names& names) {
     const std::string file = folder.write("named.grafcet", loop(properties));
     EXPECT_EQ(grafverif({"check", file, "--list"}).err, "");
     const Result simulated = grafverif({"simulate", file, "--script", folder.write("s.txt", script)});
-    EXPECT_EQ(simulated.code, ExitCode::Verdict) << simulated.err;  // not all hold, but all names are known
+    EXPECT_EQ(simulated.code, ExitCode::Verdict) << simulated.err;  // not all properties hold, but all names are known
     for (const char* refusal :
-         {"! unknown step", "is ambiguous between"})  // rejections by the interpreter are irrelevant
+         {"! unknown step", "is ambiguous between"})  // other rejections by the interpreter are irrelevant here
         EXPECT_EQ(grafverif({"simulate", file}, forced).out.find(refusal), std::string::npos);
 }
 
@@ -177,7 +177,7 @@ TEST(Names, TraceNamesAreValidInPropertiesAndScripts) { can_be_named(names_of_tr
 TEST(Names, SoDoesATraceOfTheModelWithoutTime) {
     Names timed = names_of_trace({});
     const Names untimed = names_of_trace({"--untimed", "--plant", "automata"});
-    timed.values.erase("A.idle");  // its only location, which that model does not represent
+    timed.values.erase("A.idle");  // the only location of A, which this model does not represent
     EXPECT_EQ(timed.values, untimed.values);
     EXPECT_EQ(timed.steps, untimed.steps);
     EXPECT_TRUE(timed.values.contains("Gate.H") && timed.values.contains("upper.N") &&

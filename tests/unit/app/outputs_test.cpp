@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Requirements of build systems on outputs: predictable names, dependency files, no accidental files.
+// Tests the requirements of build systems on outputs: predictable names, dependency files, and no accidental files.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -27,7 +27,7 @@ std::string chart(const std::string& name) {
            "!x; }\n";
 }
 
-/// The output of `command`, run by a shell.
+/// Returns the output of `command`, which a shell runs.
 std::string printed(const std::string& command) {
     const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
     std::string text;
@@ -107,8 +107,8 @@ TEST(Depfile, IsRejectedIfItWouldBeEmpty) {
     EXPECT_FALSE(fs::exists(folder.file("d")));
 }
 
-/// Names that contain every ASCII character in the middle, at the beginning and at the end, and backslashes before some
-/// of them. Only names that `reader` can represent on that side.
+/// Returns names that contain every ASCII character in the middle, at the beginning and at the end, and backslashes
+/// before some characters. All of them are names that `reader` can represent on that side.
 std::vector<std::string> hostile_names(DepfileSide side, DepfileReader reader) {
     std::vector<std::string> names = {"plain",   "$(x) y",   "a\\ b",  "a\\#b",    "a\\\\#b",     "a\\:b",
                                       "a\\$b",   "a\\\\$b",  "a\\*b",  "a\\%b",    "a\\|b",       "a\\\\ # $$b",
@@ -242,7 +242,8 @@ TEST(Depfile, RepresentsNamesExactlyForCMake) {
               0);
     std::string expected = "result:";
     for (const std::string& name : files) expected += " \\\n  " + name;
-    const auto plain = [](std::string text) {  // the installed version determines how it escapes output
+    // The output has the escapes of the installed version, which this function removes.
+    const auto plain = [](std::string text) {
         for (const auto& [written, meant] : {std::pair{"\\ ", " "}, {"\\#", "#"}, {"$$", "$"}})
             for (std::size_t at = 0; (at = text.find(written, at)) != std::string::npos;) text.replace(at, 2, meant);
         return text;
@@ -350,7 +351,7 @@ const std::string violated =
     chart("c") +
     "closed_loop l {\n    controller c;\n    environment E = push_button(OUT = x);\n    property p: never X1;\n}\n";
 
-/// A terminating call of the command on `file`.
+/// Returns a call of the command on `file` that terminates.
 Words call(const CliCommand& verb, const std::string& file, const Folder& folder) {
     Words words = {verb.name};
     if (accepts(verb, OptionGroup::File)) words.push_back(file);
@@ -402,7 +403,7 @@ TEST(StandardInput, IsReadOnce) {
     EXPECT_EQ(grafverif({"simulate", file, "--script", "-"}, "wait 1s\n").code, ExitCode::Done);
 }
 
-/// The expected beginning of a document of that option; empty: it varies.
+/// Returns the expected beginning of a document that the option writes. The result is empty if the beginning varies.
 std::string beginning_of(const std::string& option) {
     if (option == "junit") return "<?xml";
     if (option == "sarif") return "{\n";
@@ -411,8 +412,8 @@ std::string beginning_of(const std::string& option) {
     return option == "depfile" ? "x:" : "";
 }
 
-/// Calls each command with each option that names a file or folder: `look` gets the command, the option, its use and
-/// the call without the value, which is its last word.
+/// Calls each command with each option that names a file or folder. `look` gets the command, the option, its use, and
+/// the call without the value, which is the last word of a call.
 template <class Look>
 void with_each_path_option(const Folder& folder, const std::string& file, const Look& look) {
     for (const CliCommand& verb : all_commands())
@@ -448,7 +449,7 @@ TEST(StandardOutput, ReceivesTheDocumentOfEveryFileOptionOrTheOptionIsRejected) 
             result.err.find("which `-` is not") != std::string::npos ||
             result.err.find("cannot both be written to standard output") != std::string::npos ||
             result.err.find("[nothing-to-import]") != std::string::npos ||
-            (option == "properties" && result.err.find("[unexpected]") != std::string::npos);  // a chart
+            (option == "properties" && result.err.find("[unexpected]") != std::string::npos);  // this output is a chart
         EXPECT_EQ(result.code == ExitCode::Input, refused) << result.err;
         if (refused) return;
         ++documents;
@@ -506,7 +507,7 @@ TEST(StandardOutput, ContainsOnlyTheReportAndMessagesGoToStandardError) {
     }
 }
 
-/// The reader of messages may end early: `grafverif check ... | head -1`.
+/// The reader of messages may close its end early, as in `grafverif check ... | head -1`.
 TEST(Reports, AreCompleteIfTheReaderOfStandardOutputIsGone) {
     const Folder folder;
     folder.write("one.grafcet", violated);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `plc`: the chart controlled by the line protocol of docs/how-to/test-a-plc.md.
+// Tests `plc`: the line protocol of docs/how-to/test-a-plc.md controls the chart.
 #include <gtest/gtest.h>
 
 #include "run_program.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 const std::string tanks = (root / "samples/tanks/tanks.grafcet").string();
 
-/// A chart in a separate file, executed with `lines`.
+/// Writes the chart to a separate file and executes it with `lines`.
 Result played(const std::string& declarations, const std::string& lines, std::vector<std::string> options = {}) {
     const Folder folder;
     options.insert(options.begin(), {"plc", folder.write("c.grafcet", "grafcet c {\n" + declarations + "\n}\n")});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every model of one loop has the same initial state; every command that reads a chart without its loop executes it in
-// the mode of the loop.
+// Tests that every model of one loop has the same initial state. A command that reads a chart without its loop must
+// execute the chart in the mode of the loop.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -17,7 +17,7 @@ Words operator+(Words left, const Words& right) {
     return left;
 }
 
-/// The options of each model of a loop, that of the sequencers last.
+/// Returns the options of each model of a loop. Those of the sequenced model are last.
 const std::vector<Words>& models() {
     static const std::vector<Words> all = [] {
         std::vector<Words> made{{"--grain", "atomic"},
@@ -70,7 +70,8 @@ TEST(PowerOnState, EveryModelHasTheStateInWhichOutputsAreStillFalse) {
             SCOPED_TRACE(mode + (" " + told(model)));
             const Result result = grafverif(Words{"check", file, "--mode", mode, "--format", "json"} + model);
             EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
-            if (model == models().back()) continue;  // it checks no state before the controllers have finished
+            // The sequenced model contains no state before the controllers have finished.
+            if (model == models().back()) continue;
             const nlohmann::json found = verdicts(result);
             EXPECT_EQ(found["p"], "violated");
             EXPECT_EQ(found["q"], "violated");

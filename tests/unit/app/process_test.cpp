@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// External programs, run by the real system: a shell represents them.
+// Tests external programs, which the real system runs. Shell scripts represent them.
 #include "app/system/process.hpp"
 
 #include <gtest/gtest.h>

@@ -135,7 +135,7 @@ TEST(Build, KeepsExistingOutputsOnError) {
     ASSERT_EQ(grafverif({"build", station, "-o", folder.file("out"), "--create-dirs"}).code, ExitCode::Done);
     const std::string before = folder.read("out/station.xml");
     fs::remove(folder.file("out/station.q"));
-    fs::create_directory(folder.file("out/station.q"));  // cannot be overwritten
+    fs::create_directory(folder.file("out/station.q"));  // a folder cannot be overwritten
     const Result result = grafverif({"build", station, "-o", folder.file("out"), "--create-dirs", "--grain", "atomic"});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_EQ(folder.read("out/station.xml"), before);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `report`: the page written by the program.
+// Tests `report`, which writes a page.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -66,7 +66,7 @@ closed_loop shop {
     EXPECT_EQ(grafverif({"report", wrong, "--property", "nobody"}).code, ExitCode::Input);
 }
 
-/// The first sentence of the page, with the summary verdict.
+/// Returns the first sentence of the page, which contains the summary verdict.
 std::string glance(const std::vector<std::string>& arguments) {
     const std::string page = grafverif(arguments).out, begin = "<p class=\"glance ";
     const std::size_t from = page.find("<strong>", page.find(begin)) + 8;
@@ -169,7 +169,7 @@ TEST(Report, PlaysTheSequencesOfATest) {
     EXPECT_FALSE(fs::exists(folder.file("page.html")));
 }
 
-/// In an untimed run the time counts the steps of the model.
+/// In an untimed run the time is the number of steps of the model.
 TEST(Report, MarksMomentsThatAreNotStatesOfTheModel) {
     const Folder folder;
     const std::string file = folder.write(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reports for build servers: their content, and that none is left from another run.
+// Tests reports for build servers: their content, and that no report of an earlier run remains.
 #include "app/reports.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Line 5 contains the violated property, line 2 the step that it finds active.
+/// Line 5 contains the violated property. Line 2 declares the step that the property finds active.
 std::string lamp_loop(const std::string& name, const std::string& claim = "never X1") {
     return "grafcet c" + name +
            " {\n    input x; output L; initial step 0; step 1 { L; }\n"
@@ -58,7 +58,7 @@ TEST(Reports, OfJsonHaveTheLocationOfAProperty) {
     EXPECT_EQ(p["column"], 14);
 }
 
-/// The requirements of the SARIF 2.1.0 schema, and of SARIF viewers, on the log; the results.
+/// Checks the requirements of the SARIF 2.1.0 schema and of SARIF viewers on the log, and returns its results.
 Json checked(const std::string& text) {
     const Json log = Json::parse(text);
     EXPECT_EQ(log["version"], "2.1.0");
@@ -229,7 +229,7 @@ TEST(Reports, StateThatTheirRunDidNotFinish) {
     Reports reports;
     CommandContext job{.options = {.operands = {file}, .junit = folder.file("r.xml"), .sarif = folder.file("r.sarif")},
                        .reports = &reports};
-    begin_reports(false, job);  // here the machine stops
+    begin_reports(false, job);  // the machine stops here
     EXPECT_NE(folder.read("r.xml").find("the command did not complete"), std::string::npos);
     EXPECT_EQ(checked(folder.read("r.sarif")).size(), 0u);
     EXPECT_NE(folder.read("r.sarif").find("the command did not complete"), std::string::npos);

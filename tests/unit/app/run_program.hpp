@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs the program in-process, with a separate folder for each test.
+// Runs the program in-process, in a separate folder for each test.
 #pragma once
 
 #include <sys/wait.h>
@@ -27,7 +27,7 @@ struct Result {
     std::string out = {}, err = {};
 };
 
-/// `input`: the simulated keyboard input.
+/// Runs the program. `input` is the simulated keyboard input.
 inline Result grafverif(const std::vector<std::string>& arguments, const std::string& input = "") {
     std::istringstream in(input);
     std::ostringstream out, err;
@@ -35,10 +35,10 @@ inline Result grafverif(const std::vector<std::string>& arguments, const std::st
     return {code, out.str(), err.str()};
 }
 
-/// True if this process has no children left, not even zombies.
+/// True if this process has no child processes left, including zombies.
 inline bool no_child() { return ::waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD; }
 
-/// A folder for one test, removed with the object.
+/// A folder for one test, which the destructor removes.
 class Folder {
 public:
     Folder() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scripts of `simulate`: waiting, events within one instant, moves without a choice.
+// Tests scripts of `simulate`: waiting, events within one instant, and moves without a choice.
 #include <gtest/gtest.h>
 
 #include "run_program.hpp"
@@ -7,7 +7,7 @@
 namespace grafverif::app {
 namespace {
 
-/// GO leads from step 0 to step 3 within one instant; step 4 is left after 5 s, with a transient step 5.
+/// GO leads from step 0 to step 3 within one instant. Step 4 is left after 5 s; step 5 is then transient.
 const std::string passing =
     "grafcet c { input GO; output A, B; initial step 0; step 1 { A; } step 2 { B; } step 3; step 4; step 5;\n"
     "transition a: 0 -> 1 when GO; transition b: 1 -> 2 when GO; transition d: 2 -> 3 when GO;\n"
@@ -36,12 +36,12 @@ TEST(Script, WaitUntilIsMetByAStateOfTheCurrentInstant) {
         const ScriptRun run = script(passing, of,
                                      "GO = true\nwait until X1\nwait until X2\nexpect within 1s X1\nexpect X3\n"
                                      "GO = false\nwait until X5\nexpect X0\nwait until X0\n");
-        // The expectation before `X2` was met: a second `X1` is not.
+        // The first expectation after `X2` was met, but the second `X1` was not.
         EXPECT_NE(run.err.find(":4: not met: expected `X1`, but `X1` is not active after 1 s\n"), std::string::npos)
             << run.err;
         EXPECT_EQ(run.err.find(":5:"), std::string::npos) << run.err;
         EXPECT_EQ(run.err.find("nothing changes"), std::string::npos) << run.err;
-        // 1 s of line 4, 5 s of step 4
+        // The time consists of 1 s of line 4 and 5 s of step 4.
         EXPECT_NE(run.out.find(" 6 s  c: 5s/X4 is true"), std::string::npos) << run.out;
     }
 }
@@ -60,8 +60,8 @@ TEST(Script, UndoRestoresTheStatesForWaitUntil) {
     EXPECT_EQ(run.code, 0) << run.err;
 }
 
-/// An urgent edge and a timed edge leave `idle` simultaneously: the urgent one is taken, the timed one is an
-/// alternative.
+/// An urgent edge and a timed edge leave `idle` simultaneously. The urgent edge is taken, and the timed edge is
+/// reported as an alternative.
 TEST(Script, AnUrgentEdgeIsTakenAlthoughATimedOneIsPossible) {
     const std::string model =
         "grafcet c { input AT_TOP; output UP; initial step 0; step 1 { UP; } step 2;\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `--property` of commands that write a model: it contains exactly the selected properties.
+// Tests `--property` of commands that write a model, which must contain exactly the selected properties.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ const std::string asked_of =
     "    property apples: never X0 && X1;\n    property pears: LAMP at most 2 times;\n"
     "    property plums: BUTTON precedes LAMP;\n    property cherries: reachable LAMP;\n}\n";
 
-/// The properties whose names occur in a text.
+/// Returns the properties whose names occur in a text.
 std::vector<std::string> named(const std::string& text) {
     std::vector<std::string> found;
     for (const char* name : {"apples", "pears", "plums", "cherries"})
@@ -30,7 +30,7 @@ TEST(SelectedProperties, PropertiesAloneAreInAModelThatIsWritten) {
     using Words = std::vector<std::string>;
     struct Case {
         Words verb = {};
-        Words known = {};  ///< the model's own setting without the option
+        Words known = {};  ///< the setting of the model itself, without the option
     };
     for (const Case& one : {Case{{"uppaal"}, {"apples", "pears", "plums", "cherries"}},
                             Case{{"pins"}, {"apples", "pears", "plums", "cherries"}},

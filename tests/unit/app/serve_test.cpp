@@ -41,11 +41,11 @@ TEST(FileWatcher, DetectsChangesByAnEditor) {
         EXPECT_FALSE(watch.changed());
     };
     look_again();
-    folder.write("a.grafcet", "two");  // in place, with the same length
+    folder.write("a.grafcet", "two");  // this overwrites the file in place, with the same length
     EXPECT_TRUE(watch.changed());
     look_again();
     folder.write("a.new", "two");
-    fs::rename(folder.file("a.new"), file);  // another file of the same name
+    fs::rename(folder.file("a.new"), file);  // this replaces the file by another file of the same name
     EXPECT_TRUE(watch.changed());
     look_again();
     fs::remove(file);
@@ -79,7 +79,7 @@ TEST(FileWatcher, NoticesAChangeBetweenTwoReadings) {
     EXPECT_TRUE(watch.changed());
 }
 
-/// A bench on `file`, with its states in order of arrival.
+/// A bench on `file`. The object stores its states in the order of arrival.
 class Bystander {
 public:
     explicit Bystander(const std::string& file, std::optional<std::uint64_t> response_timeout_ms = {}) {
@@ -88,7 +88,7 @@ public:
         bench_.emplace(options_, [] {});
     }
 
-    /// The first state from now on that satisfies the condition.
+    /// Returns the first state from now on that satisfies the condition.
     Json wait_for(const std::function<bool(const Json&)>& wanted) {
         for (int tries = 0; tries < 2000; ++tries) {
             if (const auto newer = bench_->newer(known_)) {
@@ -220,7 +220,7 @@ TEST(ServeFileChecker, FollowsIncludedFilesEvenBeforeTheyExist) {
 
 TEST(ServeFileChecker, CancelsTheChecksOfAnEarlierSave) {
     const Folder folder;
-    // Six buttons, each with a clock, with incommensurable times: too many states to wait for.
+    // A chart with six buttons that have clocks with incommensurable times, and therefore too many states to wait for.
     std::string hard =
         "grafcet panel { input A, B, C, D, E, F; output O; initial step 0; step 1 { O; }\n"
         "transition t: 0 -> 1 when A && B && C && D && E && F; transition u: 1 -> 0 when !A; }\n"
@@ -284,7 +284,7 @@ TEST(Play, DrawsMovesThatAScriptAccepts) {
     }
 }
 
-/// The active steps at the end.
+/// Returns the active steps at the end.
 std::string situation(const Json& answer) { return answer["rows"].back()["situation"].get<std::string>(); }
 
 TEST(Trial, AStepIsForcedByHandAndAllThatFollowsIsCalledATrial) {
@@ -341,7 +341,7 @@ TEST(Trial, TheRulesOfHierarchyHaveTheLastWord) {
         Bystander bystander(file.string());
         bystander.wait_for([](const Json& state) { return state["readable"] == true; });
         const Json answer = bystander.play({{"chart", c.element}, {"moves", c.moves}});
-        std::string forced;  // followed by the interpreter's result
+        std::string forced;  // the command, followed by the interpreter's result
         for (const Json& row : answer["rows"])
             if (row["what"].get<std::string>().starts_with("WHAT-IF")) forced = row["situation"];
         EXPECT_EQ(forced, c.situation);
@@ -349,7 +349,7 @@ TEST(Trial, TheRulesOfHierarchyHaveTheLastWord) {
     }
 }
 
-/// By the interpreter for the chart alone, by the network for its loop.
+/// The interpreter runs a chart alone; the network runs the chart in its loop.
 TEST(Trial, ChartAloneAndItsLoopContinueEqually) {
     std::mt19937_64 random(12);
     std::size_t made = 0, refused = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Signals while external programs run: the program ends as by Ctrl-C, and all their processes are gone.
+// Tests signals while external programs run. The program must end as after Ctrl-C, and all processes of external
+// programs must end.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +23,8 @@ namespace {
 
 using std::chrono::steady_clock;
 
-/// Writes its process id and those of its children to `pids`, leaves its group and session, and never ends.
+/// Returns a script that writes its process id and those of its children to `pids`, leaves its group and session, and
+/// never ends.
 std::string endless(const std::string& pids) {
     return "note() { echo $$ >> '" + pids +
            "'; }; note\n"
@@ -49,7 +51,7 @@ struct Outcome {
     std::string out = {};
 };
 
-/// Runs the program, which `signal` ends once three processes have written their ids.
+/// Runs the program and sends it `signal` once three processes have written their ids.
 Outcome ended_by(int signal, std::vector<std::string> arguments, const Folder& folder) {
     const Descriptor out(::open(folder.file("out").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
     arguments.insert(arguments.begin(), GRAFVERIF_PROGRAM);
@@ -104,7 +106,7 @@ TEST(Signals, EndAControllerUnderTestAndAllItHasStarted) {
     }
 }
 
-/// A loaded machine looks the same from inside: what is known is printed slowly.
+/// A loaded machine has the same effect, because the report is read slowly.
 TEST(Signals, LeaveAReportWholeThatIsReadLate) {
     const Folder folder;
     fs::create_directory(folder.file("tmp"));
@@ -123,7 +125,7 @@ TEST(Signals, LeaveAReportWholeThatIsReadLate) {
     EXPECT_TRUE(waited_for([&] { return pids_in(folder).size() == 3; }));
     program.send(SIGTERM);
     text.clear();
-    std::this_thread::sleep_for(std::chrono::seconds(1));  // longer than a run may take that prints nothing
+    std::this_thread::sleep_for(std::chrono::seconds(1));  // this is longer than a run without output may take
     for (std::array<char, 4096> part;;) {
         const ssize_t count = ::read(out.read.number(), part.data(), part.size());
         if (count <= 0) break;

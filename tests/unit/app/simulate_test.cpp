@@ -12,7 +12,7 @@ namespace {
 
 const std::string blinker = (root / "samples/blinker/blinker.grafcet").string();
 
-/// The output without the padding of columns.
+/// Returns the output without the padding of columns.
 std::string squeezed(const std::string& text) {
     std::string result;
     for (const char c : text)
@@ -288,7 +288,7 @@ TEST(Simulate, SavesASessionAsAScriptWithExpectations) {
     EXPECT_EQ(grafverif({"simulate", blinker, "--script", folder.write("s.txt", "save x\n")}).code, ExitCode::Input);
 }
 
-/// For any session, its script repeats it.
+/// The script that a session saves repeats the session.
 TEST(Simulate, ASavedWalkIsWalkedAgain) {
     for (const char* of : {"blinker", "tanks", "oven_door"})
         for (unsigned seed = 1; seed <= 6; ++seed) {
@@ -393,7 +393,7 @@ TEST(SimulateChart, AgreesWithALoopWithFreeInputs) {
         folder.write("loop.grafcet", lone +
                                          "closed_loop l { controller c with stability_search;\n"
                                          "environment Ea = free(OUT = A); environment Eb = free(OUT = B); }\n");
-    // The situation and the outputs of the last row.
+    // Returns the situation and the outputs of the last row.
     const auto end_of = [](const std::string& out) {
         const std::size_t column = out.find("situation"), last = out.rfind('\n', out.size() - 2) + 1;
         return squeezed(out.substr(last + column));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The stations of bench/stations: their charts have no findings, and their properties are those of an operator panel.
+// Tests the stations of bench/stations. Their charts have no findings, and their properties are those of an operator
+// panel.
 #include <gtest/gtest.h>
 
 #include <algorithm>

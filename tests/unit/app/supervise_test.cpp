@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `supervise`: conditions on charts, the text with them, and messages if there are none.
+// Tests `supervise`: the conditions on charts, the text that contains them, and the messages if there are none.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -88,7 +88,7 @@ TEST(Supervise, ConditionsExcludeSomething) {
     const Result made = grafverif({"supervise", folder.write("heater.grafcet", heater)});
     ASSERT_EQ(made.code, ExitCode::Done) << made.out << made.err;
     EXPECT_TRUE(says(made.out, "output o1 in X1")) << made.out;
-    EXPECT_FALSE(says(made.out, "output o1 in X0")) << made.out;  // its action never sets o1
+    EXPECT_FALSE(says(made.out, "output o1 in X0")) << made.out;  // the action of X0 never sets o1
     const Result possible =
         grafverif({"supervise", folder.write("other.grafcet", changed(heater, "o1 if a && b", "o1 if a && !b"))});
     ASSERT_EQ(possible.code, ExitCode::Done) << possible.out << possible.err;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `test --against`: controllers that conform, that do not, and that do not respond at all.
+// Tests `test --against` with controllers that conform, that do not conform, and that do not respond.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -17,13 +17,13 @@ const std::string tanks_chart = (root / "samples/tanks/tanks.grafcet").string();
 const std::string table2 = (root / "samples/tanks/table2.csv").string();
 const std::string this_program = GRAFVERIF_PROGRAM;
 
-/// JESA13 section 6: the sequence of Table 2 against `controller`.
+/// Runs the sequence of JESA13 section 6, Table 2, against `controller`.
 Result tested(const std::string& controller, std::vector<std::string> options = {}) {
     options.insert(options.begin(), {"test", tanks_chart, "--sequence", table2, "--against", controller});
     return grafverif(options);
 }
 
-/// A controller with correct outputs that executes `what` instead of its second response.
+/// Returns a controller with correct outputs, except that it executes `what` instead of its second response.
 std::string faulty(const std::string& what) {
     return "read x; echo 0,0,0,0; read x; " + what + "; read x; echo 0,0,1,1";
 }

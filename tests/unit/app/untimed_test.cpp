@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `check --untimed`: verdicts of the symbolic engine, their assumptions, traces without time, and other engines.
+// Tests `check --untimed`: verdicts of the symbolic engine, their assumptions, traces without time, and other engines.
 #include "pipeline/untimed.hpp"
 
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ TEST(CheckUntimed, TimesThatPropertiesReadAreFreeWithoutAPlant) {
         EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
         EXPECT_NE(result.out.find("over: violated"), std::string::npos) << result.out;
         EXPECT_NE(result.out.find("late: violated"), std::string::npos)
-            << result.out;  // times are free and independent
+            << result.out;  // the times are free and independent
         EXPECT_EQ(result.out.find("apart: violated"), std::string::npos) << result.out;
     }
     const Result timed = grafverif({"check", file});
@@ -98,7 +98,8 @@ TEST(CheckUntimed, TracesNameTheInputsThatTimersWatch) {
     }
 }
 
-/// True if `out` has this text for the verdict on `property`: at the beginning for all, or for the group that names it.
+/// True if `out` states `carries` for the verdict on `property`. The statement is at the beginning if it applies to all
+/// properties, or belongs to the group that names the property.
 bool says_of(const std::string& property, const std::string& carries, const std::string& out) {
     std::string head = out.substr(0, out.find("\n\n")) + '\n';
     for (std::size_t at = 0; (at = head.find("\n        ")) != std::string::npos;) head.replace(at, 9, " ");
@@ -113,7 +114,7 @@ bool says_of(const std::string& property, const std::string& carries, const std:
 TEST(CheckUntimed, StatesWhichVerdictsArePreservedUnderEachScheduleAndUnderFairness) {
     struct Case {
         std::vector<std::string> options;
-        std::string apart, lit, quick;  ///< never L && M; never L; inevitable X1
+        std::string apart, lit, quick;  ///< the properties `never L && M`, `never L`, `inevitable X1`
     };
     const std::string nothing = "no conclusion beyond this model", so = "valid for the timed loop";
     const std::string states = "applies to integer time, and to dense time only without strict clock constraints";
@@ -211,7 +212,7 @@ TEST(CheckUntimed, MissingProgramIsNamedWithARemedy) {
     EXPECT_NE(result.err.find("--engine symbolic"), std::string::npos) << result.err;
 }
 
-/// A stand-in for NuSMV that prints `answer` for the first property only.
+/// Installs a stand-in for NuSMV that prints `answer` for the first property only.
 std::string install_nusmv(const Folder& folder, const std::string& answer) {
     fs::permissions(folder.write("NuSMV",
                                  "#!/bin/sh\n"
@@ -317,7 +318,7 @@ std::string counter(const std::string& step, const std::string& properties) {
            properties + " }\n";
 }
 
-/// NuSMV and UPPAAL compute with 32 bits, and would report that N * 500000000 never exceeds 2100000000.
+/// NuSMV and UPPAAL compute with 32 bits. They would report that N * 500000000 never exceeds 2100000000.
 TEST(Models, APropertyThatNeedsMoreThan32BitsIsLeftOutAndDecidedByUs) {
     const Folder folder;
     const std::string file =

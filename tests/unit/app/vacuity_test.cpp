@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Properties that hold vacuously: every form of docs/reference/properties.md, in every engine and every output.
+// Tests properties that hold vacuously: every form of docs/reference/properties.md, in every engine and every output
+// format.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@ namespace {
 
 using VacuityJson = nlohmann::json;
 
-/// Step 2 is never active. `X0` is true at power-on.
+/// In this chart step 2 is never active, and `X0` is true at power-on.
 std::string never_two(const std::string& properties) {
     return "grafcet lamp { input A; output M; initial step 0; step 1 { M; } step 2;\n"
            "transition t0: 0 -> 1 when A; transition t1: 1 -> 0 when !A; transition t2: 2 -> 0 when A; }\n"
@@ -22,7 +23,7 @@ std::string never_two(const std::string& properties) {
 
 struct Form {
     std::string text = {};
-    std::string note = {};  ///< the reason why it is vacuous; empty: it is not
+    std::string note = {};  ///< the reason why the property is vacuous; empty if it is not vacuous
 };
 
 const std::string premise = "the premise is never true", response = "the response is never needed",
@@ -51,8 +52,8 @@ const std::vector<Form>& forms() {
             {"A precedes X1", ""},
             {"always !X2", ""},
         };
-        // In the scopes: `never opened`, `never closed` and `no such state in it`; then properties that are not
-        // vacuous.
+        // The scopes come first: `never opened`, `never closed` and `no such state in it`. Properties that are not
+        // vacuous follow.
         for (const std::string never : {"never M", "always !M", "inevitable M"}) {
             made.push_back({never + " before X2", closes});
             for (const char* scope : {" after X2", " between X2 and X0", " after X2 until X0"})
@@ -82,7 +83,7 @@ const std::vector<Form>& forms() {
     return all;
 }
 
-/// The verdict on the property, which holds.
+/// Checks the verdict on the property, which must hold.
 void expect_verdict(const VacuityJson& property, const Form& form, const std::string& how) {
     SCOPED_TRACE(form.text + ", " + how);
     ASSERT_EQ(property["verdict"], "holds") << property["reason"];
@@ -100,7 +101,7 @@ TEST(Vacuity, EveryFormIsMarkedByTheTimedEngine) {
     const Result result = grafverif({"check", folder.write("lamp.grafcet", never_two(properties)), "--format", "json"});
     ASSERT_EQ(result.code, ExitCode::Done) << result.err;
     const VacuityJson all = VacuityJson::parse(result.out)["properties"];
-    ASSERT_EQ(all.size(), forms().size() + 1);  // and `no_timelock`
+    ASSERT_EQ(all.size(), forms().size() + 1);  // one verdict more for `no_timelock`
     for (std::size_t k = 0; k < forms().size(); ++k) expect_verdict(all[k], forms()[k], "timed");
 }
 
@@ -118,7 +119,7 @@ TEST(Vacuity, EveryFormIsMarkedInDiscreteTime) {
             const Result result = grafverif(one);
             const VacuityJson all = VacuityJson::parse(result.out)["properties"];
             ASSERT_EQ(all.size(), 1U) << "probes are not properties";
-            if (engine == "pdr" && all[0]["verdict"] == "unknown") continue;  // about runs
+            if (engine == "pdr" && all[0]["verdict"] == "unknown") continue;  // a property about runs
             expect_verdict(all[0], form, engine);
         }
     }
@@ -155,7 +156,8 @@ TEST(Vacuity, IsInEveryOutput) {
               std::string::npos)
         << folder.read("junit.xml");
     const VacuityJson log = VacuityJson::parse(folder.read("log.sarif"))["runs"][0];
-    VacuityJson vacuous = VacuityJson::array();  // in addition to the warning about step 2
+    // The log contains these results in addition to the warning about step 2.
+    VacuityJson vacuous = VacuityJson::array();
     for (const VacuityJson& each : log["results"])
         if (each["ruleId"] == "property-vacuous") vacuous.push_back(each);
     ASSERT_EQ(vacuous.size(), 1U);
@@ -179,12 +181,12 @@ TEST(Vacuity, MutateReportsVacuousProperties) {
     const VacuityJson json = VacuityJson::parse(grafverif({"mutate", file, "--jobs", "1", "--format", "json"}).out);
     EXPECT_EQ(json["properties"][0]["vacuous"], true);
     EXPECT_EQ(json["properties"][1]["vacuous"], false);
-    bool becomes = false;  // a mutant that never leaves step 0
+    bool becomes = false;  // true for a mutant that never leaves step 0
     for (const VacuityJson& mutant : json["mutants"]) becomes = becomes || mutant["vacuous"] == VacuityJson({"lit"});
     EXPECT_TRUE(becomes) << json["mutants"].dump(1);
 }
 
-/// A stand-in for verifyta for which the premise is unreachable: its `E<>` is not satisfied.
+/// This stand-in for verifyta finds the premise unreachable: its `E<>` is not satisfied.
 TEST(Vacuity, ExternalProgramsCheckIt) {
     const Folder folder;
     fs::permissions(folder.write("verifyta",
@@ -197,7 +199,7 @@ TEST(Vacuity, ExternalProgramsCheckIt) {
         folder.write("lamp.grafcet", never_two("property now: X2 leads to M; property late: X2 leads to M within 2s;"));
     const Result result = grafverif({"check", file, "--engine", "verifyta", "--format", "json"});
     const VacuityJson all = VacuityJson::parse(result.out)["properties"];
-    ASSERT_EQ(all.size(), 3U);  // and `no_timelock`, which is unknown
+    ASSERT_EQ(all.size(), 3U);  // the third property is `no_timelock`, which is unknown
     for (const std::size_t k : {0U, 1U}) expect_verdict(all[k], {all[k]["name"], premise}, "verifyta");
 }
 

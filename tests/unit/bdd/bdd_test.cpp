@@ -25,7 +25,7 @@ std::vector<bool> assignment(unsigned number, std::size_t count = variable_count
     return values;
 }
 
-/// A random function with its truth table: bit n is its value under assignment(n).
+/// A random function with its truth table. Bit n is the value of the function under assignment(n).
 struct Function {
     Bdd bdd = {};
     std::uint64_t table = 0;
@@ -61,7 +61,7 @@ std::uint64_t table_of(const Bdd& f) {
     return table;
 }
 
-/// The table of `value_at(n)` for each assignment.
+/// Returns the table of `value_at(n)` for each assignment.
 template <class ValueAt>
 std::uint64_t table(const ValueAt& value_at) {
     std::uint64_t result = 0;
@@ -189,7 +189,7 @@ TEST(Bdd, SupportAndSizeReferToTheReducedDiagram) {
     EXPECT_TRUE((a & d).low().is_false());
 }
 
-/// A function with an exponential diagram: pairs of variables that are distant in the order.
+/// Returns a function with an exponential diagram: it pairs variables that are distant in the order.
 Bdd widely_separated(const BddSpace& space, std::uint32_t pairs) {
     Bdd result = Bdd::constant(true);
     for (std::uint32_t i = 0; i < pairs; ++i) result &= iff(space.variable(i), space.variable(i + pairs));

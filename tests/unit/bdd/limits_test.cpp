@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Guarantees of a space about memory, time, depth and independence of other spaces.
+// Tests the guarantees of a space about memory, time, depth, and independence of other spaces.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -17,14 +17,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-/// Pairs of equal neighbours: a small diagram.
+/// Returns a function of pairs of equal neighbours, which has a small diagram.
 Bdd neighbours(const BddSpace& space, std::uint32_t pairs) {
     Bdd result = Bdd::constant(true);
     for (std::uint32_t i = pairs; i-- > 0;) result &= iff(space.variable(2 * i), space.variable(2 * i + 1));
     return result;
 }
 
-/// Separates the neighbours: one operation that creates more than 2^n nodes for n pairs.
+/// Separates the neighbours by a renaming. This one operation creates more than 2^n nodes for n pairs.
 struct TakenApart {
     explicit TakenApart(std::uint32_t pairs) : renaming(moves(pairs)) {}
 
@@ -40,7 +40,7 @@ struct TakenApart {
     BddRenaming renaming;
 };
 
-constexpr std::uint32_t many = 30;  // 2^30 nodes: practically endless
+constexpr std::uint32_t many = 30;  // 2^30 nodes take practically forever
 
 BddExhausted::Cause cause_of(const std::function<void()>& work) {
     try {
@@ -81,7 +81,7 @@ TEST(BddLimits, SpaceWithoutMemoryReportsIt) {
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-/// The size of the address space of this process, in bytes.
+/// Returns the size of the address space of this process, in bytes.
 rlim_t address_space() {
     std::ifstream pages("/proc/self/statm");
     rlim_t count = 0;
@@ -126,7 +126,8 @@ TEST(BddLimits, LongOperationStopsOnRequestOfAnotherThread) {
     space.add_variables(2 * many);
     const Bdd f = neighbours(space, many);
     const TakenApart apart(many);
-    for (const int wait : {1, 10, 40, 160}) {  // during growth, during collection, during node creation
+    // The request comes during growth, during collection, or during node creation.
+    for (const int wait : {1, 10, 40, 160}) {
         std::thread other([&] {
             std::this_thread::sleep_for(std::chrono::milliseconds(wait));
             stop = true;
@@ -153,7 +154,7 @@ TEST(BddLimits, StoppingAtAnyPointKeepsTheSpaceConsistent) {
         try {
             for (;;) {
                 try {
-                    (void)apart.renaming(f);  // 2^20 nodes do not fit: there are many collections
+                    (void)apart.renaming(f);  // 2^20 nodes exceed the memory, so that there are many collections
                 } catch (const BddExhausted& exhausted) {
                     if (exhausted.cause() == BddExhausted::Cause::Stopped) throw;
                 }
@@ -174,7 +175,7 @@ TEST(BddLimits, DiagramsAreAsDeepAsTheyLike) {
     constexpr std::uint32_t depth = 20'000;
     BddSpace space;
     space.add_variables(depth + 1);
-    Bdd odd, others;  // of the first `depth` variables; of those but the first
+    Bdd odd, others;  // functions of the first `depth` variables, and of those variables without the first
     for (std::uint32_t i = depth; i-- > 0;) {
         others = odd;
         odd = odd ^ space.variable(i);

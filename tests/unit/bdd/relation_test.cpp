@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images, preimages and rings under random steps, compared with steps executed one by one.
+// Tests images, preimages and rings under random steps, in comparison with steps executed one by one.
 #include "bdd/relation.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,8 @@
 namespace grafverif::bdd {
 namespace {
 
-/// Bits of a state at 0, 2, 4, ..., each followed by its next value; choices below them.
+/// Random steps. The bits of a state are the variables 0, 2, 4, ..., each followed by its next value; the choices are
+/// below them.
 struct RandomSteps {
     static constexpr std::uint32_t bits = 4, choices = 2, choice = 2 * bits;
     BddSpace space = BddSpace();
@@ -72,7 +73,7 @@ TEST(Relation, ImagesAgreeWithSingleSteps) {
             if (evaluate(from & steps.offered, values)) led[steps.after(values)] = true;
         });
         const Bdd image = relation.image(from, relation.quantified(steps.before)), preimage = relation.preimage(to);
-        const Relation kept(steps.space, steps.next);  // the choice is kept
+        const Relation kept(steps.space, steps.next);  // this relation keeps the choice
         const Bdd chosen = kept.image(from & steps.offered, kept.quantified(steps.before));
         std::vector<bool> leads(1U << RandomSteps::bits);
         steps.for_each([&](std::uint32_t state, std::uint32_t, const std::vector<bool>& values) {
@@ -82,7 +83,7 @@ TEST(Relation, ImagesAgreeWithSingleSteps) {
         steps.for_each([&](std::uint32_t state, std::uint32_t choice, const std::vector<bool>& values) {
             EXPECT_EQ(evaluate(image, values), led[state]) << "seed " << seed;
             EXPECT_EQ(evaluate(preimage, values), leads[state]) << "seed " << seed;
-            bool chosen_leads = false;  // only by that choice
+            bool chosen_leads = false;  // true if a step with that choice leads to the state
             for (std::uint32_t origin = 0; origin < 1U << RandomSteps::bits; ++origin) {
                 const std::vector<bool> there = steps.assignment(origin, choice);
                 chosen_leads = chosen_leads || (evaluate(from & steps.offered, there) && steps.after(there) == state);
@@ -92,7 +93,7 @@ TEST(Relation, ImagesAgreeWithSingleSteps) {
     }
 }
 
-/// Distances from `first`, by state; -1: unreachable.
+/// Returns the distance from `first` for each state; -1 if a state is unreachable.
 std::vector<int> distances(const RandomSteps& steps, std::uint32_t first) {
     std::vector<int> distance(1U << RandomSteps::bits, -1);
     distance[first] = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Saturation with random event clusters, compared with steps executed one by one.
+// Tests saturation with random event clusters, in comparison with steps executed one by one.
 #include "bdd/saturation.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t bits = 6;
 
-/// A cluster that may change one or two bits, under a condition on two or three bits and a choice, which is below all
+/// A cluster that may change one or two bits. Its condition is over two or three bits and a choice, which is below all
 /// bits.
 struct Kind {
     std::vector<NextBit> next = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Terms as Boolean functions, compared with `evaluate` under every assignment.
+// Tests terms as Boolean functions, in comparison with `evaluate` under every assignment.
 #include "bdd/terms.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace grafverif {
 namespace {
 
-/// Two Booleans and three small integers, one of a single value.
+/// Two Booleans and three small integers, one of which has a single value.
 const std::vector<Type> types = {{}, {}, integer_type(-3, 4), integer_type(0, 5), integer_type(7, 7)};
 
 struct World {
@@ -93,9 +93,9 @@ TEST(BddTerms, RandomTermsHaveTheValuesThatEvaluateGives) {
 
 TEST(BddTerms, ResultsOutside64BitsAreUndefined) {
     World world;
-    Id<Expr> power = world.exprs.leaf(Op::Variable, 3);                              // 0 to 5
-    for (int i = 0; i < 4; ++i) power = world.exprs.apply(Op::Times, power, power);  // to the 16th
-    const Id<Expr> more = world.exprs.apply(Op::Times, power, power);                // to the 32nd: 5 is too large
+    Id<Expr> power = world.exprs.leaf(Op::Variable, 3);  // the value of this variable is from 0 to 5
+    for (int i = 0; i < 4; ++i) power = world.exprs.apply(Op::Times, power, power);  // this computes the 16th power
+    const Id<Expr> more = world.exprs.apply(Op::Times, power, power);  // the 32nd power of 5 exceeds 64 bits
     BddTerms terms(world.exprs, [&](const Expr& node) { return world.leaf(node); });
     expect_same(world, more, terms(more));
     EXPECT_FALSE(terms(more).undefined.is_false());
@@ -104,7 +104,7 @@ TEST(BddTerms, ResultsOutside64BitsAreUndefined) {
 
 TEST(BddTerms, WordsCodeTheValuesOfTheirRange) {
     World world;
-    const BddWord& word = world.words[2];  // -3 to 4
+    const BddWord& word = world.words[2];  // the range is from -3 to 4
     ASSERT_EQ(word.bits.size(), 3u);
     Bdd any;
     for (std::int64_t value = -3; value <= 4; ++value) {

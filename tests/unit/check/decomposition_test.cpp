@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compositional checking: dependences between processes, the subsystems that each verdict omits, and the neighbours
-// that require a search of the complete network.
+// Tests compositional checking: dependences between processes, the subsystems that each verdict omits, and the
+// neighbours that require a search of the complete network.
 #include "check/decomposition/decomposition.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ void ask_of(Sketch& s, const Pulse& lamp) {
     s.property("one", Pattern::ExactlyOneOf, {s.at(lamp.process, 0), s.at(lamp.process, 1)});
 }
 
-/// The verdicts with and without decomposition agree, including runs.
+/// Checks that the verdicts with and without decomposition agree, including their runs.
 TimedResult agreed_separately(const Network& network) {
     const TimedResult apart = check_timed_by_parts(network), whole = check_timed(network);
     for (const Verdict& given : apart.verdicts) {
@@ -92,7 +92,7 @@ TEST(Decomposition, EachVerdictNamesItsOmittedParts) {
     const Pulse lamp(s), other(s, "other"), third(s, "third");
     ask_of(s, lamp);
     const TimedResult result = agreed_separately(s.network);
-    EXPECT_EQ(result.states, 15U);  // of 3 times 5, not 5 times 5 times 5
+    EXPECT_EQ(result.states, 15U);  // the state space is 3 times 5, not 5 times 5 times 5
     const SearchScope& scope = verdict(result, "on").scope;
     EXPECT_EQ(scope.searched, std::vector<std::string>{"lamp"});
     EXPECT_EQ(scope.left_out, (std::vector<std::string>{"other", "third"}));
@@ -278,7 +278,7 @@ TEST(Decomposition, ARunInWhichOthersMoveTooOftenIsNotShown) {
               std::vector<std::string>{"no trace is given: with the other sub-loops, it has too many moves"});
 }
 
-/// One part stops time, and another one counts for very long within that instant.
+/// One part stops time, and the other part counts for a long time within that instant.
 TEST(Decomposition, FiniteRunNextToAVeryLongOneIsNotShown) {
     Sketch s;
     const auto brief = s.process("brief", 2, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Input abstraction on loops small enough to see what each level excludes.
+// Tests input abstraction on loops that are small enough to show which runs each level excludes.
 #include "check/inputs/inputs.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@
 namespace grafverif {
 namespace {
 
-/// The verdict that input abstractions give on the only property of a loop. Without other limits, no run is searched in
-/// the complete loop first.
+/// Returns the verdict that input abstractions give on the only property of a loop. With the default limits, no run is
+/// searched in the complete loop first.
 Verdict decided(const std::string& text, const InputLimits& limits = {.explored = 0},
                 const InputAblations& ablations = {}) {
     const Network loop = expand(read_loop(text).network);
@@ -229,7 +229,7 @@ TEST(InputAbstraction, ProvesNoAbsenceOfDeadlockWithoutALivelyInstance) {
     EXPECT_EQ(decided(once("no deadlock")).outcome, Outcome::Unknown);
 }
 
-/// Inputs I1..In, each of them free.
+/// Declares the inputs I1..In, each of which is free.
 std::string free_inputs(int count, const std::function<std::string(const std::string&)>& term) {
     std::string names, panel, condition;
     for (int i = 1; i <= count; ++i) {

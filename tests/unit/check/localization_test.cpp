@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fragments of a line, hand-written abstractions, and results of searches by localization.
+// Tests fragments of a line, hand-written abstractions, and results of searches by localization.
 #include "check/localization/localization.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 Network line() { return expand(read_sample("transfer_line/transfer_line.grafcet").network); }
 
-/// Without the first search of the complete network, which would be enough.
+/// Checks the network by localization, without the first search of the complete network, which would decide it.
 TimedResult by_cells(const Network& network, TimedOptions options = {}) {
     options.max_states = 100'000;
     return check_timed_by_cells(network, options, {.whole = 10, .local = 100'000});
@@ -71,7 +71,8 @@ TEST(Localization, PropertyGuaranteedByANeighbourAddsTheNeighbour) {
     Sketch s;
     const auto x = s.boolean("x"), y = s.boolean("y");
     const auto a = s.process("A", 2, 1), b = s.process("B", 1), c = s.process("C", 1, 1);
-    s.edge(a, {.to = 1, .when = {{0, Op::GreaterEqual, 1}}});  // writes x at no reachable location
+    // The edge that writes x has no reachable source location.
+    s.edge(a, {.to = 1, .when = {{0, Op::GreaterEqual, 1}}});
     s.edge(a, {.from = 1, .guard = s.network.exprs.constant(false), .set = {{x, s.yes()}}});
     s.edge(b, {.guard = s.is(x), .set = {{y, s.yes()}}});
     s.edge(c, {.when = {{0, Op::Equal, 1}}, .reset = {0}});
@@ -99,7 +100,7 @@ TEST(Localization, LocalizationLeavesTimeForTheCompleteSearchAndIsMentionedIfTha
     std::vector<Deadline> deadlines;
     const auto whole = [&](const Network& network, TimedOptions how) {
         deadlines.push_back(how.deadline);
-        if (deadlines.size() > 1) how.deadline = now;  // the second search has no time
+        if (deadlines.size() > 1) how.deadline = now;  // the second search has no time left
         return check_timed(network, how);
     };
     const TimedResult found = check_timed_by_cells(expand(s.network), options, {.whole = 2, .local = 100}, {}, whole);
@@ -151,7 +152,7 @@ TEST(Localization, GuardThatKeepsAValueInRangeIsDetected) {
     const auto a = s.process("A", 1);
     s.edge(a, {.guard = s.op(Op::Less, s.is(n), s.number(2)), .set = {{n, s.op(Op::Plus, s.is(n), s.number(1))}}});
     EXPECT_TRUE(cells_that_may_err(expand(s.network), cells_of(expand(s.network))).empty());
-    s.edge(a, {.guard = s.op(Op::Less, s.is(m), s.number(2)),  // useless after m is assigned
+    s.edge(a, {.guard = s.op(Op::Less, s.is(m), s.number(2)),  // this bound is useless after m is assigned
                .set = {{m, s.number(2)}, {n, s.is(m)}, {m, s.op(Op::Plus, s.is(m), s.number(1))}}});
     EXPECT_EQ(cells_that_may_err(expand(s.network), cells_of(expand(s.network))).size(), 1U);
     EXPECT_TRUE(terms_have_values(expand(s.network)));
@@ -159,7 +160,8 @@ TEST(Localization, GuardThatKeepsAValueInRangeIsDetected) {
     EXPECT_FALSE(terms_have_values(expand(s.network)));
 }
 
-/// Three periodic clocks; the variable that `b` sets races if and only if `by_b` is set. Asks for the race.
+/// A network of three periodic clocks with a property about the race. The variable that `b` sets races if and only if
+/// `by_b`.
 Network may_race(bool by_b) {
     Sketch s;
     const auto race = s.boolean("race"), x = s.boolean("x");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The claims of CEP13 and ETFA12 about the method, each with the failure that returns without its correction.
+// Tests the claims of CEP13 and ETFA12 about the method. Each claim fails if its correction is removed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 constexpr const char* station = "testing_station/testing_station.grafcet";
 constexpr const char* oven = "oven_door/oven_door.grafcet";
 
-/// The variable `name` as a term of `network`.
+/// Returns the variable `name` as a term of `network`.
 Id<Expr> is(Network& network, const std::string& name) {
     const auto found = std::ranges::find(network.variables, name, &Network::Variable::name);
     if (found == network.variables.end()) throw std::out_of_range("no variable " + name);
@@ -32,7 +32,7 @@ Network sample(const std::string& path, const Ablations& ablations = {}, std::op
 }
 
 TEST(Urgency, ASensorOfTheTestingStationIsNeverLate) {
-    const auto late = [](Network network) {  // Fig. 12b: H = 4 and H_IN still true
+    const auto late = [](Network network) {  // Fig. 12b: H = 4 while H_IN is still true
         const Id<Expr> four = network.exprs.apply(Op::Equal, is(network, "H"), network.exprs.integer(4));
         ask(network, "late", Pattern::Reachable, {network.exprs.conjunction(four, is(network, "H_IN"))});
         return told(checked(network), "late");
@@ -58,7 +58,7 @@ TEST(Flags, WithoutThemTimeNeverPassesAndUppaalSeesNoDeadlock) {
 }
 
 TEST(Stable, PressInAQuiescentStateAlwaysHasAnEffect) {
-    const auto answered = [](Network network) {  // Fig. 26, 27: START pressed during step 23
+    const auto answered = [](Network network) {  // Fig. 26 and 27: START is pressed during step 23
         const Id<Expr> pressed = network.exprs.conjunction(is(network, "X_0"), is(network, "START"));
         const Id<Expr> gone = network.exprs.negation(pressed);
         ask(network, "answered", Pattern::LeadsTo, {pressed, gone});
@@ -114,7 +114,7 @@ TEST(Timers, PulseChartLetsTimePassWithCorrectedTimersButNotWithThoseOfFigure33b
     }
 }
 
-/// The faulty station with watchdogs of `seconds`.
+/// Returns the faulty station with watchdogs of `seconds`.
 Network faulty(const std::string& seconds) {
     std::ifstream file(std::string(GRAFVERIF_SOURCE_DIR) + "/samples/testing_station/faulty.grafcet");
     std::string text{std::istreambuf_iterator<char>(file), {}};

@@ -21,7 +21,7 @@ public:
     struct Arrow {
         std::uint32_t from = 0, to = 0;
         bool urgent = false;
-        Id<Expr> guard = {};  // not valid: true
+        Id<Expr> guard = {};  // an invalid id means true
         std::vector<Constraint> when = {};
         std::vector<std::pair<Id<Network::Variable>, Id<Expr>>> set = {};
         std::vector<std::uint32_t> reset = {};
@@ -30,7 +30,7 @@ public:
     Id<Network::Variable> boolean(const std::string& name, bool initial = false);
     Id<Network::Variable> integer(const std::string& name, std::int64_t low, std::int64_t high,
                                   std::int64_t initial = 0);
-    /// Locations `l0`, `l1`, ... and clocks `c0`, `c1`, ...
+    /// Adds a process with locations `l0`, `l1`, ... and clocks `c0`, `c1`, ...
     Id<Network::Process> process(const std::string& name, std::uint32_t locations, std::uint32_t clocks = 0);
     void invariant(Id<Network::Process> process, std::uint32_t location, Constraint bound);
     void edge(Id<Network::Process> process, const Arrow& arrow);
@@ -50,17 +50,17 @@ public:
     Network network = {};
 };
 
-/// The result, after verifying the network and replaying every run: each replays on the network to a state where the
-/// property is violated or witnessed.
+/// Checks the network. Also verifies it, and replays every run to a state in which the property is violated or
+/// witnessed.
 TimedResult checked(const Network& network, const TimedOptions& options = {});
 /// Checks that the run of the verdict replays to a state that shows the verdict.
 void confirm(const Network& network, const Property& property, const Verdict& verdict);
-/// The verdict on one property.
+/// Returns the verdict on one property.
 const Verdict& verdict(const TimedResult& result, const std::string& property);
-/// `holds`, `violated`, `unknown (inexact)`, followed by `, vacuous` if it is vacuous.
+/// Returns `holds`, `violated` or `unknown (inexact)`, followed by `, vacuous` if the verdict is vacuous.
 std::string told(const TimedResult& result, const std::string& property);
 
-/// The same network with a time unit that is finer by `factor`.
+/// Returns the same network with a time unit that is finer by `factor`.
 Network refined(Network network, std::int64_t factor);
 
 }  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The search for runs in rare situations, compared with a breadth-first search of as many states.
+// Compares the search for runs in rare situations with a breadth-first search of the same number of states.
 #include "check/inputs/novelty.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace grafverif {
 namespace {
 
-/// A chart of `steps` steps, each left by another one of four buttons and a plant that takes 2 s.
+/// A chart of `steps` steps. A different one of four buttons leaves each step, and a plant takes 2 s.
 std::string chain(int steps, const std::string& property) {
     std::string text =
         "component slow(input P; output S) { clock t; initial location off; location going invariant t <= 2s; "

@@ -15,7 +15,7 @@
 namespace grafverif {
 namespace {
 
-/// Cycles through its locations at arbitrary times.
+/// Adds a process that cycles through its locations at arbitrary times.
 void wheel(Sketch& s, const std::string& name, std::uint32_t locations) {
     const auto process = s.process(name, locations);
     for (std::uint32_t at = 0; at < locations; ++at) s.edge(process, {.from = at, .to = (at + 1) % locations});
@@ -98,7 +98,7 @@ TEST(StateProfile, OfManyStatesIsEqualByClassesAndReportsProgress) {
     }
 }
 
-// The same numbers computed from sets of complete states.
+// The test computes the same numbers from sets of complete states.
 
 using Values = std::vector<std::int64_t>;
 
@@ -133,7 +133,7 @@ std::vector<Place> places_of(const Network& network, const timed::Layout& layout
     return places;
 }
 
-/// The number of states that differ in those `places` that `counts` selects.
+/// Returns the number of states that differ in those `places` that `counts` selects.
 template <class Counts>
 std::uint64_t different(const std::vector<Values>& states, const std::vector<Place>& places, const Counts& counts) {
     std::set<Values> kept;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The engine on the samples: the published verdicts, and its limits of resources.
+// Tests the engine on the samples: the published verdicts, and its limits of resources.
 #include <gtest/gtest.h>
 
 #include "support/read_loop.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The state store: stored states are read back unchanged, and found again.
+// Tests that the state store reads back stored states unchanged, and finds them again.
 #include "check/timed/store.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace grafverif::timed {
 namespace {
 
-/// Pseudorandom numbers of up to `bits` bits.
+/// Returns a pseudorandom number of up to `bits` bits.
 std::uint32_t some(std::uint64_t seed, unsigned bits) {
     seed = (seed + 1) * 0x9E3779B97F4A7C15U;
     return static_cast<std::uint32_t>((seed ^ seed >> 29U) * 0xBF58476D1CE4E5B9U >> (64U - bits));
@@ -43,10 +43,12 @@ TEST(Pairs, AppendedAreFoundOnceTheyAreIndexed) {
     std::uint64_t made = 0;
     for (const std::uint32_t more : {1U, 700U, 3U, 30'000U, 5'000U}) {
         const auto first = static_cast<std::uint32_t>(pairs.size());
-        for (unsigned member = 0; member < 3; ++member) pairs.free_memory(more / 2, {member, 3});  // less than needed
+        // This is less than the number of states needs.
+        for (unsigned member = 0; member < 3; ++member) pairs.free_memory(more / 2, {member, 3});
         for (std::uint32_t i = 0; i < more; ++i) ASSERT_EQ(pairs.append(made++ * 0x10001), first + i);
         ASSERT_EQ(pairs.find((made - 1) * 0x10001), Pairs::none);
-        for (unsigned member = 0; member < 3; ++member)  // each those of its shards, in reverse order
+        // Each member inserts the states of its shards, in reverse order.
+        for (unsigned member = 0; member < 3; ++member)
             for (std::uint32_t number = first + more; number-- != first;)
                 if (pairs.shard_of(pairs[number]) % 3 == member) pairs.index(pairs[number], number);
         for (std::uint64_t i = 0; i < made; ++i) ASSERT_EQ(pairs.find(i * 0x10001), i);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One small network per kind of property, and per reason for an unknown verdict.
+// Tests one small network for each kind of property, and for each reason for an unknown verdict.
 #include "check/timed/timed.hpp"
 
 #include <gtest/gtest.h>
@@ -80,7 +80,7 @@ TEST(TimedEngine, PrefersOneLongDelayToManyMoves) {
     Sketch s;
     const auto late = s.boolean("late");
     const auto p = s.process("p", 4, 1);
-    // Four urgent edges lead there; waiting fifty units and one edge leads there too.
+    // Four urgent edges lead there. A delay of fifty units and one edge lead there, too.
     s.edge(p, {.from = 0, .to = 1});
     s.edge(p, {.from = 1, .to = 2});
     s.edge(p, {.from = 2, .to = 3});
@@ -114,7 +114,7 @@ TEST(TimedEngine, CountsStayingForeverAsARun) {
               (Moves{Delay{1}}));
 }
 
-/// l0 is left within two units, and so is l1: back and forth forever.
+/// Both l0 and l1 are left within two units, so that the process alternates between them forever.
 Sketch pendulum() {
     Sketch s;
     const auto p = s.process("p", 2, 1);
@@ -178,10 +178,10 @@ TEST(TimedEngine, DistinguishesALivelockOfUrgentEdgesFromADeadlock) {
     EXPECT_FALSE(result.time_passes);
 }
 
-/// design: "never stuck at integers, stuck at x = 1.5, y = 2".
+/// A timelock between integer times: no run is blocked at integer times, but a run is blocked at x = 1.5, y = 2.
 Sketch hidden_lock() {
     Sketch s;
-    const auto p = s.process("p", 3, 2);  // clocks x, y
+    const auto p = s.process("p", 3, 2);  // the clocks are x and y
     s.invariant(p, 0, {1, Op::LessEqual, 2});
     s.invariant(p, 1, {1, Op::LessEqual, 2});
     s.edge(p, {.from = 0, .to = 1, .reset = {0}});
@@ -202,7 +202,7 @@ TEST(TimedEngine, DoesNotProvePropertiesThatATimelockBetweenTicksViolates) {
     EXPECT_EQ(told(result, "no_timelock"), "unknown (inexact)");
     EXPECT_EQ(told(result, "reach"), "holds");
     EXPECT_NE(verdict(result, "on").reason.find("`p.l1`"), std::string::npos) << verdict(result, "on").reason;
-    // In half units the timelock is at a tick.
+    // With half units the timelock is at an integer time.
     EXPECT_EQ(told(checked(refined(s.network, 2)), "on"), "violated");
 }
 
@@ -222,7 +222,8 @@ TEST(TimedEngine, GivesNoLivenessVerdictOnOperandsWithoutAValue) {
 }
 
 TEST(TimedEngine, WantsMoreOfABoundForTimeThanForRuns) {
-    // At its bound the stay ends, but the clock is bounded again without a reset: no run ends, but time stops.
+    // The process must leave the location at its bound, but the clock is bounded again without a reset. No run ends,
+    // but time stops.
     Sketch s;
     const auto p = s.process("p", 2, 2);
     s.invariant(p, 0, {0, Op::LessEqual, 2});
@@ -239,7 +240,7 @@ TEST(TimedEngine, WantsMoreOfABoundForTimeThanForRuns) {
 }
 
 TEST(TimedEngine, AsksThatUrgentEdgesAloneLeadToWhereTimePasses) {
-    // The only exit of the urgent loop is an edge that may wait forever; with integer time that is enough.
+    // The only exit of the urgent loop is an edge that may wait forever. In integer time this exit is sufficient.
     Sketch s;
     const auto p = s.process("p", 2);
     s.edge(p, {.from = 0, .to = 0, .urgent = true});
@@ -313,7 +314,7 @@ TEST(TimedEngine, StopsIfStoredActionsRace) {
     EXPECT_EQ(result.errors[0].run.moves, (Moves{fire(0, 0), fire(0, 1)}));
 }
 
-/// A million states: a counter of twenty bits.
+/// A counter of twenty bits, which has a million states.
 Sketch counter() {
     Sketch s;
     const auto n = s.integer("n", 0, 32767), m = s.integer("m", 0, 31);
@@ -422,7 +423,7 @@ TEST(TimedEngine, ChecksDeadlocksAtStableInQuiescentStatesOnly) {
     s.property("anywhere", Pattern::NoDeadlock);
     s.property("settled", Pattern::NoDeadlock, {}, true);
     s.property("time", Pattern::NoTimelock, {}, true);
-    s.network.settled = s.no(s.at(p, 1));  // it ends in l1
+    s.network.settled = s.no(s.at(p, 1));  // the run ends in l1
     TimedResult result = checked(s.network);
     EXPECT_EQ(told(result, "anywhere"), "violated");
     EXPECT_EQ(told(result, "settled"), "holds");
@@ -441,7 +442,7 @@ TEST(TimedEngine, PropertiesWithoutAQuiescentStateAreVacuous) {
     EXPECT_EQ(told(checked(lamp.s.network), "stable"), "holds, vacuous");
 }
 
-/// Bits that become true within one instant in any order.
+/// A network with bits that become true within one instant in any order.
 Sketch rising(std::uint32_t bits) {
     Sketch s;
     std::vector<Id<Expr>> all;
@@ -475,7 +476,7 @@ TEST(TimedEngine, GivesTheSameVerdictsWithAndWithoutItsLinks) {
 }
 
 TEST(TimedEngine, EvaluatesTermsFarLargerThanTheirSharedForm) {
-    // Each level reads the one below twice: 2^30 leaves.
+    // Each level reads the level below twice, so that there are 2^30 leaves.
     Sketch s;
     const auto a = s.boolean("a"), b = s.boolean("b"), parity = s.boolean("parity");
     Id<Expr> term = s.is(a);
@@ -487,7 +488,7 @@ TEST(TimedEngine, EvaluatesTermsFarLargerThanTheirSharedForm) {
     s.property("before", Pattern::Reachable, {s.network.exprs.conjunction(s.at(p, 1), s.is(parity))});
     s.property("after", Pattern::Reachable, {s.at(p, 3)});
     const TimedResult result = check_timed(s.network);
-    // t == (b != t) is not b.
+    // t == (b != t) is equivalent to !b.
     EXPECT_EQ(told(result, "before"), "holds");
     EXPECT_EQ(told(result, "after"), "violated");
 }
@@ -498,7 +499,7 @@ TEST(TimedEngine, IgnoresClocksThatAreNotReadBeforeTheirNextReset) {
     s.invariant(p, 1, {0, Op::LessEqual, 100});
     s.edge(p, {.from = 0, .to = 1, .reset = {0}});
     s.edge(p, {.from = 1, .to = 0, .when = {{0, Op::Equal, 100}}});
-    EXPECT_EQ(checked(s.network).states, 102u);  // l0 once, l1 with 0 to 100
+    EXPECT_EQ(checked(s.network).states, 102u);  // l0 has one state, and l1 has the states 0 to 100
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Converts the output of verifyta to verdicts. The texts were not printed by the real program, whose licence forbids
-// automated tests: they have verdict lines of the documented form, and possible lines around them.
+// Tests the conversion of the output of verifyta to verdicts. The texts were not printed by the real program, because
+// its licence forbids automated tests. They have verdict lines of the documented form, and possible lines around them.
 #include "check/external/verifyta.hpp"
 
 #include <gtest/gtest.h>
@@ -77,12 +77,12 @@ TEST(Verifyta, AProgramThatWasEndedGaveNoVerdict) {
     }
 }
 
-/// A network with three properties, and the output of a stand-in for verifyta for each formula.
+/// A network with three properties, and the output that a stand-in for verifyta gives for each formula.
 struct Requested {
     Sketch s = {};
     std::vector<ExternalQuery> questions = {};
     std::map<std::string, std::string> says = {};
-    std::vector<std::string> runs = {};  // the formulas it was run on
+    std::vector<std::string> runs = {};  // the formulas for which the stand-in was run
 
     void ask(const std::string& name, Pattern pattern, std::vector<Id<Expr>> operands, const std::string& formula,
              const std::string& said) {

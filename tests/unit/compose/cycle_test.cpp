@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The structure that compose builds: CEP13 Fig. 33a and Fig. 33b with corrections, the procedures, the flags.
+// Tests the structure that compose builds: CEP13 Fig. 33a and Fig. 33b with corrections, the procedures, and the flags.
 #include <gtest/gtest.h>
 
 #include "hand_chart.hpp"
@@ -9,7 +9,7 @@
 namespace grafverif {
 namespace {
 
-/// 1 -> 2 when a; 2 -> 1 when 5s/X2; step 2 sets OUT.
+/// A chart with the transitions 1 -> 2 when a and 2 -> 1 when 5s/X2, in which step 2 sets OUT.
 HandChart small_chart() {
     HandChart hand("small");
     const auto a = hand.input("a");
@@ -21,7 +21,7 @@ HandChart small_chart() {
     return hand;
 }
 
-/// The part of `text` from the line that begins with `from` up to the line that begins with `to`.
+/// Returns the part of `text` from the line that begins with `from` up to the line that begins with `to`.
 std::string between(const std::string& text, const std::string& from, const std::string& to) {
     const std::size_t begin = text.find("\n" + from);
     const std::size_t end = text.find("\n" + to, begin + 1);
@@ -133,8 +133,8 @@ TEST(Cycle, LateInputsAreSampledInThePhasedGrainOnly) {
     const auto b = hand.input("b"), lamp = hand.input("lamp");
     const auto out2 = hand.output("OUT2");
     const auto memory = hand.variable("memory", Chart::VariableKind::Internal);
-    hand.while_active({1}, out2, hand.leaf(b));        // read by write()
-    hand.on_activation({1}, memory, hand.leaf(lamp));  // read by evolve()
+    hand.while_active({1}, out2, hand.leaf(b));        // write() reads this variable
+    hand.on_activation({1}, memory, hand.leaf(lamp));  // evolve() reads this variable
     const std::string text = network_text(composed(lone_controller(hand.chart)));
     EXPECT_NE(text.find("        b_sample := b\n        lamp_sample := lamp\n"), std::string::npos) << text;
     EXPECT_NE(text.find("        OUT2 := X_2 && b_sample\n        b_sample := false\n"), std::string::npos) << text;
@@ -145,7 +145,7 @@ TEST(Cycle, LateInputsAreSampledInThePhasedGrainOnly) {
 }
 
 TEST(Cycle, AStoredActionReadsTheInputAsTheTransitionSawIt) {
-    // The plant may move between the phases: the stored value is that of fire(), not that of evolve().
+    // The plant may move between the phases. The stored value is therefore that of fire(), not that of evolve().
     HandChart hand = small_chart();
     const auto memory = hand.variable("memory", Chart::VariableKind::Internal);
     hand.on_activation({1}, memory, hand.leaf({0}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Charts built in C++, for tests that vary the number of steps, and the composed loop of one controller.
+// Builds charts in C++ for tests that vary the number of steps, and composes the loop of one controller.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ struct HandChart {
     }
 };
 
-/// The network of the first loop of `model`.
+/// Returns the network of the first loop of `model`.
 inline Network composed(const Model& model, const ComposeOptions& options = {}) {
     Diagnostics diagnostics;
     const ClosedLoop& loop = model.loops[{0}];

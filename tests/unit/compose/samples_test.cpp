@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The published systems of CEP13 and ETFA12 in the reference semantics, complete and without each correction of the
-// method.
+// Tests the published systems of CEP13 and ETFA12 in the reference semantics, with the complete method and without each
+// correction.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace grafverif {
 namespace {
 
-/// The horizontal axis of the testing station, moved out and back by a push button.
+/// The horizontal axis of the testing station. A push button moves it out and back.
 constexpr const char* axis = R"(
     grafcet axis {
         input START, H_IN, H_MID, H_OUT;
@@ -33,7 +33,7 @@ constexpr const char* axis = R"(
         property safe: never H_G_OUT && H_G_IN;
     })";
 
-/// Every reachable state of a loop, with the queries of the tests.
+/// Every reachable state of a loop, and functions that query these states.
 struct Explored {
     Network network;
     NaiveTadd tadd;
@@ -49,7 +49,7 @@ struct Explored {
     }
     std::int64_t value(const TaddState& state, const char* name) const { return tadd.variable(state, name); }
 
-    /// `never` and `always`, evaluated in all states.
+    /// Evaluates `never` or `always` in all states.
     bool holds(const std::string& name) const {
         for (const Property& property : network.properties) {
             if (property.name != name) continue;
@@ -112,7 +112,8 @@ TEST(Flags, WithThemTimePassesInSomeStateAfterEveryState) {
     }
 }
 
-/// Step 0 is active, START is pressed, and the controller has no event that wakes it: CEP13 section 6.3.
+/// Returns the number of states in which step 0 is active, START is pressed, and no event wakes the controller: CEP13
+/// section 6.3.
 std::size_t sleeping(const Explored& loop) {
     return loop.count([&](const TaddState& state) {
         return loop.value(state, "X_0") == 1 && loop.value(state, "START") == 1 && loop.value(state, "EVOL_PL") == 0 &&

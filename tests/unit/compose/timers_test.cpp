@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Timers under transients: the pulse chart, and its behaviour with timers as published.
+// Tests timers under transients with the pulse chart, and shows its behaviour with timers as published.
 #include <gtest/gtest.h>
 
 #include "hand_chart.hpp"
@@ -8,7 +8,7 @@
 namespace grafverif {
 namespace {
 
-/// 1 -> 2 when 5s/X1; 2 -> 1 when true. One pulse every 5 s.
+/// A chart with the transitions 1 -> 2 when 5s/X1 and 2 -> 1 when true. It generates one pulse every 5 s.
 Model pulse() {
     HandChart hand("pulse");
     const auto one = hand.step("1", true), two = hand.step("2");
@@ -19,11 +19,11 @@ Model pulse() {
 
 struct History {
     int pulses = 0;
-    int units = 0;  ///< of time that passed
+    int units = 0;  ///< number of time units that passed
 };
 
-/// Runs the network, edges before time, until `units` have passed or `most_edges` are taken; counts the activations of
-/// 2.
+/// Runs the network, with edges before time, until `units` have passed or `most_edges` are taken. Counts the
+/// activations of step 2.
 History run(const Network& network, int units, int most_edges) {
     const NaiveTadd tadd(network);
     TaddState state = tadd.initial();
@@ -70,7 +70,7 @@ TEST(Timers, AStepThatIsLeftInTimeNeverEndsItsTimer) {
     ASSERT_EQ(network.time_unit_ms, 1000);
     Bench bench(network);
     const auto press = [&](std::int64_t value) {
-        bench.set("EVOL_PL", 1);  // the flag and the input change in one instant, as on an edge of a plant
+        bench.set("EVOL_PL", 1);  // the flag and the input change in the same instant, as on an edge of a plant
         bench.set("a", value);
         bench.set("EVOL_PL", 1);
     };

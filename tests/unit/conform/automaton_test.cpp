@@ -96,7 +96,7 @@ TEST(LocationAutomaton, KeepsStoredVariablesInItsLocations) {
         "1  {1}  L = 0  N = 0\n"
         "    -> 2 {2}  when a\n"
         "\n"
-        "2  {2}  L = 0  N = 1\n"  // L is stored with the old value of N
+        "2  {2}  L = 0  N = 1\n"  // L stores the old value of N
         "    -> 3 {1}  when not a\n"
         "\n"
         "3  {1}  L = 0  N = 1\n"
@@ -185,7 +185,7 @@ TEST(LocationAutomaton, TimersOfOneStepExpireInOrderOfDuration) {
         "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when 3s/X2 && !b; transition t2: 2 -> 4 when 5s/X2 && "
         "3s/X2;"
         "transition t3: 3 -> 1 when !a; transition t4: 4 -> 1 when !a;");
-    bool seen = false;  // 5s/X2 suffices
+    bool seen = false;  // 5s/X2 is sufficient
     for (const LocationAutomaton::Evolution& evolution : found.evolutions)
         seen = seen || condition_text(found, evolution.condition) == "a and b and 5s/X2";
     EXPECT_TRUE(seen) << told(found);
@@ -254,7 +254,7 @@ TEST(LocationAutomaton, EndsAtItsLimits) {
 }
 
 TEST(LocationAutomaton, ForgetsNoInstabilityThatStartsLate) {
-    // {1} is stable without a; with a the chart cycles 1 -> 2 -> 3 -> 2 -> ... forever.
+    // {1} is stable without a. With a the chart cycles 1 -> 2 -> 3 -> 2 -> ... forever.
     const LocationAutomaton found = automaton(
         "input a, b; output O; initial step 1; step 2 { O; } step 3;"
         "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when a && b; transition t2: 3 -> 2 when b;");

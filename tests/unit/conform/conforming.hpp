@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Converts charts to automata, machines and sequences, and these to text.
+// Converts charts to automata, machines and sequences, and converts these to text.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace grafverif {
 
 inline constexpr ExecutionMode search = ExecutionMode::StabilitySearch, every_cycle = ExecutionMode::EveryCycle;
 
-/// The chart of samples/tanks, with `more` declarations.
+/// Returns the chart of samples/tanks, with `more` declarations.
 inline std::string tanks(const std::string& more = {}) {
     return "input s, h1, h2, l1, l2; output V1, V2, W1, W2;" + more +
            "initial step 1; step 2 { V1; } step 3 { W1; } step 4; step 5 { V2; } step 6 { W2; } step 7;"
@@ -81,7 +81,7 @@ inline TestSequence test_of(const MealyMachine& machine, TestCover cover = TestC
     return std::move(*found);
 }
 
-/// The message of location_automaton for a chart that it rejects, with its code.
+/// Returns the message of location_automaton for a chart that it rejects, with its code.
 inline std::string refusal(const std::string& text, AutomatonOptions options = {}) {
     Diagnostics diagnostics;
     if (location_automaton(equations(text), options, diagnostics)) return "no error";

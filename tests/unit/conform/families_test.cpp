@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scaling families, with the counts that an implementation of the published method also gives.
+// Tests scaling families. The expected counts are those of an implementation of the published method.
 #include "families.hpp"
 
 #include "unit/conform/conforming.hpp"
@@ -7,7 +7,7 @@
 namespace grafverif {
 namespace {
 
-/// The declarations of the only chart of `text`, without its frame.
+/// Returns the declarations of the only chart of `text`, without its frame.
 std::string body(const std::string& text) {
     return text.substr(text.find('{') + 1, text.rfind('}') - text.find('{') - 1);
 }
@@ -21,7 +21,7 @@ TEST(Families, HaveTheCountsOfThePublishedMethod) {
     EXPECT_EQ(hierarchical.evolutions, 52'497U);
 }
 
-/// n^m.
+/// Returns n^m.
 std::uint64_t power(std::uint64_t n, std::uint64_t m) { return m == 0 ? 1 : n * power(n, m - 1); }
 
 TEST(Families, GrowAsTheirFormulasState) {

@@ -68,7 +68,8 @@ TEST(TestSequenceOfTanks, AppliesNoInputsThatAConstraintExcludes) {
         }
 }
 
-/// The pairs of a state and inputs covered by the steps of `test`, according to the machine's conditions.
+/// Returns the number of pairs of a state and inputs that the steps of `test` cover, according to the conditions of the
+/// machine.
 std::size_t crossed(const MealyMachine& machine, const TestSequence& test) {
     std::set<std::pair<std::uint32_t, std::vector<std::int64_t>>> pairs;
     for (const TestSequence::Sequence& sequence : test.sequences) {
@@ -128,13 +129,13 @@ TEST(TestSequence, OfAMachineWithoutPathBackRestartsFromPowerOn) {
         "input a, b; output O, P; initial step 1; step 2 { O; } step 3 { P; }"
         "transition t0: 1 -> 2 when a && !b; transition t1: 1 -> 3 when b;";
     const TestSequence test = test_of(machine(automaton(text)));
-    EXPECT_EQ(test.sequences.size(), 3U);  // a and not b, b, a and b leave {1}
+    EXPECT_EQ(test.sequences.size(), 3U);  // the inputs `a and not b`, `b`, and `a and b` leave {1}
     const std::string words = summary(test),
                       traps = words.substr(std::min(words.size(), words.find("; no transition")));
     EXPECT_TRUE(traps == "; no transition leads back from {2} and {3}" ||
                 traps == "; no transition leads back from {3} and {2}")
         << words;
-    EXPECT_EQ(step_count(test), 9U);  // 12 pairs, 3 of which are covered on arrival
+    EXPECT_EQ(step_count(test), 9U);  // 3 of the 12 pairs are covered on arrival
     EXPECT_TRUE(test.proven_least);
     EXPECT_EQ(disagreement(chart(text), test), std::nullopt);
 }
@@ -144,7 +145,7 @@ TEST(TestSequence, WaitsForTimersWithTheInputsHeld) {
         "input a; output O; initial step 1; step 2 { O; }"
         "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when 3s/X2 && !a;";
     const MealyMachine found = machine(automaton(text));
-    ASSERT_EQ(found.states.size(), 3U);  // {1}, {2} before the timer expires, {2} after that
+    ASSERT_EQ(found.states.size(), 3U);  // the states are {1}, {2} before the timer expires, and {2} after that
     const TestSequence test = test_of(found);
     EXPECT_EQ(disagreement(chart(text), test), std::nullopt);
     bool waits = false;
@@ -176,7 +177,7 @@ TEST(TestSequence, OfAFallTimeSeesItRunAndEnd) {
               "1,1,,2,1,1,{1}\n"
               "1,2,,2,0,1,{1}\n"
               "1,3,,2,1,1,{1}\n"
-              "1,4,2s,2,1,1,{1}\n"  // a lasts longer than the running fall time
+              "1,4,2s,2,1,1,{1}\n"  // a is true for longer than the fall time that is running
               "1,5,,2,0,1,{1}\n"
               "1,6,,2,1,1,{1}\n"
               "1,7,,2,0,1,{1}\n"
@@ -204,7 +205,7 @@ TEST(MealyMachine, IsMinimizedByItsOutputs) {
                           "transition t2: 3 -> 4 when a; transition t3: 4 -> 1 when !a;"));
     EXPECT_EQ(found.states.size(), 4U);
     const MealyMachine smallest = least(found);
-    ASSERT_EQ(smallest.states.size(), 1U);  // O is a
+    ASSERT_EQ(smallest.states.size(), 1U);  // the value of O is the value of a
     EXPECT_EQ(smallest.states[smallest.initial].situation, "{1} or {2} or {3} or {4}");
     EXPECT_EQ(least(machine(automaton(tanks()))).states.size(), 9U);
 }
@@ -222,7 +223,7 @@ TEST(MealyMachine, IsMinimisedWithinItsBounds) {
 }
 
 TEST(TestSequence, OfAMinimizedMachineHoldsInputsOnlyIfTheOutputIsUnchanged) {
-    // {1} has the outputs of {1,2} in the following cycle: one state, which is entered with another output.
+    // {1} has the outputs of {1,2} in the following cycle. The two are one state, which is entered with another output.
     const std::string text =
         "input a; output O, P; initial step 2 { O; } initial step 1 { P; } transition t0: 2 -> 1 when true;"
         "step 3; transition t1: 3 -> when fall(a);";

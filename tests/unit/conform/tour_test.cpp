@@ -22,9 +22,10 @@ TourArc arc(std::uint32_t from, std::uint32_t to) {
     return result;
 }
 
-/// The least number of arcs that cover all arcs, found by exhaustive search; several sequences if `restarts`.
+/// Returns the least number of arcs of a tour that covers all arcs, found by exhaustive search. If `restarts`, the tour
+/// may consist of several sequences.
 std::uint64_t tried_length(std::uint32_t start, const std::vector<TourArc>& arcs, bool restarts) {
-    using Situation = std::pair<std::uint32_t, std::uint32_t>;  // node, arcs covered
+    using Situation = std::pair<std::uint32_t, std::uint32_t>;  // pair of the current node and the set of covered arcs
     std::map<Situation, std::uint64_t> length{{{start, 0}, 0}};
     std::deque<Situation> open{{start, 0}};
     const std::uint32_t all = (1U << arcs.size()) - 1;
@@ -46,7 +47,7 @@ std::uint64_t tried_length(std::uint32_t start, const std::vector<TourArc>& arcs
     return 0;
 }
 
-/// A few arcs, all of them reachable from node 0.
+/// Returns a few arcs, all of which are reachable from node 0.
 std::vector<TourArc> random_arcs(Random& random, std::uint32_t nodes) {
     std::vector<TourArc> arcs;
     std::vector<std::uint32_t> reached{0};
@@ -60,7 +61,7 @@ std::vector<TourArc> random_arcs(Random& random, std::uint32_t nodes) {
     return arcs;
 }
 
-/// Nodes numbered consecutively.
+/// Numbers the nodes consecutively.
 std::uint32_t renumbered(std::vector<TourArc>& arcs) {
     std::map<std::uint32_t, std::uint32_t> number{{0, 0}};
     for (TourArc& one : arcs)

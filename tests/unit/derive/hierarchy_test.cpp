@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hierarchy in the equations: macro-steps, enclosing steps, forcing orders.
+// Tests hierarchy in the equations: macro-steps, enclosing steps, forcing orders.
 #include <gtest/gtest.h>
 
 #include <sstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Explanations of violated properties in reports.
+// Tests explanations of violated properties in reports.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 namespace grafverif {
 namespace {
 
-/// The report on a loop of one chart, whose inputs are buttons and whose outputs are lamps.
+/// Returns the report on a loop of one chart, whose inputs are buttons and whose outputs are lamps.
 Report report_of(const std::string& chart, const std::string& properties, Grain grain = Grain::Phased) {
     ParseResult reading = read_string(
         chart + " closed_loop requested { controller c; environment A = push_button(OUT = a); " + properties + " }\n",
@@ -26,7 +26,7 @@ Report report_of(const std::string& chart, const std::string& properties, Grain 
     return report.value_or(Report{});
 }
 
-/// The report for the chart with free inputs.
+/// Returns the report for the chart with free inputs.
 Report untimed_report_of(const std::string& chart, const std::string& properties,
                          PlantApproach plant = PlantApproach::None) {
     ParseResult reading = read_string(
@@ -135,7 +135,7 @@ TEST(Explain, TimelockNamesEveryInstanceAndInvariantThatBlockTime) {
     ASSERT_TRUE(report) << reading.diagnostics_text();
     EXPECT_EQ(notes(*report, "time"), blocked_belts);
     EXPECT_NE(json_of(*report).find("invariant `t <= 2s`"), std::string::npos);
-    // The input abstraction and the complete search report the same.
+    // The input abstraction and the complete search report the same explanation.
     const auto whole = check(*reading.model, {0}, {}, {.whole = true}, reading.diagnostics);
     ASSERT_TRUE(whole);
     EXPECT_EQ(notes(*whole, "time"), blocked_belts);
@@ -268,7 +268,7 @@ TEST(Explain, DeadTransitionsAfterThePointOfNoReturnAreNamed) {
     const Report report =
         report_of(trap, "property again: always possible X1; property other: always possible X0 || X3;");
     EXPECT_EQ(answer(report, "again").verdict.outcome, Outcome::Violated);
-    // At its end `trap` is about to be cleared, and step 0 is still active.
+    // `trap` is about to be cleared at the end of the run, and step 0 is still active.
     EXPECT_EQ(notes(report, "again"),
               "after this trace, these transitions are never cleared again: go, back (X1 stays false), on (X1 stays "
               "false), wait (armed stays false)\n");
@@ -309,7 +309,7 @@ TEST(Explain, FreeInputChangesOfTheShortestChangeAreNamedOneByOne) {
         std::string::npos)
         << text;
     EXPECT_NE(json_of(report).find(R"("left_out_values": [)"), std::string::npos);
-    // A timer expiry is shown when it has occurred.
+    // A timer expiry is shown once it has occurred.
     const ChartRun& late = answer(report, "short").trace.value();
     ASSERT_EQ(late.counterfactual_values.size(), 1U);
     EXPECT_TRUE(late.counterfactual_values[0].timer.valid());
@@ -357,7 +357,7 @@ TEST(Explain, TheEndOfATimeIsACauseAsConditionsWriteIt) {
         EXPECT_EQ(run.timers[time->timer].rise_ms, 3000);
         EXPECT_NE(text_of(report).find("3s/X1"), std::string::npos);
         EXPECT_NE(json_of(report).find(R"("words": "3s/X1")"), std::string::npos);
-        // The time of a longer term has no name.
+        // The time of a longer term has no name, so that the causes are not exact.
         EXPECT_FALSE(answer(report, "longer").trace.value().causes_exact);
     }
 }
@@ -398,7 +398,7 @@ TEST(Explain, TheChangeThatAChartAloneBecomesStableWithoutIsNamed) {
     EXPECT_NE(text_of(*report).find("the property holds along the run\n"), std::string::npos) << text_of(*report);
 }
 
-/// Omitted moves without which the property holds.
+/// Returns the elements that the property needs.
 std::string needing(const ProofExplanation& why, const std::string& property) {
     std::string text;
     for (const ProofExplanation::ModelElement& thing : why.things)
@@ -429,7 +429,7 @@ TEST(Explain, ProofWithoutAssumptionsHasAnEmptyCore) {
                                     [](const ProofExplanation::ModelElement& thing) { return thing.open.empty(); }));
 }
 
-/// The explanations for a chart with a button and a lift, whose door is monitored.
+/// Returns the explanations for a chart with a button and a lift, whose door is monitored.
 ProofExplanation why_of_lift(const std::string& chart, const std::string& properties, ParseResult& reading) {
     reading = read_string(chart + R"(
 component lift(input UP; output TOP; TRAVEL = 2s) {
@@ -503,8 +503,8 @@ closed_loop requested {
     const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
     const ProofExplanation why = why_it_holds(*reading.model, {0}, {}, {}, report.value());
     ASSERT_EQ(why.grounds.size(), 2U);
-    EXPECT_EQ(needing(why, "full"), "term a of t0; edge here -> here of Low; ");  // without it the chart never
-                                                                                  // stabilizes
+    // Without edge `here -> here` the chart never stabilizes.
+    EXPECT_EQ(needing(why, "full"), "term a of t0; edge here -> here of Low; ");
     EXPECT_EQ(needing(why, "filled"), "guard here -> here of Low; ");
 }
 
@@ -522,7 +522,7 @@ TEST(Explain, UntriedElementsAreOmittedAtTheTimeLimit) {
     EXPECT_EQ(why.grounds[0].open, std::vector<std::string>{"all other parts"});
     EXPECT_FALSE(why.things.empty());
     for (const ProofExplanation::ModelElement& thing : why.things) {
-        // Without an edge that is not forced there is no new behaviour, so no search is needed.
+        // The removal of an edge that is not forced adds no behaviour, so that no search is needed.
         if (thing.kind == ProofExplanation::Kind::Edge) EXPECT_EQ(thing.open, std::vector<std::string>{}) << thing.name;
         else EXPECT_EQ(thing.open, std::vector<std::string>{"apart"}) << thing.name;
     }

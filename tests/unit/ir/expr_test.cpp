@@ -138,7 +138,7 @@ TEST(Evaluate, FollowsEveryOperator) {
         Id<Expr> term;
         std::int64_t expected;
     };
-    const std::vector<std::int64_t> values{1, 0, 7};  // a, b, c
+    const std::vector<std::int64_t> values{1, 0, 7};  // the values of a, b and c
     for (const Case& one : std::vector<Case>{
              {e.conjunction(t.a, t.b), 0},
              {e.disjunction(t.a, t.b), 1},

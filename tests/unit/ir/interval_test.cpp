@@ -12,7 +12,7 @@
 namespace grafverif {
 namespace {
 
-/// IntegerTerms over some integers, whose ranges and constants are small, near 32 bits, or beyond.
+/// Generates integer terms over some integers, whose ranges and constants are small, near 32 bits, or beyond.
 struct IntegerTerms {
     Exprs exprs = {};
     std::vector<Type> types = {};
@@ -43,7 +43,7 @@ Id<Expr> random_term(IntegerTerms& terms, Random& random, int depth) {
     }
 }
 
-/// The result of a program that truncates each value to 32 bits.
+/// Returns the result of a program that truncates each value to 32 bits.
 std::int64_t computed_with_32_bits(const Exprs& exprs, Id<Expr> term, const std::vector<std::int64_t>& values) {
     const Expr& node = exprs[term];
     const auto of = [&](std::size_t k) { return computed_with_32_bits(exprs, exprs.operands(term)[k], values); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// verify detects malformed charts, components and closed loops.
+// Tests that verify detects malformed charts, components and closed loops.
 #include <gtest/gtest.h>
 
 #include <functional>

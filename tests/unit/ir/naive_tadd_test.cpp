@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The reference semantics on the small examples of CEP13 section 2; all other components are compared with it.
+// Tests the reference semantics on the small examples of CEP13 section 2. Other tests compare all other components with
+// it.
 #include "support/naive_tadd.hpp"
 
 #include <gtest/gtest.h>
@@ -7,7 +8,7 @@
 namespace grafverif {
 namespace {
 
-/// CEP13 Fig. 4: A -> B urgent, A -> C sets a; 1 -> 2 at T = 2, 1 -> 3 when a; invariant of 1: T <= 2.
+/// The network of CEP13 Fig. 4: A -> B urgent, A -> C sets a; 1 -> 2 at T = 2, 1 -> 3 when a; invariant of 1: T <= 2.
 Network figure_4() {
     Network network;
     const auto a = network.variables.add({.name = "a"});
@@ -47,7 +48,7 @@ TEST(NaiveTadd, AnUrgentEdgeForbidsTimeToPassAndOtherEdgesMayStillFire) {
 TEST(NaiveTadd, AnInvariantForcesAnEdgeWhenItsTimeHasCome) {
     const Network network = figure_4();
     const NaiveTadd tadd(network);
-    TaddState state = tadd.successors(tadd.initial())[1].next;  // (C, 1), a
+    TaddState state = tadd.successors(tadd.initial())[1].next;  // the locations are (C, 1), and a is true
     for (int unit = 0; unit < 2; ++unit) {
         const std::vector<TaddMove> moves = tadd.successors(state);
         ASSERT_EQ(moves.size(), 2U) << "1 -> 3, or wait";
@@ -67,7 +68,7 @@ TEST(NaiveTadd, TheTargetInvariantOfAnUrgentEdgeIsTestedAfterItsResets) {
     right.edges[{1}].urgent = true;
     right.edges[{1}].resets = {{0}};
     const NaiveTadd tadd(network);
-    TaddState state = tadd.successors(tadd.initial())[1].next;  // (C, 1), a
+    TaddState state = tadd.successors(tadd.initial())[1].next;  // the locations are (C, 1), and a is true
     state.clocks[0] = 1;
     EXPECT_TRUE(tadd.urgent_enabled(state)) << "equations (7) and (9) as printed would let time pass here";
 }

@@ -14,7 +14,7 @@
 namespace grafverif {
 namespace {
 
-/// One template with a parameter of each kind and a clock, one process of it.
+/// One template with a parameter of each kind and a clock, and one process of that template.
 Network small_network() {
     Network network;
     const auto go = network.variables.add({.name = "go"});
@@ -117,7 +117,7 @@ TEST(Network, AnUrgentEdgeKeepsTheInvariantOfItsTarget) {
         const char* what;
         bool resets;
         Op relation;
-        int source_bound;  // -1: none
+        int source_bound;  // -1 means that there is no bound
         bool kept;
     };
     for (const Case& c :

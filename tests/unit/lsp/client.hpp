@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A client of the language server in the same process: sends messages in arbitrary pieces and receives the responses.
+// A client of the language server in the same process. It sends messages in arbitrary pieces and receives the
+// responses.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ namespace grafverif::lsp {
 
 using Json = nlohmann::json;
 
-/// The address of a text that is not on disk.
+/// The URI of a text that is not on disk.
 inline constexpr const char* address = "file:///nowhere/a.grafcet";
 
 class Client {
@@ -53,7 +54,7 @@ public:
         gone_ = true;
         wake_.notify_all();
     }
-    /// Waits for the end of the stream.
+    /// Waits until the stream ends.
     Ending ending() {
         std::unique_lock hold(door_);
         wake_.wait_for(hold, patience, [this] { return ending_.has_value(); });
@@ -70,7 +71,7 @@ public:
         send({{"jsonrpc", "2.0"}, {"id", ++last_}, {"method", method}, {"params", params}});
         return last_;
     }
-    /// The complete response to the request of that id.
+    /// Returns the complete response to the request with that id.
     Json answer(const Json& id) {
         return wait([&](const Json& message) {
             return !message.contains("method") && message.contains("id") && message["id"] == id;
@@ -81,14 +82,14 @@ public:
         EXPECT_TRUE(whole.contains("result")) << method << ' ' << whole;
         return whole.value("result", Json());
     }
-    /// The next notification of that kind that satisfies `that`; discards the ones before it.
+    /// Returns the next notification of that kind that satisfies `that`, and discards the ones before it.
     template <class That>
     Json next(const std::string& method, That that) {
         return wait([&](const Json& message) {
             return message.value("method", "") == method && that(message["params"]);
         })["params"];
     }
-    /// The next complete request of that kind from the server.
+    /// Returns the next complete request of that kind from the server.
     Json request(const std::string& method) {
         return wait(
             [&](const Json& message) { return message.value("method", "") == method && message.contains("id"); });
@@ -115,7 +116,7 @@ public:
         notify("textDocument/didChange", {{"textDocument", {{"uri", uri}, {"version", version}}},
                                           {"contentChanges", Json::array({{{"text", text}}})}});
     }
-    /// The next diagnostics of `uri`, of that version or any.
+    /// Returns the next diagnostics of `uri`, of the given version or of any.
     Json diagnostics(const std::string& uri, int version = 0) {
         return next("textDocument/publishDiagnostics", [&](const Json& params) {
             return params["uri"] == uri && (version == 0 || params.value("version", 0) == version);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Diagnostics while a text is edited, and their quick fixes.
+// Tests diagnostics while a text is edited, and their quick fixes.
 #include "unit/lsp/client.hpp"
 
 namespace grafverif::lsp {
@@ -19,7 +19,7 @@ TEST(LspText, CountsUnitsOfUtf16) {
     EXPECT_EQ(text.lines(), 4U);
     EXPECT_EQ(text.position(7), (Position{0, 4}));
     EXPECT_EQ(text.offset({0, 4}), 7U);
-    EXPECT_EQ(text.offset({0, 3}), 3U);  // inside a character: its beginning
+    EXPECT_EQ(text.offset({0, 3}), 3U);  // a column inside a character means its beginning
     EXPECT_EQ(text.offset({0, 99}), 8U);
     EXPECT_EQ(text.offset({1, 0}), 10U);
     EXPECT_EQ(text.position(12), (Position{2, 0}));
@@ -55,7 +55,7 @@ TEST(LspText, CountsEquallyInLongLines) {
 TEST(LspText, IsChangedInPlaces) {
     EXPECT_EQ(changed(Text("one\ntwo\n"), {Range{{1, 0}, {1, 3}}, "drei"}), "one\ndrei\n");
     EXPECT_EQ(changed(Text("one"), {Range{{5, 0}, {9, 9}}, "!"}), "one!");
-    EXPECT_EQ(changed(Text("one"), {Range{{0, 2}, {0, 1}}, "-"}), "on-e");  // reversed range: no effect
+    EXPECT_EQ(changed(Text("one"), {Range{{0, 2}, {0, 1}}, "-"}), "on-e");  // a reversed range has no effect
     EXPECT_EQ(changed(Text("one"), {{}, "two"}), "two");
 }
 
@@ -146,7 +146,7 @@ TEST(LspDiagnostics, IncludeAllFilesThatIncludeAnOpenDocument) {
     client.retype(folder.uri("part.grafcet"), 2, "component lever(output OUT) {\n    initial location off;\n}\n");
     EXPECT_EQ(client.diagnostics(folder.uri("main.grafcet")), Json::array());
 
-    // Files on disk are read again when they change; the open text is unchanged.
+    // The server reads files on disk again when they change. The open text is unchanged.
     folder.write("part.grafcet", "nonsense");
     folder.write("main.grafcet", "include \"part.grafcet\";\ngrafcet g {\n}\n");
     EXPECT_EQ(codes(client.diagnostics(folder.uri("main.grafcet"))), Codes{"empty-chart"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Unreadable documents and folders: the server continues, and a failure is a diagnostic of its document.
+// Tests unreadable documents and folders. The server continues, and a failure becomes a diagnostic of its document.
 #include "unit/lsp/client.hpp"
 
 namespace grafverif::lsp {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Requests about names and locations in complete and incomplete texts.
+// Tests requests about names and locations in complete and incomplete texts.
 #include "unit/lsp/client.hpp"
 
 namespace grafverif::lsp {
@@ -90,7 +90,7 @@ TEST(LspNames, LeadToTheirDeclarationAcrossIncludes) {
     EXPECT_EQ(line(with(loop, "X1 leads", "X@1 leads")), "press.grafcet:6");
     EXPECT_EQ(line(with(loop, "N == 1", "N@ == 1")), "press.grafcet:4");
     EXPECT_EQ(line(with(loop, "plant Lamp", "plant La@mp")), "loop.grafcet:3");
-    EXPECT_EQ(line(with(loop, "= lamp(", "= la@mp(")), "none");  // of the library
+    EXPECT_EQ(line(with(loop, "= lamp(", "= la@mp(")), "none");  // the library declares this component
 }
 
 TEST(LspNames, AreFoundInHalfAText) {

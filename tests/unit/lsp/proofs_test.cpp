@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Background checks, and how their results are reported.
+// Tests background checks, and how the server reports their results.
 #include <sstream>
 
 #include "grafverif/grafverif.hpp"
@@ -116,7 +116,7 @@ TEST(LspProofs, ReportErrorsOfTheDerivedModels) {
 }
 
 TEST(LspProofs, AreCancelledByTheNextChange) {
-    // A long search: many timers, each at an arbitrary time.
+    // The search takes long, because the chart has many timers that start at arbitrary times.
     std::string chart = "grafcet long {\n    input A", steps, environment;
     for (int k = 0; k < 12; ++k) {
         chart += ", I" + std::to_string(k);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The life cycle of a session, and invalid messages.
+// Tests the life cycle of a session, and invalid messages.
 #include <random>
 
 #include "unit/lsp/client.hpp"
@@ -116,7 +116,7 @@ TEST(LspServer, AnswersARequestThatIsCancelledInTime) {
     client.write(bytes);
     for (int id = 5000; id < 5199; ++id) client.answer(id);
     const int code = code_of(client.answer(5199));
-    EXPECT_TRUE(code == -32800 || code == -32602) << code;  // it may have been done before
+    EXPECT_TRUE(code == -32800 || code == -32602) << code;  // the server may have answered the request before
 }
 
 TEST(LspServer, AcceptsMessagesSplitAnywhere) {
@@ -158,7 +158,7 @@ TEST(LspServer, LivesThroughDamagedStreams) {
         client.write(bytes + "\n\n" + std::string(400, ' ') + "\n");
         client.write(framed(R"({"id": "alive", "method": "no/such"})"));
         client.write(framed(R"({"id": "alive", "method": "no/such"})"));
-        client.hang_up();  // if a damaged header swallows the rest, it ends nevertheless
+        client.hang_up();  // a damaged header may hide the rest, but the session ends nevertheless
         EXPECT_EQ(client.ending(), Ending::Gone) << round;
     }
 }

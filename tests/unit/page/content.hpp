@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page of a text, generated through the public API as `report` does, and parts of it.
+// Generates the page of a text through the public API, as `report` does, and extracts parts of it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,14 +14,14 @@
 
 namespace grafverif {
 
-/// The parse result outlives the page.
+/// A page, with the parse result, which must outlive it.
 struct Made {
     ParseResult reading = {};
     std::string page = {};
     nlohmann::json data = {};
 };
 
-/// The part of `text` between the first `begin` and the next `end`.
+/// Returns the part of `text` between the first `begin` and the next `end`.
 inline std::string between(const std::string& text, const std::string& begin, const std::string& end) {
     const std::size_t from = text.find(begin);
     if (from == std::string::npos) return {};
@@ -66,7 +66,7 @@ inline Made page_of_text(const std::string& text, const std::string& name = "tes
     return made;
 }
 
-/// A button starts a motor; a violated property states that after a second press the motor never runs.
+/// A button starts a motor. A violated property states that the motor never runs after a second press.
 inline const std::string press = R"(
 grafcet press {
     input START, DONE;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The public API of the library, used with its header alone.
+// Tests the public API of the library, with no other header.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -101,7 +101,7 @@ closed_loop park {
             EXPECT_EQ(outcome(*report, name), Outcome::Holds) << name;
         EXPECT_EQ(outcome(*report, "stays"), Outcome::Violated);
     }
-    const auto alone = check_untimed(*reading.model, park, {}, {}, diagnostics);  // it has no plant
+    const auto alone = check_untimed(*reading.model, park, {}, {}, diagnostics);  // this check is without a plant
     ASSERT_TRUE(alone);
     EXPECT_EQ(outcome(*alone, "moves"), Outcome::Unknown);
 }
@@ -170,14 +170,14 @@ TEST(PublicApi, CounterexamplesExplainTheirSentence) {
         one.properties = {property};
         const auto report = check(*reading.model, Id<ClosedLoop>{0}, {}, one, diagnostics);
         ASSERT_TRUE(report);
-        ASSERT_EQ(report->answers.size(), 2U);  // and the search for timelocks
+        ASSERT_EQ(report->answers.size(), 2U);  // the second answer is that of the search for timelocks
         ASSERT_FALSE(report->answers[0].verdict.notes.empty());
         EXPECT_EQ(report->answers[0].verdict.notes[0], words);
         EXPECT_EQ(report->answers[1].verdict.property, "no_timelock");
     }
 }
 
-/// Every form of docs/reference/properties.md, violated.
+/// A chart that violates a property of every form of docs/reference/properties.md.
 const std::string forms = R"(grafcet chart {
     input BUTTON;
     output LAMP;
@@ -336,7 +336,7 @@ TEST(PublicApi, ProgressCallbackMayEndTheWork) {
     std::atomic<bool> stop = false;
     std::string words;
     CheckOptions options;
-    options.jobs = 1;  // otherwise the engines may end before the callback's request reaches them
+    options.jobs = 1;  // with several threads the engines might end before the request of the callback reaches them
     options.limits.stop = &stop;
     options.limits.progress = [&](const Progress& now) {
         words = now.words();

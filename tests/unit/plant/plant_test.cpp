@@ -16,7 +16,8 @@ namespace {
 using ParameterKind = Component::ParameterKind;
 using ValueKind = Component::ValueKind;
 
-/// Moves X out by D every STEP while G is true; the last step is limited. Counts its strokes.
+/// A component that moves X out by D every STEP while G is true. The last step is limited to the end of the range. It
+/// counts its strokes.
 Component cylinder() {
     ComponentBuilder build{{.name = "cylinder"}};
     Exprs& exprs = build.component.exprs;
@@ -46,7 +47,7 @@ Component cylinder() {
     return std::move(build.component);
 }
 
-/// MID while LOW <= X <= HIGH; starts in `mid` with MID true, or in `off`.
+/// A component whose MID is true while LOW <= X <= HIGH. It starts in `mid` with MID true, or in `off`.
 Component sensor() {
     ComponentBuilder build{{.name = "sensor"}};
     Exprs& exprs = build.component.exprs;
@@ -63,7 +64,7 @@ Component sensor() {
     return std::move(build.component);
 }
 
-/// Two cylinders of different length and a sensor on the first.
+/// Two cylinders of different length, and a sensor on the first one.
 struct Station {
     Model model = {};
     ClosedLoop loop = {};
@@ -192,7 +193,7 @@ TEST(Plant, TheDurationThatMakesTheUnitFineIsFound) {
         EXPECT_EQ(found->duration_ms, c.duration);
         EXPECT_EQ(found->coarser_ms, c.coarser);
         EXPECT_EQ(found->unit_ms, station.build().value().time_unit_ms);
-        // the constraint itself: without it the unit is the coarser one
+        // Without the constraint itself, the time unit is coarser.
         for (const std::uint32_t cylinder : {0U, 1U})
             if (std::get<std::int64_t>(station[cylinder].arguments[4]) == c.duration)
                 station[cylinder].arguments[4] = c.coarser;

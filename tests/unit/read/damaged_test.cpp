@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Damaged files of other formats: truncated or with changed bytes at any position. The reader never crashes; a rejected
-// file has an error, and an accepted one can be written and read back.
+// Tests damaged files of other formats, which are truncated or have changed bytes at any position. The reader never
+// crashes. A rejected file has an error, and an accepted file can be written and read back.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -31,7 +31,7 @@ void check_damaged(const std::string& text, bool lossy) {
     const auto model = read_text(source, sources, context, diagnostics);
     ASSERT_EQ(model.has_value(), !diagnostics.has_errors()) << text;
     std::ostringstream said;
-    render_text(diagnostics.all(), sources, Colour::Plain, said);  // every location can be shown
+    render_text(diagnostics.all(), sources, Colour::Plain, said);  // this displays every location
     if (!model) return;
     ASSERT_EQ(verify(*model), std::vector<std::string>{}) << text;
     Diagnostics none;

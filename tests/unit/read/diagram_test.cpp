@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ladder diagrams and function block diagrams of PLCopen XML as programs: the order of evaluation, edges, latches,
-// calls, and diagnostics of what is not accepted.
+// Tests ladder diagrams and function block diagrams of PLCopen XML as programs: the order of evaluation, edges,
+// latches, calls, and diagnostics of rejected elements.
 #include <gtest/gtest.h>
 
 #include <string>

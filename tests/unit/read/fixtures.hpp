@@ -6,7 +6,8 @@
 
 namespace grafverif::fixtures {
 
-/// Macro-steps, enclosing steps, forcing orders, synchronizations, times, every kind of action and term.
+/// A chart with macro-steps, enclosing steps, forcing orders, synchronizations, times, and every kind of action and
+/// term.
 inline const std::string agrafe = R"(<?xml version="1.0" encoding="UTF-8"?>
 <g:Grafcet xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns:g="platform:/plugin/org.eclipse.gmf.grafcet/model/grafcet.ecore" xmlns:t="platform:/plugin/org.eclipse.gmf.grafcet/model/terms.ecore" name="all">
   <variableDeclarationContainer>
@@ -92,7 +93,8 @@ inline const std::string agrafe_text = R"(grafcet all {
 }
 )";
 
-/// The dialect of CODESYS: connected conditions, actions of steps by their GUIDs; branches with a jump.
+/// A chart in the dialect of CODESYS, which has connected conditions, refers to actions of steps by their GUIDs, and
+/// has branches with a jump.
 inline const std::string plcopen = R"(<?xml version="1.0" encoding="utf-8"?>
 <project xmlns="http://www.plcopen.org/xml/tc6_0200">
   <types><pous><pou name="press" pouType="program">

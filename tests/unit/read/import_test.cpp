@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Charts of other formats: their translation as text, and its equivalence to the original chart.
+// Tests charts of other formats: their translation to text, and its equivalence to the original chart.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -18,7 +18,7 @@ struct Imported {
     std::string text = {}, said = {};
 };
 
-/// The text of an imported chart; checks that it is read back as the same model.
+/// Returns the text of an imported chart. Checks that it is read back as the same model.
 Imported imported(const std::string& written, bool lossy = false) {
     Sources sources;
     Diagnostics diagnostics;
@@ -159,7 +159,7 @@ TEST(Import, ImportsTextualChartsWithTheirActionBlocks) {
     EXPECT_NE(result.said.find("R of `lamp`"), std::string::npos) << result.said;
 }
 
-/// A chart of two steps in PLCopen XML whose first transition gets its condition from the element 9 of `network`.
+/// Returns a chart of two steps in PLCopen XML whose first transition gets its condition from element 9 of `network`.
 std::string connected(const std::string& network) {
     return R"(<project><pou name="p" pouType="program"><interface><inputVars>
 <variable name="a"><type><BOOL/></type></variable><variable name="b"><type><BOOL/></type></variable></inputVars>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sequential Function Charts as bodies of programs: qualifiers scan by scan, evolution, and diagnostics.
+// Tests Sequential Function Charts as bodies of programs: qualifiers scan by scan, evolution, and diagnostics.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -8,7 +8,8 @@
 namespace grafverif {
 namespace {
 
-/// Step S1 is active while `a` is true. `v` is a Boolean variable, `count` an action that increments `n`.
+/// Returns a chart in which step S1 is active while `a` is true. `v` is a Boolean variable, and `count` is an action
+/// that increments `n`.
 std::string two_steps(const std::string& first, const std::string& second) {
     return fmt::format(
         "PROGRAM p VAR_INPUT a : BOOL; END_VAR VAR v : BOOL; n : INT; END_VAR\n"
@@ -100,10 +101,11 @@ TEST(ProgramChart, ReportsAllErrorsOfItsStructure) {
               "15:8 duplicate-name\n5:26 not-in-program\n6:2 not-in-program\n7:2 not-in-program\n8:10 not-in-program\n"
               "9:2 not-in-program\n");
     EXPECT_EQ(ReadProgram("PROGRAM p VAR v : BOOL; END_VAR\nSTEP S0: v(N); END_STEP\nEND_PROGRAM").codes(),
-              "2:1 not-in-program\n");  // no initial step
+              "2:1 not-in-program\n");  // the chart has no initial step
 }
 
-/// A chart in PLCopen XML; `action`: the attributes and content of an action, `step`: content of its step.
+/// Returns a chart in PLCopen XML. `action` contains the attributes and content of an action, and `step` contains the
+/// content of its step.
 std::string drawn_chart(const std::string& action, const std::string& step = "") {
     return "<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\"><types><dataTypes/><pous><pou name=\"p\" "
            "pouType=\"program\"><interface><inputVars><variable name=\"a\"><type><BOOL/></type></variable></inputVars>"
@@ -166,7 +168,7 @@ TEST(ProgramChart, RejectsChartsWhoseStepsMayBeActivatedTwice) {
                     "END_PROGRAM")
             .codes(),
         "5:1 not-in-program\n6:1 not-in-program\n");
-    std::string steps, all, transitions;  // 2^15 situations
+    std::string steps, all, transitions;  // the chart has 2^15 situations
     for (int i = 0; i < 15; ++i) {
         steps += fmt::format("STEP A{0}: END_STEP STEP B{0}: END_STEP\n", i);
         all += fmt::format("{}A{}", i == 0 ? "" : ", ", i);

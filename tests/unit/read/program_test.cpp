@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PLC programs: values scan by scan, standard blocks, and diagnostics of what is not accepted.
+// Tests PLC programs: values scan by scan, standard blocks, and diagnostics of rejected elements.
 #include "read/program/program.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PLC programs of tests: their diagnostics, and the values of a variable scan by scan.
+// Reads PLC programs for tests, and returns their diagnostics and the values of a variable scan by scan.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,7 @@ struct ReadProgram {
     }
 };
 
-/// The values of `variable` after each scan, with one input per scan.
+/// Returns the values of `variable` after each scan, with one input for each scan.
 inline std::string values(const std::string& program, const std::string& variable,
                           const std::vector<std::vector<std::int64_t>>& inputs, std::int64_t elapsed = 10) {
     const ReadProgram reading(program);

@@ -27,7 +27,7 @@ struct Dice {
 
 std::string number(std::size_t n) { return std::to_string(n); }
 
-/// Comments whose careless translation would contain chart elements.
+/// Comments that a careless translation would turn into chart elements.
 constexpr std::array comments = {"plain", "two\nlines", "a return\rgrafcet intruder {", "*/ } // grafcet", "\xC3\xBC",
                                  "",      " \t "};
 
@@ -129,7 +129,8 @@ private:
         const std::string head = "    <actionTypes id=\"" + number(id) + "\" xsi:type=\"g:";
         const std::size_t kind = dice_.below(10);
         if (kind < 4) {
-            static constexpr std::array driven = {3, 4, 6, 3, 4, 6, 0, 5};  // rarely an input, an integer
+            // Indices of the variables that actions write; an input or an integer is rare.
+            static constexpr std::array driven = {3, 4, 6, 3, 4, 6, 0, 5};
             const bool conditional = dice_.often(40);
             return head + "ContinuousAction\"" + (conditional ? " continuousActionType=\"assignationCondition\"" : "") +
                    time({"timeDelayed", "timeLimited"}) + "><variable " +
@@ -201,7 +202,7 @@ private:
 // -- Sequential Function Charts
 // -----------------------------------------------------------------------------------------
 
-/// Common parts of the textual form and PLCopen XML.
+/// Generates the parts that the textual form and PLCopen XML have in common.
 class SfcParts {
 public:
     explicit SfcParts(FileRandom& random) : dice{random} {}
@@ -236,7 +237,7 @@ public:
         return dice.pick(all);
     }
     static bool is_timed(const std::string& qualifier) { return qualifier.find_first_of("DL") != std::string::npos; }
-    /// The Boolean variables, and the action `work`.
+    /// Writes the Boolean variables and the action `work`.
     std::string acted() {
         static constexpr std::array all = {"lamp", "motor", "horn", "m", "lamp", "motor", "work"};
         return dice.pick(all);

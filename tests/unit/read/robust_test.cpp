@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Damaged texts: truncated or with changed bytes at any position. The reader never crashes, and a rejected text has an
-// error. Generated charts: their printed text is read back unchanged.
+// Tests damaged texts, which are truncated or have changed bytes at any position. The reader never crashes, and a
+// rejected text has an error. The printed text of generated charts is read back unchanged.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,14 +43,14 @@ std::vector<std::string> texts() {
     return found;
 }
 
-/// Reads `text`; if it is valid, formatting it must succeed too.
+/// Reads `text`. If it is valid, formatting it must succeed too.
 void check(const std::string& text) {
     Sources sources;
     Diagnostics diagnostics;
     const auto model = read_text(sources.add({"damaged.grafcet", text}), sources, {}, diagnostics);
     ASSERT_EQ(model.has_value(), !diagnostics.has_errors()) << text;
     std::ostringstream said;
-    render_text(diagnostics.all(), sources, Colour::Plain, said);  // every location can be shown
+    render_text(diagnostics.all(), sources, Colour::Plain, said);  // this displays every location
     if (!model) return;
     ASSERT_EQ(verify(*model), std::vector<std::string>{}) << text;
     Diagnostics none;

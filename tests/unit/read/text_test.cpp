@@ -88,7 +88,7 @@ TEST(ReadText, WithoutAModelOnceItIsStopped) {
     ReadContext context;
     context.stop = &stop;
     context.load = [&](const std::string&, std::string&) -> std::optional<std::string> {
-        stop = true;  // what follows would be correct
+        stop = true;  // the text after this point would be correct
         return "grafcet b { initial step 0; transition t: 0 -> 0 when true; }\n";
     };
     EXPECT_FALSE(read_text(main, sources, context, diagnostics));
@@ -98,7 +98,7 @@ TEST(ReadChart, NamesTransitionsByPosition) {
     const Chart chart = *model(lamp).charts.begin();
     std::vector<std::string> names;
     for (const Chart::Transition& transition : chart.transitions) names.push_back(transition.name);
-    EXPECT_EQ(names, (std::vector<std::string>{"t1_2", "t1", "t3"}));  // t1 is already declared
+    EXPECT_EQ(names, (std::vector<std::string>{"t1_2", "t1", "t3"}));  // the name t1 is already declared
 }
 
 TEST(ReadChart, SharesEqualTimeConditions) {
@@ -183,25 +183,25 @@ TEST(ReadChart, AcceptsStepsActivatedByForcingEnclosingAndMacroSteps) {
 
 TEST(ReadErrors, AreReportedTogetherAndOnce) {
     const std::vector<std::pair<std::string, std::vector<std::string>>> cases = {
-        // every use of a misspelt name, but no consequential errors
+        // There is one error for every use of a misspelt name, but there are no consequential errors.
         {"grafcet g {\n input a;\n initial step 0;\n step 1;\n transition t: 0 -> 1 when b;\n transition u: 1 -> 0 "
          "when b && !b;\n}\n",
          {"unknown-variable", "unknown-variable", "unknown-variable"}},
-        // a chart with an error causes no errors in the loop that names it
+        // A chart with an error causes no errors in the loop that names it.
         {"grafcet g {\n input a;\n initial step 0 { O; }\n}\nclosed_loop l {\n controller g;\n property p: always "
          "X0;\n}\n",
          {"unknown-variable"}},
-        // nor does one with a syntax error
+        // A chart with a syntax error causes none either.
         {"grafcet g {\n input a\n initial step 0;\n}\nclosed_loop l {\n controller g;\n property p: always X0;\n}\n",
          {"missing-semicolon"}},
-        // errors of both sorts in different charts
+        // The text has both errors in different charts.
         {"grafcet g {\n input a\n initial step 0;\n}\ngrafcet h {\n initial step 0 { O; }\n}\n",
          {"missing-semicolon", "unknown-variable"}},
-        // an instance with an error still drives the variables that it binds
+        // An instance with an error still drives the variables that it binds.
         {lamp + "closed_loop l {\n controller lamp;\n environment b = button(OUT = BUTTON, GAPP = 1s);\n property p: "
                 "never BUTTON && PP;\n}\n",
          {"unknown-parameter", "unknown-variable"}},
-        // a missing file may contain anything
+        // A missing file may contain any declaration.
         {"include \"x.grafcet\";\nclosed_loop l {\n controller g;\n}\n", {"cannot-include"}},
     };
     for (const auto& [text, codes] : cases) {
@@ -254,7 +254,7 @@ TEST(ReadComponent, PartsClocksFromData) {
                                      .components.begin();
     const Component::Edge& edge = component.edges[{0}];
     ASSERT_EQ(edge.constraint.size(), 2u);
-    EXPECT_EQ(edge.constraint[0].relation, Op::GreaterEqual);  // reversed
+    EXPECT_EQ(edge.constraint[0].relation, Op::GreaterEqual);  // the relation is reversed
     EXPECT_EQ(edge.constraint[1].relation, Op::Equal);
     EXPECT_EQ(component.exprs.operands(edge.guard).size(), 2u);
     EXPECT_EQ(edge.resets.size(), 1u);
@@ -297,7 +297,7 @@ TEST(ReadLoop, BindsArgumentsAndDefaults) {
     EXPECT_EQ(level.type, integer_type(0, 9));
     EXPECT_EQ(std::get<std::int64_t>(loop.instances[{2}].arguments[1]), 1000);
     EXPECT_EQ(loop.symbols.size(), 5u);
-    EXPECT_EQ(read.components.size(), 3u);  // `button` came from the library
+    EXPECT_EQ(read.components.size(), 3u);  // the library provides `button`
 }
 
 TEST(ReadLoop, LetsControllersShareInputsAndReadEachOther) {

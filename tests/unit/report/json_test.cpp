@@ -54,7 +54,7 @@ TEST(Json, HasTheMomentsThatTheStepsSummarize) {
     EXPECT_EQ(run["signals"][1], (Json{{"name", "GO"}, {"role", "output"}}));
     EXPECT_EQ(run["signals"][4], (Json{{"name", "COUNT"}, {"role", "internal"}, {"range", {-4, 4}}}));
     EXPECT_EQ(run["loop"], 3);
-    // Values that are not listed are unchanged.
+    // Values that a row does not list are unchanged.
     std::map<int, int> values;
     Json situation;
     std::size_t told = 0;

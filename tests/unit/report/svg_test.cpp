@@ -29,7 +29,7 @@ void draw(const ChartRun& run, Drawn& drawn, EventRange range = {}) {
     drawn.height = drawn.svg.attribute("height").as_double();
 }
 
-/// The numbers of a path of M, L, H, V and Z, as points.
+/// Returns the coordinates of a path of M, L, H, V and Z as points.
 std::vector<std::pair<double, double>> points(const std::string& path) {
     std::vector<std::pair<double, double>> list;
     std::istringstream in(path);
@@ -51,7 +51,7 @@ std::vector<pugi::xml_node> of_class(const Drawn& drawn, const std::string& name
     return found;
 }
 
-/// The text below the rows, regardless of line breaks.
+/// Returns the text below the rows, regardless of line breaks.
 std::string foot_of(const Drawn& drawn) {
     std::string words;
     for (const pugi::xml_node line : of_class(drawn, "foot")) words += std::string(" ") + line.text().get();
@@ -86,7 +86,7 @@ TEST(Svg, DrawsAWavePerSignalThatIsEverNotZeroAndNamesTheOthers) {
 TEST(Svg, EveryWaveRunsFromTheFirstColumnToTheLastWithoutGaps) {
     Drawn drawn;
     draw(sample_run(), drawn);
-    std::map<double, std::pair<double, double>> reach;  // by row: from, to
+    std::map<double, std::pair<double, double>> reach;  // first and last coordinate of each row
     const auto names = of_class(drawn, "name");
     for (const pugi::xml_node wave : of_class(drawn, "wave")) {
         const auto path = points(wave.attribute("d").value());

@@ -24,7 +24,7 @@ std::string text(const Report& report, bool verbose = false) {
     return out.str();
 }
 
-/// Finishes within the time limit of a test only if the work is linear in the number of properties.
+/// This test finishes within its time limit only if the work is linear in the number of properties.
 TEST(Terminal, ReportsOfVeryManyPropertiesArePrinted) {
     constexpr std::size_t many = 100'000;
     Report report{"wide", {}};
@@ -102,7 +102,7 @@ TEST(Terminal, FitsAHundredColumnsForAllNames) {
     int count = 0;
     for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 100u) << line;
     EXPECT_GT(count, 20);
-    // Wrapping preserves the text.
+    // Line breaks do not change the text.
     const std::string whole = table(run);
     EXPECT_EQ(std::count(whole.begin(), whole.end(), 'n') >= 300, true);
 }

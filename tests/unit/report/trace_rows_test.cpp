@@ -16,12 +16,12 @@
 namespace grafverif {
 namespace {
 
-/// A run built move by move, with processes by name.
+/// Builds a run move by move, with processes given by name.
 class Driver {
 public:
     explicit Driver(const Network& network) : network_(network), state_(initial_state(network)) {}
 
-    /// Takes the first enabled edge of `process`; `to` selects it by its target.
+    /// Takes the first enabled edge of `process`. If `to` is given, the edge must have that target.
     void fire(const std::string& process, const std::string& to = "") {
         for (const Fire& move : enabled(network_, state_)) {
             const Network::Process& owner = network_.processes[move.process];
@@ -32,7 +32,7 @@ public:
         }
         ADD_FAILURE() << process << " cannot move";
     }
-    /// Takes edges of `process` as long as one is enabled.
+    /// Takes edges of `process` until none is enabled.
     void exhaust(const std::string& process) {
         const auto can = [&] {
             for (const Fire& move : enabled(network_, state_))
@@ -80,7 +80,7 @@ TEST(TraceRows, TraceOfTheBlinkerUsesTheNamesOfItsChart) {
     drive.exhaust("PLC");
     drive.wait(1);
     drive.fire("Button");
-    drive.exhaust("PLC");  // up to the request of a timer
+    drive.exhaust("PLC");  // the controller runs up to its request of a timer
     drive.fire("T_X1_2s", "run");
     drive.exhaust("PLC");
     drive.fire("Lamp");
@@ -132,9 +132,9 @@ TEST(TraceRows, SplitsACycleIfThePlantMovesDuringIt) {
     drive.fire("Go");
     drive.fire("PLC", "P0");
     drive.fire("PLC", "P1");
-    drive.fire("Go");  // resets GO, too late
+    drive.fire("Go");  // this resets GO too late
     drive.fire("PLC", "P2");
-    drive.fire("Go");  // between the evolution and the outputs
+    drive.fire("Go");  // this event is between the evolution and the outputs
     drive.exhaust("PLC");
     EXPECT_EQ(table(told(loop.network, drive.run())),
               "  time  event                           inputs  cleared  situation  outputs\n"
@@ -160,7 +160,7 @@ TEST(TraceRows, MarksTheLoop) {
 }
 
 TEST(TraceRows, LoopWithoutVisibleEventsHasARow) {
-    // The cycle of CEP13 Fig. 17, without flags: it runs forever, and no time passes.
+    // The cycle of CEP13 Fig. 17 without flags runs forever, and no time passes.
     const LoopUnderTest loop = read_sample("blinker/blinker.grafcet", {.ablations = {.cycle_always = true}});
     Driver drive(loop.network);
     for (int i = 0; i < 4; ++i) drive.fire("PLC");

@@ -12,11 +12,11 @@
 namespace grafverif {
 namespace {
 
-/// A reader of IEEE 1364-2005, 18.2, for the part that grafverif writes.
+/// Reads the part of IEEE 1364-2005, 18.2, that grafverif writes.
 struct Waves {
-    std::map<std::string, std::string> codes = {};  ///< by hierarchical name
+    std::map<std::string, std::string> codes = {};  ///< codes by hierarchical name
     std::map<std::string, std::string> types = {};
-    std::map<std::string, std::map<std::int64_t, std::string>> changes = {};  ///< by code
+    std::map<std::string, std::map<std::int64_t, std::string>> changes = {};  ///< value changes by code and time
     std::vector<std::int64_t> times = {};
 
     std::string at(const std::string& name, std::int64_t time) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edges, and the stored actions on events and on clearing.
+// Tests edges, and stored actions on events and on clearing.
 #include <gtest/gtest.h>
 
 #include "support/play.hpp"
@@ -54,7 +54,7 @@ TEST(Edges, OfATermCompareItsValueAsAWhole) {
         "transition t1: 1 -> 1 when rise(a || b) do N := N + 1;");
     run(chart);
     run(chart, "a");
-    run(chart, "b");  // the edge that activates the step does not occur while it is active
+    run(chart, "b");  // `a || b` remains true, so that there is no edge
     run(chart);
     run(chart, "a b");
     EXPECT_EQ(value(chart, "N"), 2);
@@ -65,14 +65,14 @@ TEST(Events, RunTheirActionOncePerEdgeWhileTheStepIsActive) {
         "input a, b; internal N: int 0..9 = 0; initial step 1; step 2 { N := N + 1 on event rise(a); }"
         "transition t1: 1 -> 2 when rise(a); transition t2: 2 -> 1 when rise(b);");
     run(chart);
-    run(chart, "a");  // the step is active when the edge occurs, although it is deactivated
+    run(chart, "a");  // the edge that activates the step occurs before the step is active
     EXPECT_EQ(value(chart, "N"), 0);
     run(chart);
     run(chart, "a");
     run(chart, "a");
     EXPECT_EQ(value(chart, "N"), 1);
     run(chart);
-    run(chart, "a b");  // the step is active when the edge occurs, though it is left
+    run(chart, "a b");  // the step is active when the edge occurs, although it is left
     EXPECT_EQ(value(chart, "N"), 2);
     EXPECT_EQ(situation(chart), "1");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Macro-steps, enclosing steps and forcing orders.
+// Tests macro-steps, enclosing steps and forcing orders.
 #include <gtest/gtest.h>
 
 #include "support/play.hpp"
@@ -36,7 +36,7 @@ TEST(MacroSteps, StayActiveWhileTheirExpansionIs) {
     run(chart, "a");
     run(chart);
     EXPECT_EQ(situation(chart), "1 M 11");
-    run(chart, "a");  // 12 is left while 10 is entered again
+    run(chart, "a");  // step 12 is left while step 10 is entered again
     EXPECT_EQ(situation(chart), "1 M 10");
     EXPECT_EQ(value(chart, "N"), 1);
 }
@@ -65,7 +65,8 @@ constexpr const char* enclosure =
 
 TEST(EnclosingSteps, ActivateTheirLinksAndNotTheInitialSteps) {
     Play chart = play(enclosure);
-    EXPECT_EQ(situation(chart), "1");  // 20 is not an initial step of the situation at power-on: 6 is inactive
+    // Step 20 is not an initial step of the situation at power-on, because step 6 is inactive.
+    EXPECT_EQ(situation(chart), "1");
     run(chart);
     run(chart, "a");
     EXPECT_EQ(situation(chart), "6 21");
@@ -79,7 +80,7 @@ TEST(EnclosingSteps, DeactivateAllEnclosedStepsRegardlessOfTransitionsThere) {
     const Cycle left = run(chart, "b");
     EXPECT_EQ(fired(chart, left), "t2 g1; ; ");
     EXPECT_EQ(situation(chart), "1");
-    EXPECT_EQ(value(chart, "N"), 1);  // 22 was not activated
+    EXPECT_EQ(value(chart, "N"), 1);  // step 22 was not activated
 }
 
 TEST(EnclosingSteps, EnableTheSourceTransitionsOfTheirChartsOnlyWhileActive) {
@@ -101,7 +102,7 @@ TEST(EnclosingSteps, Nest) {
     EXPECT_EQ(situation(chart), "1");
 }
 
-/// The steps of `forced` after `order` became active.
+/// Returns the steps of `forced` after `order` became active.
 std::string forced_to(const std::string& order, std::string* afterwards = nullptr) {
     Play chart = play("input a, b; initial step 1; step 2 { force G := {" + order +
                       "}; }"
@@ -113,7 +114,7 @@ std::string forced_to(const std::string& order, std::string* afterwards = nullpt
     run(chart);
     run(chart, "a");
     const std::string reached = situation(chart);
-    run(chart, "a b");  // held
+    run(chart, "a b");  // the order holds the situation
     EXPECT_EQ(situation(chart), reached);
     run(chart, "b");
     if (afterwards != nullptr) *afterwards = situation(chart);
@@ -126,7 +127,7 @@ TEST(ForcingOrders, OfAllFourFormsForceAndHold) {
     EXPECT_EQ(forced_to("INIT"), "2 20");
     EXPECT_EQ(forced_to("22, 20"), "2 20 22");
     EXPECT_EQ(forced_to("*", &afterwards), "2 21");
-    EXPECT_EQ(afterwards, "1 21");  // released, and the edge is over
+    EXPECT_EQ(afterwards, "1 21");  // the order has ended, and the edge is over
 }
 
 TEST(ForcingOrders, ForceInTheEvolutionThatActivatesTheirStep) {

@@ -74,7 +74,7 @@ TEST(Clearing, AlternativesThatAreNotExclusiveAllFire) {
 }
 
 TEST(Clearing, TransitionsFireTogetherFromTheOldSituation) {
-    // If t1 were cleared before t2 was evaluated, X1 would be false by then.
+    // If t1 were cleared before t2 was evaluated, X1 would be false at the evaluation of t2.
     Play chart = play(
         "input a; initial step 1; step 2; initial step 3; step 4;"
         "transition t1: 1 -> 2 when a; transition t2: 3 -> 4 when a && X1;",
@@ -277,7 +277,7 @@ TEST(StoredActions, DivisionByZeroIsAFaultOfTheChart) {
 }
 
 TEST(Conditions, ThatReadAContinuousOutputMeanItsEquation) {
-    // In the transient situation {2} no output was written yet, but O is true in it.
+    // In the transient situation {2} no output was written yet, but O is true in that situation.
     Play chart = play(
         "input a; output O; initial step 1; step 2 { O; } step 3; step 4; transition t1: 1 -> 2 when a;"
         "transition t2: 2 -> 3 when O; transition t3: 3 -> 4 when O;");
@@ -331,7 +331,7 @@ TEST(TimeConditions, HoldFromTheirDurationOnWhileTheStepIsActive) {
 }
 
 TEST(TimeConditions, RestartIfTheStepIsReactivatedWithinOneInstant) {
-    // The pulse chart: one pulse every 5 s, not continuously after the first 5 s.
+    // The pulse chart generates one pulse every 5 s. It does not pulse continuously after the first 5 s.
     Play chart = play("initial step 1; step 2; transition t1: 1 -> 2 when 5s/X1; transition t2: 2 -> 1 when true;");
     run(chart);
     wait(chart, 5000);

@@ -44,7 +44,7 @@ TEST(NetworkWalk, AnInvariantLimitsHowFarTimeGoes) {
     const auto hurried = impatient(loop.network, state);
     ASSERT_EQ(hurried.size(), 1u);
     EXPECT_EQ(loop.network.processes[hurried[0]].name, "Valve");
-    state = rested(loop.network, state);  // the valve is open, the order has ended, and the valve closes
+    state = rested(loop.network, state);  // now the valve is open, the order has ended, and the valve closes
     ASSERT_EQ(leeway(loop.network, state), (Leeway{true, travel, travel}));
     ASSERT_EQ(perform(loop.network, state, Delay{travel}).result, Step::Result::Done);
     EXPECT_EQ(leeway(loop.network, rested(loop.network, state)), (Leeway{true, {}, {}}));
@@ -66,7 +66,7 @@ TEST(RandomizedNetworkWalk, LeewayIsExactlyTheTimeThatMayPass) {
             const std::int64_t far = way.limit.value_or(1000);
             EXPECT_EQ(perform(network, later, Delay{far}).result, Step::Result::Done);
             EXPECT_TRUE(!way.limit || !may_delay(network, later));
-            // No edge becomes enabled before `change`, and one does then.
+            // No edge becomes enabled before `change`, and at least one edge becomes enabled then.
             const auto now = enabled(network, state).size();
             for (std::int64_t units = 1; units < std::min(way.change.value_or(5), far); ++units) {
                 NetworkState between = state;

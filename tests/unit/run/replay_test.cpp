@@ -20,7 +20,7 @@ std::string error_text(const LoopUnderTest& loop, const Run& run) {
     return found ? "move " + std::to_string(found->move) + ", " + found->where + ": " + found->what : "";
 }
 
-/// All four execution modes of a loop.
+/// Returns the options of all four execution modes of a loop.
 std::vector<ComposeOptions> all_options() {
     std::vector<ComposeOptions> options;
     for (const Grain grain : {Grain::Phased, Grain::Atomic})
@@ -92,7 +92,8 @@ TEST(RandomizedReplay, EveryWalkThroughARandomLoopReplays) {
 }
 
 TEST(RandomizedReplay, ADelayMayEndInTheVeryInstantThatItsTermFalls) {
-    // After the inputs were sampled and before the evolution; for the second one an older fall still counts then.
+    // The term falls after the inputs were sampled and before the evolution. For the second action an earlier fall
+    // still counts at that time.
     constexpr const char* text = R"(
         grafcet light {
             input PART;
@@ -139,7 +140,7 @@ TEST(Replay, CatchesADroppedAssignment) {
             caught += seen;
         }
     }
-    // Some variables are needed by no step; some resets only distinguish states.
+    // No step needs some of the variables, and some resets only distinguish states.
     EXPECT_GT(mutants, 20);
     EXPECT_GE(caught * 10, mutants * 6) << caught << " of " << mutants;
 }
@@ -158,15 +159,16 @@ TEST(Replay, ReportsWhereARunViolatesTheRules) {
 
 TEST(Replay, RejectsAnImpossibleMove) {
     const LoopUnderTest loop = read_sample("blinker/blinker.grafcet");
-    const grafverif::Run too_early{{Delay{5}}, {}};  // the first cycle comes first
+    const grafverif::Run too_early{{Delay{5}}, {}};  // the first cycle must come before any delay
     const auto found = disagreement(project(loop.network, too_early), loop.charts());
     ASSERT_TRUE(found);
     EXPECT_EQ(found->move, 0u);
     EXPECT_EQ(found->what, "the move is not possible there");
 }
 
-/// CEP13 Fig. 33b as published: after the first 5 s the pulse is repeated continuously. The evolutions follow the
-/// rules, so the replay has to detect the timer. It is accepted because it is an ablation.
+/// This is CEP13 Fig. 33b as published: after the first 5 s the pulse is repeated continuously. The evolutions follow
+/// the rules, so the replay has to detect the error of the timer. The loop is accepted because the timer is an
+/// ablation.
 TEST(Replay, ChecksTimersAgainstTheAgesOfSteps) {
     const std::string pulse = R"(
         grafcet pulse {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `t1/v/t2` on inputs, steps and expressions; delayed and time-limited actions.
+// Tests `t1/v/t2` on inputs, steps and expressions, and delayed and time-limited actions.
 #include <gtest/gtest.h>
 
 #include "support/play.hpp"
@@ -7,7 +7,7 @@
 namespace grafverif {
 namespace {
 
-/// The outputs after `milliseconds` and a cycle with `inputs`.
+/// Returns the outputs after `milliseconds` and a cycle with `inputs`.
 std::string later(Play& play, std::int64_t milliseconds, std::string_view inputs = {}) {
     wait(play, milliseconds);
     run(play, inputs);
@@ -24,7 +24,7 @@ TEST(TimeOfAnInput, CountsFromItsEdgesAndNeedsItToLast) {
     EXPECT_EQ(later(chart, 1999), "O");
     EXPECT_EQ(later(chart, 1), "");
     EXPECT_EQ(later(chart, 0, "a"), "");
-    EXPECT_EQ(later(chart, 2000), "");  // shorter than 3 s: it does not count
+    EXPECT_EQ(later(chart, 2000), "");  // `a` was true for less than 3 s, which does not count
     EXPECT_EQ(later(chart, 1000), "");
 }
 
@@ -42,7 +42,7 @@ TEST(TimeOfAnInput, EndsAtOnceWithoutAFallTime) {
     Play chart = play("input a; output O; initial step 1 { O if 3s/a; } step 2; transition t1: 1 -> 2 when 3s/a;");
     run(chart, "a");
     EXPECT_EQ(later(chart, 3000), "");
-    EXPECT_EQ(situation(chart), "1");  // when both expire, 3s/a is not true
+    EXPECT_EQ(situation(chart), "1");  // when both terms expire, 3s/a is not true
 }
 
 TEST(TimeOfAnInput, StartsAtOnceWithoutARiseTime) {
@@ -76,7 +76,7 @@ TEST(TimeOfATerm, CountsItsLevelAsAWhole) {
         "input a; output O; initial step 1; step 2; initial step 8 { O if 2s/(X1 || X2); }"
         "transition t1: 1 -> 2 when rise(a); transition t2: 2 -> when fall(a);");
     run(chart);
-    EXPECT_EQ(later(chart, 1000, "a"), "");  // 1 is left for 2: the term stays true
+    EXPECT_EQ(later(chart, 1000, "a"), "");  // step 1 is left for step 2, and the term remains true
     EXPECT_EQ(later(chart, 1000, "a"), "O");
     EXPECT_EQ(later(chart, 0), "");
 }
@@ -88,7 +88,7 @@ TEST(DelayedActions, BeginWhenTheirStepHasBeenActiveForTheDelay) {
     run(chart);
     EXPECT_EQ(later(chart, 2999), "");
     EXPECT_EQ(later(chart, 1), "O");
-    EXPECT_EQ(later(chart, 0, "a"), "O");  // total instability with a: no output is written
+    EXPECT_EQ(later(chart, 0, "a"), "O");  // the chart is totally unstable with a, so that no output is written
 }
 
 TEST(TimeLimitedActions, EndAfterTheirLimitAndRestartWithTheStep) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Single controllers as transition systems, executed step by step.
+// Tests single controllers as transition systems, which are executed step by step.
 #include "schedule/controller.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace grafverif {
 namespace {
 
-/// A system with named inputs for each step; all others are false or the least of their range.
+/// Executes a system with named inputs in each step. All other inputs are false or the least value of their range.
 struct Stepper {
     TransitionSystem system = {};
     SystemState state = {};
@@ -23,7 +23,7 @@ struct Stepper {
     void set(const std::map<std::string, std::int64_t>& inputs) {
         for (const auto& [name, value] : inputs) set_value(system, state, name, value);
     }
-    /// One cycle that reads `inputs`.
+    /// Executes one cycle that reads `inputs`.
     void step(const std::map<std::string, std::int64_t>& inputs = {}) {
         set(inputs);
         state = next_state(system, state, [](std::string_view, Type type) { return type.low; });
@@ -34,7 +34,7 @@ struct Stepper {
     bool settled() const { return value_of(system, state, system.settled) != 0; }
 };
 
-/// At power-on.
+/// Returns the controller at power-on.
 Stepper power_on(std::string_view chart, ExecutionMode mode) {
     Stepper stepper{schedule_controller(equations(chart), mode)};
     EXPECT_EQ(verify(stepper.system), std::vector<std::string>{});
@@ -42,7 +42,7 @@ Stepper power_on(std::string_view chart, ExecutionMode mode) {
     return stepper;
 }
 
-/// After a first evolution that read `first`.
+/// Returns the controller after a first evolution that read `first`.
 Stepper start(std::string_view chart, ExecutionMode mode, const std::map<std::string, std::int64_t>& first = {}) {
     Stepper stepper = power_on(chart, mode);
     if (stepper.system.controllers.front().starts.valid()) stepper.step(first);

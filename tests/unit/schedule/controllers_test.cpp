@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The controllers of a loop and its properties as one transition system.
+// Tests the controllers of a loop and its properties as one transition system.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,8 @@
 namespace grafverif {
 namespace {
 
-/// The system of the only loop of `text`; fails the test with the rendered diagnostics if it is invalid.
+/// Returns the system of the only loop of `text`. Fails the test, with the rendered diagnostics, if the loop is
+/// invalid.
 TransitionSystem scheduled(const std::string& text, const ScheduleOptions& options = {}) {
     Diagnostics diagnostics;
     Sources sources;
@@ -172,7 +173,7 @@ TEST(ScheduleControllers, SystemIsQuiescentIfEachControllerIs) {
     EXPECT_EQ(value_of(system, state, system.settled), 0);
 }
 
-/// DESDES06 section 6.1 writes the controller of its assembly station in this way, X_1 being X1 and CF_t1 being CC1.
+/// DESDES06 section 6.1 writes the controller of its assembly station in this way, with X_1 for X1 and CF_t1 for CC1.
 TEST(ScheduleControllers, WritesTheAssemblyStationAsThePaperDoes) {
     const std::string text = emitted(scheduled(
         "component toggle(output OUT) { initial location l; timed l -> l do OUT := !OUT; }\n"

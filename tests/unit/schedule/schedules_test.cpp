@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The three approaches and the three schedules: common results, and cases in which they differ.
+// Tests the three approaches and the three schedules: their common results, and cases in which the results differ.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -78,7 +78,7 @@ TEST(Schedules, ConstraintsMayPermitOneOfVeryManyCombinationsOfInputs) {
                  std::invalid_argument);
 }
 
-/// WODES06 III.E, the cylinders and sensor of Fig. 3 alone: L1C retracts while L2C is out.
+/// The cylinders and the sensor of WODES06 Fig. 3 alone (III.E): L1C retracts while L2C is out.
 const char* const two_cylinders = R"(
 grafcet moves {
     input s0, s2, go;
@@ -117,7 +117,7 @@ TEST(Schedules, ThePlantSequencerHidesTheSituationThatTheSensorHasNotSeenYet) {
     EXPECT_EQ(verdicts(untimed_text(text, with(Schedule::Synchronous)))["unstable"], Outcome::Holds);
 }
 
-/// WODES06 III.E on the complete machine.
+/// This test checks WODES06 III.E on the complete machine.
 TEST(PickAndPlace, ShowsTheUnstableSituationWithoutTheSequencer) {
     const SymbolicResult result =
         check_symbolic(untimed_sample("pick_and_place/pick_and_place.grafcet", with(Schedule::Synchronous)));
@@ -125,7 +125,7 @@ TEST(PickAndPlace, ShowsTheUnstableSituationWithoutTheSequencer) {
     for (const Verdict& verdict : result.verdicts) EXPECT_EQ(verdict.outcome, Outcome::Holds) << verdict.property;
 }
 
-/// DESDES06 Table 1, one row per group of properties.
+/// The rows follow DESDES06 Table 1, with one row for each group of properties.
 TEST(AssemblyStation, HasTheVerdictsOfTheTableInEachApproach) {
     const std::string sample = "assembly_station/assembly_station.grafcet";
     struct Column {
@@ -135,7 +135,7 @@ TEST(AssemblyStation, HasTheVerdictsOfTheTableInEachApproach) {
     };
     const Column columns[] = {
         {{}, Outcome::Violated, "4096"},
-        {{.plant = PlantApproach::Constraints}, Outcome::Violated, "2304"},  // 9/16, as in the table
+        {{.plant = PlantApproach::Constraints}, Outcome::Violated, "2304"},  // 9/16 of the states, as in the table
         {{.plant = PlantApproach::Automata}, Outcome::Holds, "116"},
     };
     for (const Column& column : columns) {
@@ -194,7 +194,7 @@ closed_loop line {
     }
 }
 
-/// Both charts have an internal variable `n`; replay resolves each in its own chart.
+/// Both charts have an internal variable `n`. The replay resolves each name in its own chart.
 TEST(Schedules, VariablesOfSeveralControllersGoByTheNamesOfTheirCharts) {
     const std::string text = R"(
 grafcet first {

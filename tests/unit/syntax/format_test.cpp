@@ -52,7 +52,8 @@ TEST(FormatCondition, UsesOneSpellingAndTheBracketsThatHelp) {
         {"not (a implies b) && Gate in open", "!(a => b) && Gate in open"},
         {"!Gate in 3", "!Gate in 3"},
         {"(a) && (b == c)", "a && b == c"},
-        {"(a && b) || c", "(a && b) || c"},  // kept: disambiguates the mixture
+        // The parentheses are kept, because they make the mixed operators unambiguous.
+        {"(a && b) || c", "(a && b) || c"},
         {"a && b || c", "a && b || c"},
         {"(a || b) && c", "(a || b) && c"},
         {"(a && b) && c", "a && b && c"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Recognition of NuSMV and UPPAAL formulas, and error locations in other texts.
+// Tests the recognition of NuSMV and UPPAAL formulas, and error locations in other texts.
 #include "syntax/print/formula.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 using enum FormulaLanguage;
 
-/// `begin-end: what`; empty: it is a formula.
+/// Returns `begin-end: what`, or an empty string if the text is a formula.
 std::string fault_of(FormulaLanguage language, const std::string& text, const FormulaNames& names = {}) {
     const auto fault = formula_fault(language, text, names);
     if (!fault) return {};

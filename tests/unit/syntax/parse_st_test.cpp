@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Structured Text and textual Sequential Function Charts: the tree represents the text.
+// Tests that the tree represents the text, for Structured Text and textual Sequential Function Charts.
 #include "syntax/st/parse_st.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ constexpr const char* names[] = {
     "arg",   "result", "range", "NOT",  "neg",   "**",   "*",      "/",       "MOD",   "+",     "-",
     "<",     "<=",     ">",     ">=",   "=",     "<>",   "AND",    "XOR",     "OR"};
 
-/// Prefix form: `(AND a (NOT b))`.
+/// Returns the term in prefix form: `(AND a (NOT b))`.
 std::string told(const File& file, Id<Expr> id) {
     const Expr& node = file.exprs[id];
     if (node.op == Op::True || node.op == Op::False) return names[static_cast<int>(node.op)];

@@ -13,7 +13,7 @@
 namespace grafverif {
 namespace {
 
-/// A term with every operator in parentheses, according to the grammar.
+/// Returns a term with every operator in parentheses, according to the grammar.
 std::string shape(const tree::File& file, Id<tree::Expr> id) {
     const tree::Expr& node = file.exprs[id];
     if (!node.first.valid()) return formatted(file, id);
@@ -33,7 +33,7 @@ Sources one(std::string text) {
     return sources;
 }
 
-/// A chart whose only condition is `text`, from the third line on.
+/// Returns a chart whose only condition is `text`, which begins on the third line.
 std::string chart_with(const std::string& text) {
     return "grafcet c {\n    initial step 1; transition t: 1 -> 1 when\n" + text + "\n;\n}\n";
 }
@@ -42,7 +42,7 @@ Id<tree::Expr> only_condition(const tree::File& file) {
     return std::get<tree::Transition>(std::get<tree::Chart>(file.declarations.front()).items.back()).condition;
 }
 
-/// The location and code of each error, one per line.
+/// Returns the location and code of each error, one on each line.
 std::string errors(const Diagnostics& diagnostics, const Sources& sources) {
     std::ostringstream out;
     for (const Diagnostic& diagnostic : diagnostics.all()) {
@@ -232,10 +232,10 @@ TEST(ParseFile, SkipsAByteOrderMark) { EXPECT_EQ(errors_of("\xEF\xBB\xBFgrafcet 
 
 TEST(ParseFile, RejectsBytesThatAreNotText) {
     using namespace std::string_literals;
-    EXPECT_EQ(errors_of("// \xC0\xAF\n"), "1:4 invalid-utf8\n");          // overlong
-    EXPECT_EQ(errors_of("// \xED\xA0\x80\n"), "1:4 invalid-utf8\n");      // surrogate
-    EXPECT_EQ(errors_of("// \xF4\x90\x80\x80\n"), "1:4 invalid-utf8\n");  // beyond U+10FFFF
-    EXPECT_EQ(errors_of("// \xE2\x86"), "1:4 invalid-utf8\n");            // truncated
+    EXPECT_EQ(errors_of("// \xC0\xAF\n"), "1:4 invalid-utf8\n");          // an overlong encoding
+    EXPECT_EQ(errors_of("// \xED\xA0\x80\n"), "1:4 invalid-utf8\n");      // a surrogate
+    EXPECT_EQ(errors_of("// \xF4\x90\x80\x80\n"), "1:4 invalid-utf8\n");  // a code point beyond U+10FFFF
+    EXPECT_EQ(errors_of("// \xE2\x86"), "1:4 invalid-utf8\n");            // a truncated sequence
     EXPECT_EQ(errors_of("grafcet a {\n    input a\0b;\n}\n"s), "2:12 control-character\n2:12 unexpected-character\n");
     EXPECT_EQ(errors_of("// ünïcödé and ↑ in comments\ngrafcet a {\n    initial step 1;\n}\n"), "");
 }

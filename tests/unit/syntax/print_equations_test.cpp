@@ -17,7 +17,7 @@ std::string printed(const Equations& equations, Printer printer) {
     return out.str();
 }
 
-// CEP13 Fig. 15.
+// The chart of CEP13 Fig. 15.
 const char* const testing_station = R"(
     input START, H_IN, H_MID, H_OUT, V_IN, V_OUT, TEST_OK, TEST_KO;
     output TEST, P, V_G_OUT, V_G_IN, H_G_OUT, H_G_IN;

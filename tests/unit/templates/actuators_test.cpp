@@ -54,7 +54,7 @@ TEST(Valve, DelaysItsOrderBothWays) {
     Bench valve = bench("valve", {{"TRAVEL", 2000}});
     valve.set("ORDER", 1);
     EXPECT_EQ(only(valve, "FLOW"), 0);
-    valve.wait(1);  // the only duration is TRAVEL: one unit
+    valve.wait(1);  // TRAVEL is the only duration, so that it is one unit
     EXPECT_EQ(only(valve, "FLOW"), 1);
     valve.set("ORDER", 0);
     EXPECT_EQ(only(valve, "FLOW"), 1);

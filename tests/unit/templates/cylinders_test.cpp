@@ -9,7 +9,7 @@
 namespace grafverif {
 namespace {
 
-/// A single component with some inputs true from the start, all in the same instant.
+/// Returns a bench with a single component. Some of its inputs are true from the start, all in the same instant.
 Bench bench_ordered(const std::string& name, const std::map<std::string, std::int64_t>& constants,
                     const std::vector<std::string>& orders) {
     Network network = lone_component(library_component(name), constants);
@@ -34,7 +34,7 @@ TEST(Cylinder53, MovesByItsStepEachSecondWhileOrdered) {
 TEST(Cylinder53, NeedsItsDurationPerStep) {
     Bench cylinder = bench("cylinder_5_3", {{"X_max", 2}, {"STEP", 3000}, {"X_min", 0}});
     cylinder.set("G_OUT", 1);
-    cylinder.wait(1);  // the only duration is STEP: one unit is 3 s
+    cylinder.wait(1);  // STEP is the only duration, so that one unit is 3 s
     EXPECT_EQ(only(cylinder, "X"), 1);
 }
 

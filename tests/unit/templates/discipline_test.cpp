@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Invariants of every component for all inputs: the discipline of CEP13 4.4, on all reachable states.
+// Tests invariants of every component for all inputs, on all reachable states: the discipline of CEP13 4.4.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace grafverif {
 namespace {
 
-/// Small constants for components that need some, and the values of their integer inputs.
+/// Small constants for the components that need some, and the values of their integer inputs.
 struct Setting {
     std::map<std::string, std::int64_t> constants = {};
     std::string initially = {};
@@ -31,8 +31,8 @@ Setting setting(const std::string& name) {
     return {};
 }
 
-/// All states that a single component can reach while its inputs change at arbitrary times, and the successors by a
-/// change of an input or a move.
+/// Computes all states that a single component can reach while its inputs change at arbitrary times. Also computes the
+/// successors by a change of an input or by a move.
 struct Closure {
     std::set<TaddState> states = {};
     bool out_of_range = false;
@@ -76,7 +76,7 @@ Closure closure(const Network& network, const Component& component, const Settin
     return result;
 }
 
-/// True if time finally passes on every run of urgent edges from `state`, and can pass on at least one run.
+/// True if time finally passes on every run of urgent edges from `state`, and can pass on at least one of these runs.
 bool time_passes(const NaiveTadd& tadd, const TaddState& state, std::size_t depth) {
     if (depth == 0) return false;
     bool can_pass = false;
@@ -114,7 +114,8 @@ TEST_P(EveryComponent, HasTheNameOfItsFileAndASummary) {
 TEST_P(EveryComponent, ReachesEachOfItsLocations) {
     std::set<std::string> reached;
     for (const TaddState& state : all.states) reached.insert(tadd.location(state, "it"));
-    if (GetParam() == "part_feeder") reached.insert("sliding");  // only if it is infinite
+    // This location is reachable only if the duration is infinite.
+    if (GetParam() == "part_feeder") reached.insert("sliding");
     for (const Component::Location& location : component.locations)
         EXPECT_TRUE(reached.contains(location.name)) << location.name;
 }

@@ -12,7 +12,7 @@ namespace {
 using Values = std::set<std::int64_t>;
 
 /// The least and the greatest time, in units, for which `variable` has the value `from` between two changes, over all
-/// runs. Times are limited to `horizon`: a greatest time of that length represents any longer one.
+/// runs. The search is limited to `horizon`, which as a greatest time represents any longer time.
 struct Pace {
     std::int64_t least = 1000;
     std::int64_t greatest = 0;
@@ -25,7 +25,7 @@ Pace pace(const Network& network, const std::string& variable, std::int64_t from
     };
     Pace result;
     std::set<std::pair<TaddState, std::int64_t>> seen;
-    std::deque<Run> open{{tadd.initial(), -1}};  // -1: no change seen yet
+    std::deque<Run> open{{tadd.initial(), -1}};  // -1: the run has had no change yet
     for (; !open.empty(); open.pop_front()) {
         const auto [state, since] = open.front();
         for (TaddMove& move : tadd.successors(state)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The components of templates/, each on a separate test bench.
+// Reads the components of templates/ and puts each one on a separate test bench.
 #pragma once
 
 #include <map>
@@ -11,22 +11,23 @@
 
 namespace grafverif {
 
-/// The names of all files of templates/, in alphabetical order.
+/// Returns the names of all files of templates/, in alphabetical order.
 std::vector<std::string> library_names();
 
-/// The component of templates/NAME.grafcet.
+/// Returns the component of templates/NAME.grafcet.
 Component library_component(const std::string& name);
 
-/// One instance named `it`; durations in milliseconds.
+/// Returns a bench with one instance named `it`. Durations are in milliseconds.
 Bench bench(const std::string& name, const std::map<std::string, std::int64_t>& constants = {},
             const std::string& initially = "");
 
-/// A single component with Boolean ports whose time unit is a second, regardless of its durations.
+/// Returns the network of a single component with Boolean ports. The time unit is a second, regardless of the durations
+/// of the component.
 Network component_in_seconds(const std::string& name, const std::map<std::string, std::int64_t>& constants = {});
 
-/// The only possible value of a variable; fails the test if there are several.
+/// Returns the only possible value of a variable. Fails the test if there are several values.
 std::int64_t only(const Bench& bench, const std::string& variable);
-/// The only possible location of the instance.
+/// Returns the only possible location of the instance.
 std::string place_of(const Bench& bench);
 
 }  // namespace grafverif

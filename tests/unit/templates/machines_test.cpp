@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Barrier, lift car, burner, fan and their monitor.
+// Tests the barrier, lift car, burner and fan, and their monitor.
 #include <gtest/gtest.h>
 
 #include "library.hpp"
@@ -64,7 +64,7 @@ TEST(LiftCar, KeepsItsFloorHalfWayAndComesBack) {
     EXPECT_EQ(only(car, "LEVEL"), 0);
     car.set("UP", 1);
     car.wait(1);
-    car.set("DOWN", 1);  // both orders
+    car.set("DOWN", 1);  // both orders are given
     car.wait(5);
     EXPECT_EQ(only(car, "FLOOR"), 1);
     EXPECT_EQ(only(car, "LEVEL"), 1);
@@ -85,7 +85,7 @@ TEST(Burner, NeedsSparkAndGasForItsFlame) {
     EXPECT_EQ(place_of(burner), "unburnt");
     burner.set("SPARK", 1);
     EXPECT_EQ(only(burner, "FLAME"), 0);
-    burner.wait(1);  // the only duration is LIGHT: one unit
+    burner.wait(1);  // LIGHT is the only duration, so that it is one unit
     EXPECT_EQ(only(burner, "FLAME"), 1);
     burner.set("SPARK", 0);
     burner.wait(9);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Operator panels and guards: two-hand control, enabling switch, curtain, selectors, buttons, guard door.
+// Tests operator panels and guards: two-hand control, enabling switch, curtain, selectors, buttons, guard door.
 #include <gtest/gtest.h>
 
 #include "library.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using Values = std::set<std::int64_t>;
 
-/// The combinations of values of `outputs`, over all reachable states.
+/// Returns the combinations of values of `outputs` over all reachable states.
 std::set<std::vector<std::int64_t>> joint_values(const Network& network, const std::vector<std::string>& outputs) {
     const NaiveTadd tadd(network);
     const Reachable all = reachable(network, 100000);
@@ -23,8 +23,8 @@ std::set<std::vector<std::int64_t>> joint_values(const Network& network, const s
     return found;
 }
 
-/// The reachable states of a single component, each with the time, in units up to `horizon`, for which `variable` has
-/// had the value `value` (-1: it has another).
+/// Returns the reachable states of a single component. Each is paired with the time, in units up to `horizon`, for
+/// which `variable` has had the value `value`, or with -1 if it has another value.
 std::set<std::pair<TaddState, int>> aged(const Network& network, const std::string& variable, std::int64_t value,
                                          int horizon) {
     const NaiveTadd tadd(network);
@@ -48,11 +48,12 @@ std::set<std::pair<TaddState, int>> aged(const Network& network, const std::stri
 TEST(TwoHandControl, IsValidOnlyIfBothButtonsArePressedWithinTheWindow) {
     const Network control = component_in_seconds("two_hand_control", {{"WINDOW", 3000}, {"GAP", 1000}});
     const NaiveTadd tadd(control);
-    Values spreads;  // time from the left press to the rise of VALID
+    Values spreads;  // times from the left press to the rise of VALID
     for (const auto& [state, age] : aged(control, "LEFT", 1, 9))
         for (const TaddMove& move : tadd.successors(state))
             if (tadd.variable(state, "VALID") == 0 && tadd.variable(move.next, "VALID") == 1) spreads.insert(age);
-    EXPECT_EQ(spreads, (Values{-1, 1, 2, 3}));  // -1: the right button first, or both simultaneously
+    // -1 means that the right button is pressed first, or both simultaneously.
+    EXPECT_EQ(spreads, (Values{-1, 1, 2, 3}));
 }
 
 TEST(TwoHandControl, IsValidAgainOnlyAfterBothButtonsWereReleased) {
@@ -145,7 +146,7 @@ TEST(AcknowledgeButton, IsPressedInTimeOnRequestAndReleased) {
     late.wait(3);
     late.set("LAMP", 0);
     late.wait(3);
-    EXPECT_EQ(only(late, "OUT"), 0);  // released within HOLD, or never pressed
+    EXPECT_EQ(only(late, "OUT"), 0);  // the button is released within HOLD, or never pressed
     const Network alone = component_in_seconds("acknowledge_button", times);
     const NaiveTadd tadd(alone);
     for (const TaddState& state : reachable(alone, 1000).states) EXPECT_EQ(tadd.location(state, "it"), "idle");
@@ -161,7 +162,7 @@ TEST(EmergencyStop, LatchesAndIsPressedAtAnyTime) {
         for (const TaddMove& move : tadd.successors(state))
             if (tadd.variable(state, "OUT") == 1 && tadd.variable(move.next, "OUT") == 0) held.insert(age);
     EXPECT_EQ(*held.begin(), 3);
-    EXPECT_EQ(*held.rbegin(), 9);  // the horizon: it may remain pressed
+    EXPECT_EQ(*held.rbegin(), 9);  // this is the horizon, because the button may remain pressed
 }
 
 TEST(EmergencyStop, OpensItsNormallyClosedContactWithThePress) {
@@ -175,14 +176,15 @@ TEST(GuardDoor, StaysClosedWhileTheBoltIsIn) {
     Bench door = bench("guard_door", {{"BOLT", 2000}, {"GAP", 1000}});
     door.set("LOCK", 1);
     door.wait(1);
-    EXPECT_EQ(door.values("CLOSED"), (Values{0, 1}));  // opened before the bolt is in
+    EXPECT_EQ(door.values("CLOSED"), (Values{0, 1}));  // the door may open before the bolt is in
     EXPECT_EQ(door.values("LOCKED"), (Values{0}));
     door.wait(1);
     EXPECT_EQ(door.values("LOCKED"), (Values{0, 1}));
 }
 
 TEST(GuardDoor, OpensOnlyAfterTheBoltIsOut) {
-    Bench door = bench("guard_door", {{"BOLT", 2000}, {"GAP", 9000}});  // too short to open the door before
+    // With this GAP the door cannot open before the bolt is in.
+    Bench door = bench("guard_door", {{"BOLT", 2000}, {"GAP", 9000}});
     door.set("LOCK", 1);
     door.wait(2);
     EXPECT_EQ(place_of(door), "locked");

@@ -6,7 +6,7 @@
 namespace grafverif {
 namespace {
 
-/// The readings of the outputs of `names`, in order, as digits: `100`.
+/// Returns the outputs `names` in order as digits: `100`.
 std::string readings(const Bench& sensors, const std::vector<std::string>& names) {
     std::string digits;
     for (const std::string& name : names) digits += std::to_string(only(sensors, name));

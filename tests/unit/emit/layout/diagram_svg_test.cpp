@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Automata as SVG, read back: the layout rules hold for the elements on the page, and the diagram is complete.
+// Tests automata as SVG, which are read back: the elements on the page satisfy the layout rules, and the diagram is
+// complete.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,8 +22,8 @@ using layout::Box;
 struct Shown {
     Scene scene = {};
     std::vector<Box> nodes = {};
-    std::string names = {}, labels = {};  ///< all text, with blanks for line ends
-    std::size_t arrows = 0;               ///< lines, including those without a target
+    std::string names = {}, labels = {};  ///< all text, with line ends replaced by blanks
+    std::size_t arrows = 0;               ///< number of lines, including those without a target
 };
 
 Box rectangle(pugi::xml_node node) {
@@ -30,7 +31,7 @@ Box rectangle(pugi::xml_node node) {
             {node.attribute("width").as_int(), node.attribute("height").as_int()}};
 }
 
-/// The width in a font with characters of equal width.
+/// Returns the box of a text in a font whose characters have equal width.
 Box room_of(pugi::xml_node text) {
     std::size_t characters = 0;
     for (const char c : std::string_view(text.text().get())) characters += (c & 0xC0) != 0x80 ? 1 : 0;
@@ -54,7 +55,7 @@ bool is_within(const Box& inner, const Box& outer) {
            inner.at.y + inner.size.height <= outer.at.y + outer.size.height;
 }
 
-/// Fails if a layout rule is violated.
+/// Reads the diagram back. Fails the test if a layout rule is violated.
 Shown shown(const Diagram& diagram) {
     std::ostringstream out;
     emit_svg(diagram, out);
@@ -131,7 +132,7 @@ TEST(DiagramSvg, AutomataAndMachinesOfTheSamplesAreDrawn) {
         for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
             SCOPED_TRACE(entry.path());
             ConformOptions options{.mode = mode};
-            options.limits.states = 200;  // there may be many thousands of these
+            options.limits.states = 200;  // an automaton may have many thousands of states
             const auto automaton = automaton_of(*reading.model, {0}, options, reading.diagnostics);
             const auto machine = mealy_of(*reading.model, {0}, options, reading.diagnostics);
             if (automaton) shown(diagram(*automaton));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rules of layered drawings, on graphs of every kind and in both directions.
+// Tests the rules of layered drawings on graphs of every kind and in both directions.
 #include "emit/layout/layered.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,8 @@ using layout::Layered;
 using layout::Point;
 using layout::States;
 
-/// Chains, trees, nearly complete graphs, with loops, arrows without target, parallel arrows and unreachable nodes.
+/// Returns chains, trees and nearly complete graphs, with loops, arrows without target, parallel arrows and unreachable
+/// nodes.
 States random_states(std::mt19937& random) {
     const auto below = [&random](std::size_t limit) { return random() % limit; };
     States states;
@@ -46,7 +47,7 @@ bool is_on_rim(const Box& box, Point at) {
 
 Scene scene_of(const States& states, const Layered& drawing) {
     Scene scene{.boxes = drawing.nodes, .lines = {}, .page = {{0, 0}, drawing.size}};
-    std::map<std::pair<int, int>, std::size_t> nets;  // by the end points of their lines
+    std::map<std::pair<int, int>, std::size_t> nets;  // lines by their end points
     for (std::size_t k = 0; k < states.arrows.size(); ++k) {
         const std::vector<Point>& points = drawing.arrows[k].points;
         if (states.arrows[k].label.width > 0) scene.boxes.push_back(drawing.arrows[k].label);
@@ -124,7 +125,7 @@ TEST(Layered, LayerContainsNodesAtEqualDistanceFromTheFirstNode) {
     EXPECT_LT(drawing.nodes[0].at.y, drawing.nodes[1].at.y);
 }
 
-/// Lines that join have one arrow head, and a dot at the junction.
+/// Lines that join have one arrow head, and a dot at their junction.
 TEST(Layered, ArrowsToOneNodeMeet) {
     States states{.nodes = {{40, 30}, {40, 30}, {40, 30}, {40, 30}},
                   .arrows = {{0, 1, {50, 14}}, {0, 2, {50, 14}}, {1, 3, {50, 14}}, {2, 3, {50, 14}}},

@@ -11,7 +11,7 @@
 namespace grafverif {
 
 struct Scene {
-    std::vector<layout::Box> boxes = {};  ///< of nodes and labels
+    std::vector<layout::Box> boxes = {};  ///< the boxes of nodes and labels
     struct Line {
         std::vector<layout::Point> points = {};
         std::size_t net = 0;  ///< lines of one net may overlap
@@ -47,7 +47,7 @@ inline bool lie_on_each_other(const Stretch& a, const Stretch& b) {
 
 inline std::string text_of(layout::Point at) { return std::to_string(at.x) + "," + std::to_string(at.y); }
 
-/// The layout rules of a page, except for those about its content.
+/// Checks the layout rules of a page, except those about its content.
 inline std::vector<std::string> faults(const Scene& scene) {
     std::vector<std::string> found;
     for (std::size_t a = 0; a < scene.boxes.size(); ++a) {

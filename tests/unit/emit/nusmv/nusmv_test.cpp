@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The text of NuSMV models: its parts and its specifications. A randomized test checks its equivalence to the system.
+// Tests the text of NuSMV models: its parts and its specifications. A randomized test checks that the text is
+// equivalent to the system.
 #include "emit/nusmv/nusmv.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// main with inputs a, b, c and an instance `k` of a module with one step.
+/// A main module with inputs a, b, c and an instance `k` of a module with one step.
 struct Small {
     System system = {};
     Id<System::Module> module = {};
@@ -65,7 +66,7 @@ std::string emitted(const System& system) {
     return out.str();
 }
 
-/// The lines of `text` from the line `first` on, as many as `expected` has.
+/// Compares the lines of `text` from the line `first` on with the lines of `expected`.
 void expect_lines(const std::string& text, const std::string& expected) {
     EXPECT_NE(("\n" + text).find("\n" + expected), std::string::npos) << "in:\n" << text;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiles the C files and explores them with a small explorer that uses only the interface; compares the results with
+// Compiles the C files, explores them with a small explorer that uses only the interface, and compares the results with
 // the timed engine.
 #include "emit/pins/pins.hpp"
 
@@ -69,7 +69,7 @@ protected:
         return result;
     }
 
-    /// True if the network is small enough to compare.
+    /// Compares the results if the network is small enough; returns false if it is not.
     bool compare(const Network& network) {
         const TimedResult expected = check_timed(network, {.max_states = most_states});
         if (!expected.complete) return false;
@@ -125,7 +125,7 @@ TEST_F(Pins, RandomClosedLoopsHaveTheStatesOfTheTimedEngine) {
             compared +=
                 compare(composed_loop(model, {.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased}).network) ? 1 : 0;
         } catch (const std::invalid_argument&) {
-            continue;  // a loop that compose rejects
+            continue;  // compose rejects this loop
         }
     }
     EXPECT_GT(compared, 0);

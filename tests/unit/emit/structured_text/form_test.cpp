@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The forms of a controller: the content of the PLCopen XML, the names that it uses, and rejected charts.
+// Tests the forms of a controller: the content of the PLCopen XML, the names that it uses, and rejected charts.
 #include <gtest/gtest.h>
 
 #include <pugixml.hpp>
@@ -87,7 +87,7 @@ TEST(StructuredTextForm, NamesFollowIecAndAreListedInTheHeader) {
     EXPECT_NE(text.find("(* step_ is step_0 *)"), std::string::npos) << text;
     EXPECT_NE(text.find("(* GO__2 is GO_2 *)"), std::string::npos) << text;
     EXPECT_NE(text.find("    FAULT_2 : INT := 0;"), std::string::npos) << text;
-    SmallPlc plc({text}, "chart");  // no name is declared twice
+    SmallPlc plc({text}, "chart");  // this checks that no name is declared twice
     for (const char* input : {"step_0", "END_IF_2", "go"}) plc.set(input, 1);
     plc.call(0);
     EXPECT_EQ(plc.value("GO_2"), 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The test program passes with the controller of its chart, and finds the row in which another controller differs.
+// Tests that the test program passes with the controller of its chart, and that it finds the row in which another
+// controller differs.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -16,7 +17,7 @@ namespace {
 
 using structured_text::Form;
 
-constexpr std::int64_t tick = 250;  ///< milliseconds between two calls that wait
+constexpr std::int64_t tick = 250;  ///< milliseconds between two calls while the test waits
 
 TestSequence without_steps(const Chart& chart, ExecutionMode mode) {
     TestSequence test;
@@ -38,7 +39,7 @@ std::vector<std::int64_t> values_of(const Chart& chart, Chart::VariableKind kind
     return picked;
 }
 
-/// A random walk of the chart as a sequence; shorter if the chart cannot continue.
+/// Returns a random walk of the chart as a sequence, which is shorter if the chart cannot continue.
 TestSequence::Sequence walk(const Chart& chart, ExecutionMode mode, Random& random) {
     TestSequence::Sequence sequence;
     State state = power_on(chart);
@@ -68,7 +69,7 @@ std::string text_of(const TestSequence& test, Form form) {
     return form == Form::Text ? std::move(out).str() : units_of_plcopen(std::move(out).str());
 }
 
-/// Runs the test to its end; time passes only in calls that wait.
+/// Runs the test to its end. Time passes only in calls that wait.
 void run(SmallPlc& plc) {
     std::int64_t now = 0;
     for (int calls = 0; plc.value("done") == 0; ++calls) {

@@ -7,7 +7,8 @@
 
 namespace grafverif::test {
 
-/// One line per overlap of two locations, names or labels of one template; empty for a clean project.
+/// Returns one line for each overlap of two locations, names or labels of one template, and an empty string for a
+/// project without overlaps.
 std::string overlaps(const std::string& xml);
 
 }  // namespace grafverif::test

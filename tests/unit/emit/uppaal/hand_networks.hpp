@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hand-written networks for the tests of the UPPAAL emitter: small, with one element of each kind.
+// Hand-written networks for the tests of the UPPAAL emitter. They are small and contain one element of each kind.
 #pragma once
 
 #include <initializer_list>

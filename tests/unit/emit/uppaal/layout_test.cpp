@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The drawings of a project: locations, names and labels do not overlap.
+// Tests that locations, names and labels do not overlap in the drawings of a project.
 #include <gtest/gtest.h>
 
 #include <map>

@@ -107,7 +107,7 @@ TEST(LegalNames, AreLegalAndDistinctForAnyNames) {
 }
 
 TEST(LegalNames, CostNoMoreThanTheirNumber) {
-    const Names names(200'000, "X");  // quadratic search would take minutes
+    const Names names(200'000, "X");  // a quadratic search would take minutes
     EXPECT_EQ(legal_names(Target::Uppaal, names).back(), "X_200000");
 }
 

@@ -11,7 +11,7 @@
 namespace grafverif {
 namespace {
 
-/// The text of the template called `name` from `tag` on, with entities replaced.
+/// Returns the text of the template called `name` from `tag` on, with entities replaced.
 std::string template_text(const std::string& xml, const std::string& name, const char* tag) {
     pugi::xml_document document;
     EXPECT_TRUE(document.load_string(xml.c_str()));
@@ -119,7 +119,8 @@ TEST(UppaalProject, ListsProcessesByKind) {
 
 TEST(UppaalProject, KeepsLocalNamesFromHidingGlobals) {
     const std::string xml = test::project(test::awkward_names());
-    EXPECT_TRUE(holds(xml, "//   process.W is renamed to W_\n"));  // the guard of its edge reads the global W
+    // The guard of an edge of this process reads the global W.
+    EXPECT_TRUE(holds(xml, "//   process.W is renamed to W_\n"));
     EXPECT_TRUE(holds(xml, ">W</label>"));
     EXPECT_TRUE(holds(xml, "urgent broadcast chan hurry_;"));
 }

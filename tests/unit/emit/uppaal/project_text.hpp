@@ -8,7 +8,7 @@
 
 namespace grafverif::test {
 
-/// The UPPAAL project of a network that is not lowered yet.
+/// Returns the UPPAAL project of a network that is not lowered yet.
 inline std::string project(const Network& network) {
     std::ostringstream out;
     uppaal::emit(uppaal::lower(network), out);

@@ -22,7 +22,7 @@ std::string queries_text(const Network& network) {
     return out.str();
 }
 
-/// Queries by the name at the beginning of their comment.
+/// Returns the queries by the name at the beginning of their comment.
 std::map<std::string, Query> queries(const Network& network) {
     pugi::xml_document document;
     EXPECT_TRUE(document.load_string(test::project(network).c_str()));
@@ -102,7 +102,7 @@ TEST(UppaalQueries, OmitInexpressiblePropertiesWithAComment) {
     EXPECT_NE(queries_text(network).find("/*\nT: time -- goes on: omitted;"), std::string::npos);
 }
 
-// UPPAAL's own reader fails at a comment at the end of `queries`.
+// UPPAAL itself cannot read a comment at the end of `queries`.
 TEST(UppaalQueries, EndWithAQuery) {
     const std::string xml = test::project(test::station());
     EXPECT_LT(xml.rfind("-->", xml.find("</queries>")), xml.rfind("<query>"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A project that is read back equals the emitted network: it is complete, and names can be traced back.
+// Tests that a project that is read back equals the emitted network: it is complete, and names can be traced back.
 #include <gtest/gtest.h>
 
 #include <sstream>

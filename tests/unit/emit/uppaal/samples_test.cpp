@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The projects of all samples, in every mode and grain.
+// Tests the projects of all samples, in every mode and grain.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Excludes files that are only included by others.
+/// Excludes files that other files include.
 bool has_loop(const fs::path& file) {
     std::ifstream in(file);
     return std::string(std::istreambuf_iterator<char>(in), {}).find("closed_loop") != std::string::npos;
@@ -33,7 +33,7 @@ std::vector<std::string> samples() {
     return found;
 }
 
-/// The networks of the loops of a file, ready to emit.
+/// Returns the networks of the loops of a file, which are ready to emit.
 std::vector<Network> networks(const std::string& file) {
     std::vector<Network> list;
     app::CommandContext reading;
