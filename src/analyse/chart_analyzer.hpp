@@ -147,7 +147,7 @@ private:
         Bdd comes = {};                  ///< the points at which it occurs
         Bdd gone = {};                   ///< the points after which it is impossible for all inputs
         bool again = false;              ///< true if it can occur, cease and occur again
-        std::vector<bool> dead_in = {};  ///< per region: true if it never occurs in the region
+        std::vector<bool> dead_in = {};  ///< for each region: true if it never occurs in the region
     };
     std::vector<Passing> passing();
     bool find_gone(Passing& each, const TerminalRegions& ways, const Bdd& sound, const std::vector<Bdd>& regions) const;

@@ -105,7 +105,7 @@ private:
     const Equations& equations_;
     const Exprs& exprs_;
     const Equations::Stored& stored_;
-    std::vector<bool> of_it_;  ///< per term: true if it is a value of the variable, or this value plus a constant
+    std::vector<bool> of_it_;  ///< for each term: true if it is a value of the variable, or this value plus a constant
     std::vector<std::int64_t> added_;  ///< upper bound of this constant
     std::int64_t least_ = 0, greatest_ = 0, most_ = 0;
     bool met_ = false, good_ = true;

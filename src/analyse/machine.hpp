@@ -152,7 +152,7 @@ private:
     BddSpace& space_;
     Cone cone_;
     bool whole_ = true, watches_ = false;
-    std::vector<bool> inside_ = {};  ///< per term: true if it reads only variables of the cone
+    std::vector<bool> inside_ = {};  ///< for each term: true if it reads only variables of the cone
     std::vector<Equations::Timer> clocks_;
     std::vector<bool> matters_ = {};
     std::vector<std::optional<Counter>> counters_ = {};

@@ -56,7 +56,8 @@ private:
     const Equations& equations_;
     Reads reads_;
     std::vector<bool> open_;
-    std::vector<std::vector<Id<Variable>>> written_;  ///< per variable: the stored variables that its change may write
+    /// For each variable: the stored variables that its change may write.
+    std::vector<std::vector<Id<Variable>>> written_;
     std::vector<Id<Variable>> order_ = {};
 };
 
@@ -96,7 +97,7 @@ private:
     const std::vector<Equations::Timer>& timers_;
     Reads reads_;
     std::vector<bool> marks_;
-    std::vector<Id<Expr>> values_;  ///< per variable: its next value if it is a term, otherwise invalid
+    std::vector<Id<Expr>> values_;  ///< for each variable: its next value if it is a term, otherwise invalid
     std::vector<std::uint32_t> pending_ = {};
 };
 
@@ -139,7 +140,7 @@ std::vector<std::uint32_t> integer_groups(const Equations& equations) {
         while (first[variable] != variable) variable = first[variable] = first[first[variable]];
         return variable;
     };
-    // Per term: an integer variable on which its value depends, or none.
+    // For each term: an integer variable on which its value depends, or none.
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> made_of(equations.exprs.size(), none);
     for (std::uint32_t term = 0; term < equations.exprs.size(); ++term) {

@@ -63,7 +63,7 @@ public:
     Bdd first() const;
     /// Returns those of `goal` with the smallest distance. A shortest path leads to one of them.
     Bdd nearest(const Bdd& goal) const;
-    /// Returns a shortest path to a point of `goal`; empty if there is none.
+    /// Returns a shortest path to a point of `goal`, or nothing if there is none.
     std::optional<Path> path_to(const Bdd& goal) const;
 
 private:

@@ -22,7 +22,7 @@ std::vector<std::vector<Id<Chart::ForcingOrder>>> forcing_cycles(const Chart& ch
 /// partial chart itself or a chart that contains it.
 std::vector<std::pair<Id<Chart::ForcingOrder>, Id<Chart::Step>>> orders_on_enclosed(const Chart& chart);
 
-/// Returns the partial chart that a forcing order of the conflict forces; empty if the order is not found.
+/// Returns the partial chart that a forcing order of the conflict forces, or an empty string if the order is not found.
 std::string conflict_subject(const Chart& chart, const Equations::Conflict& conflict);
 
 /// Returns pairs of transitions with a common upstream step, in order.

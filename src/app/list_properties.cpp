@@ -23,7 +23,7 @@ struct Listed {
     Property property = {};  ///< an empty name denotes the complete model
 };
 
-/// Returns the selected properties of the loop; empty after an error.
+/// Returns the selected properties of the loop, or nothing after an error.
 std::optional<std::vector<Listed>> listed(const Model& model, Id<ClosedLoop> id, CommandContext& job) {
     const ClosedLoop& loop = model.loops[id];
     std::vector<Property> found;

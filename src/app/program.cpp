@@ -304,7 +304,7 @@ ExitCode run(std::span<const std::string> arguments, const Streams& streams) {
         streams.out << "grafverif " GRAFVERIF_VERSION "\n";
         return ExitCode::Done;
     }
-    const std::string& verb = asks ? arguments[1] : name;  // also applies to `help check` and `--help check`
+    const std::string& verb = asks ? arguments[1] : name;  // this also applies to `help check` and `--help check`
     for (const Entry& entry : entries) {
         if (entry.usage().name == verb && asks) return print_help(entry.usage(), streams.out), ExitCode::Done;
         if (entry.usage().name == verb) return run_verb(entry, arguments.subspan(1), streams);

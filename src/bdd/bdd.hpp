@@ -205,7 +205,7 @@ std::size_t size(const Bdd& f);
 /// Returns f under the assignment of values[i] to variable i. `values` contains all variables on which f depends.
 bool evaluate(const Bdd& f, const std::vector<bool>& values);
 
-/// Returns literals, in increasing order of their variables, that make f true; empty if f is false.
+/// Returns literals, in increasing order of their variables, that make f true, or nothing if f is false.
 std::optional<std::vector<BddLiteral>> one_cube(const Bdd& f);
 /// Enumerates disjoint cubes whose disjunction is f, false branches first, until `visit` returns false. The number of
 /// cubes can be exponential in the size of f.

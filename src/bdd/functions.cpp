@@ -12,7 +12,7 @@ namespace {
 using bdd::Edge;
 using bdd::Kernel;
 
-/// Returns the space of the operands; null if all are constants.
+/// Returns the space of the operands, or null if all are constants.
 Kernel* kernel_of(std::initializer_list<const Bdd*> operands) {
     Kernel* kernel = nullptr;
     for (const Bdd* operand : operands) {

@@ -56,7 +56,7 @@ public:
     bool add(std::uint32_t count);
 
     Block<std::uint32_t> level_of, variable_at;
-    Block<std::uint32_t> group_of;  ///< per variable: the first variable of its group; a group is contiguous
+    Block<std::uint32_t> group_of;  ///< for each variable: the first variable of its group; a group is contiguous
     std::uint64_t version = 0;      ///< increased by every change of the order
 
 private:

@@ -126,7 +126,7 @@ void Relation::end_after() {
 }
 
 Relation::Quantified Relation::quantified(std::span<const std::uint32_t> variables) const {
-    std::map<std::uint32_t, std::size_t> last;  // per variable: the last part that reads it
+    std::map<std::uint32_t, std::size_t> last;  // for each variable: the last part that reads it
     for (std::size_t part = 0; part < parts_.size(); ++part)
         for (const std::uint32_t variable : parts_[part].reads) last[variable] = part;
     std::vector<std::uint32_t> unread;

@@ -33,7 +33,7 @@ public:
     /// Variables that an image quantifies.
     struct Quantified {
         Bdd unread = {};              ///< variables that no part reads
-        std::vector<Bdd> ended = {};  ///< per part: variables that it reads and no later part reads
+        std::vector<Bdd> ended = {};  ///< for each part: variables that it reads and no later part reads
     };
     /// Distributes `variables` and the choices over the parts.
     Quantified quantified(std::span<const std::uint32_t> variables) const;

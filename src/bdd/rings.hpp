@@ -27,7 +27,7 @@ struct Rings {
         return true;
     }
 
-    /// Returns the first ring with a state of `goal`; empty if there is none.
+    /// Returns the first ring with a state of `goal`, or nothing if there is none.
     std::optional<std::size_t> nearest(const Bdd& goal) const {
         if ((reached & goal).is_false()) return {};
         for (std::size_t ring = 0; ring < each.size(); ++ring)

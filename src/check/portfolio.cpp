@@ -272,9 +272,9 @@ private:
     const PortfolioOptions& options_;
     std::atomic<bool> stop_ = false;
     std::atomic<std::uint64_t> worked_ = 0;  ///< number of steps of operations on diagrams
-    std::vector<std::atomic<bool>> moot_;    ///< per property of the system: true if its verdict is no longer needed
-    bool threaded_ = false;                  ///< changes only while no thread is running, as does the next member
-    std::uint64_t most_memory_ = 0;          ///< memory limit of the last run of the symbolic engine
+    std::vector<std::atomic<bool>> moot_;  ///< for each property of the system: true if its verdict is no longer needed
+    bool threaded_ = false;                ///< changes only while no thread is running, as does the next member
+    std::uint64_t most_memory_ = 0;        ///< memory limit of the last run of the symbolic engine
     bool has_tried_first_ = false;
 
     std::mutex mutex_ = {};  ///< protects the following members

@@ -19,11 +19,11 @@ struct ControllerParts {
     bool starts = false;  ///< the first evolution has an effect and therefore a separate edge
     Span origin = {};
 
-    /// Per variable of the equations: the variable that other processes read; the variable that stores an output until
-    /// it is written; the variable that stores an input from fire() on. Invalid if it does not exist.
+    /// For each variable of the equations: the variable that other processes read; the variable that stores an output
+    /// until it is written; the variable that stores an input from fire() on. Invalid if it does not exist.
     std::vector<Id<Network::Variable>> variable = {}, image = {}, sample = {};
     std::vector<Id<Equations::Variable>> sampled = {};  ///< variables of the equations with a sample, in order
-    std::vector<bool> sample_written = {};              ///< per variable: true if its sample is needed until write()
+    std::vector<bool> sample_written = {};  ///< for each variable: true if its sample is needed until write()
 
     /// Flags of the controller; evol_ti only if there are timers.
     Id<Network::Variable> evol_pl = {}, evol_ti = {}, stable = {};

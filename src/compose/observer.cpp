@@ -86,7 +86,8 @@ private:
     const ObserverTerms& terms_;
     std::int64_t duration_;
     Id<Network::Clock> clock_ = {};
-    std::vector<Id<Expr>> rest_ = {};  ///< per location: condition under which no edge that was added so far is taken
+    /// For each location: condition under which no edge that was added so far is taken.
+    std::vector<Id<Expr>> rest_ = {};
 };
 
 // -- durations --------------------------------------------------------------------------------------------------------

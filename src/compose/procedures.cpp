@@ -249,8 +249,8 @@ private:
     bool phased_;
     bool every_cycle_;
     std::vector<Kept> kept_;
-    std::vector<Id<Expr>> stored_;  ///< per variable of the equations: the leaf of the variable that stores it
-    /// Per variable of the equations: the scratch variable with its old value.
+    std::vector<Id<Expr>> stored_;  ///< for each variable of the equations: the leaf of the variable that stores it
+    /// For each variable of the equations: the scratch variable with its old value.
     std::vector<Id<Network::Variable>> old_;
 };
 

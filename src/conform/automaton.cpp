@@ -290,7 +290,7 @@ private:
     Conditions conditions_;
     std::vector<Kept> kept_;
     std::vector<Id<Automaton::Output>> outputs_ = {};  ///< output of each variable
-    std::vector<StateId> states_ = {};                 ///< state of each location; INIT has none
+    std::vector<StateId> states_ = {};                 ///< state of each location except INIT
     std::vector<Id<Location>> location_of_ = {};       ///< location of each state
 };
 

@@ -39,9 +39,9 @@ struct AutomatonOptions {
     std::function<void(const ConformProgress&)> progress = {};  ///< called periodically
 };
 
-/// Returns the automaton of the chart; empty after at least one error. Errors are: no inputs, no outputs, a constraint
-/// that excludes every input, an initial situation that never becomes stable. Further errors are two actions that store
-/// different values simultaneously, a value that is undefined or out of range, and a limit. Requires
+/// Returns the automaton of the chart, or nothing after at least one error. Errors are: no inputs, no outputs, a
+/// constraint that excludes every input, an initial situation that never becomes stable. Further errors are two actions
+/// that store different values simultaneously, a value that is undefined or out of range, and a limit. Requires
 /// verify(equations).empty().
 std::optional<LocationAutomaton> location_automaton(const Equations& equations, const AutomatonOptions& options,
                                                     Diagnostics& diagnostics);

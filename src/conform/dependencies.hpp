@@ -21,11 +21,12 @@ struct Dependencies {
         Numbers always = {};
     };
 
-    std::vector<Numbers> guarded = {};  ///< per field that is a step activity: transitions that fire only if it holds
-    Numbers unguarded = {};             ///< all other transitions
-    Computed fields = {};               ///< fields that may change; all others keep their values
-    Computed races = {};                ///< stored variables that may have a race; all others cannot
-    bool firing_unsettles = false;      ///< true if a situation in which a transition fires is never stable
+    /// For each field that is a step activity: transitions that fire only if it holds.
+    std::vector<Numbers> guarded = {};
+    Numbers unguarded = {};         ///< all other transitions
+    Computed fields = {};           ///< fields that may change; all others keep their values
+    Computed races = {};            ///< stored variables that may have a race; all others cannot
+    bool firing_unsettles = false;  ///< true if a situation in which a transition fires is never stable
 };
 
 Dependencies dependencies(const Equations& equations, const StateLayout& layout);

@@ -31,7 +31,7 @@ struct TestOptions {
     std::uint64_t max_pairs = 100'000'000;  ///< for TestCover::Transitions: limit for pairs of states and combinations
 };
 
-/// Returns the sequences for `machine`; empty after an error: there are too many input combinations, or nothing to
+/// Returns the sequences for `machine`, or nothing after an error: there are too many input combinations, or nothing to
 /// cover. Requires verify(machine).empty().
 std::optional<TestSequence> test_sequence(const MealyMachine& machine, const TestOptions& options, Span chart,
                                           Diagnostics& diagnostics);

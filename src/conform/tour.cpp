@@ -107,8 +107,8 @@ void Flow::saturate() {
     }
 }
 
-/// Returns the distance of each node from the nodes with supply, in arcs of reduced cost zero; empty if no node with
-/// demand is reachable.
+/// Returns the distance of each node from the nodes with supply, in arcs of reduced cost zero, or nothing if no node
+/// with demand is reachable.
 std::optional<std::vector<std::uint32_t>> Flow::levels_to_demand() const {
     constexpr std::uint32_t unseen = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> level(out_.size(), unseen), order;
@@ -312,7 +312,7 @@ private:
     const std::vector<TourArc>& arcs_;
     Crossings left_;
     Leaving leaving_;
-    /// Per node: the first of its arcs that may not have been traversed as often as necessary.
+    /// For each node: the first of its arcs that may not have been traversed as often as necessary.
     std::vector<std::uint32_t> next_;
     std::unordered_map<std::uint64_t, std::uint32_t> waits_ = {};
 };
@@ -334,7 +334,8 @@ public:
     NearestSearch(std::uint32_t nodes, const std::vector<TourArc>& arcs)
         : arcs_(arcs), leaving_(nodes, arcs), seen_in_(nodes), by_(nodes) {}
 
-    /// Returns the arcs of a shortest path from `start` to a node in `wanted`, last first; empty if none is reachable.
+    /// Returns the arcs of a shortest path from `start` to a node in `wanted`, last first, or an empty list if none is
+    /// reachable.
     std::vector<std::uint32_t> path(std::uint32_t start, const std::vector<bool>& wanted) {
         ++round_;
         std::deque<std::uint32_t> queue{start};
@@ -364,7 +365,7 @@ private:
     const std::vector<TourArc>& arcs_;
     Leaving leaving_;
     std::uint32_t round_ = 0;
-    /// Per node: the last search that visited it, and the arc by which it was reached.
+    /// For each node: the last search that visited it, and the arc by which it was reached.
     std::vector<std::uint32_t> seen_in_, by_;
 };
 

@@ -28,18 +28,19 @@ namespace grafverif {
 // The relation "encloses or forces" between charts is acyclic, which defines an order of the charts.
 
 struct Hierarchy {
-    /// Per step: the step that is activated in its place, and the step that must be active for its transitions to be
-    /// enabled. Both are the step itself, or the entry and exit step of the expansion of a macro-step.
+    /// For each step: the step that is activated in its place, and the step that must be active for its transitions to
+    /// be enabled. Both are the step itself, or the entry and exit step of the expansion of a macro-step.
     std::vector<Id<Chart::Step>> entered = {}, left = {};
-    /// Per partial chart: the chart that contains it as a (nested) expansion; otherwise itself.
+    /// For each partial chart: the chart that contains it as a (nested) expansion; otherwise itself.
     std::vector<Id<Chart::PartialChart>> home = {};
     /// Homes in topological order: each follows those that enclose or force it.
     std::vector<Id<Chart::PartialChart>> order = {};
     std::vector<std::vector<Id<Chart::Step>>> region = {};  ///< steps of the region, per partial chart
     std::vector<std::vector<Id<Chart::ForcingOrder>>> orders =
-        {};  ///< per partial chart: the forcing orders that force its region
-    std::vector<std::vector<Id<Chart::Step>>> forced = {};  ///< per forcing order: the steps that it activates, sorted
-    std::vector<bool> initial = {};                         ///< per step: true if it is active at power-on
+        {};  ///< for each partial chart: the forcing orders that force its region
+    /// For each forcing order: the steps that it activates, sorted.
+    std::vector<std::vector<Id<Chart::Step>>> forced = {};
+    std::vector<bool> initial = {};  ///< for each step: true if it is active at power-on
 };
 
 /// Computes the hierarchy; empty after an error: a cycle, or a chart that one step forces twice.
@@ -88,8 +89,8 @@ struct Derivation {
     std::vector<Id<Expr>> firing_leaves = {};                               ///< CF_t as a term
     std::vector<std::vector<Id<Chart::ContinuousAction>>> continuous = {};  ///< continuous actions per variable
     std::vector<std::vector<Id<Chart::StoredAction>>> stored = {};          ///< stored actions per variable
-    std::vector<bool> reads_output = {};  ///< per term of the chart: true if it contains a continuous output
-    std::vector<Id<Expr>> values = {};    ///< per variable: equation (13) of a continuous output
+    std::vector<bool> reads_output = {};  ///< for each term of the chart: true if it contains a continuous output
+    std::vector<Id<Expr>> values = {};    ///< for each variable: equation (13) of a continuous output
     std::unordered_map<std::uint32_t, Id<Equations::Variable>> previous = {};  ///< P_e for each term e of the equations
     std::unordered_map<std::uint32_t, Id<Equations::Variable>> watched = {};   ///< V_e for each term e of the equations
     /// Timers, identified by observed variable, t1 and t2.

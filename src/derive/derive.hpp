@@ -25,7 +25,7 @@
 
 namespace grafverif {
 
-/// Returns the equations of `chart`; empty after at least one error. Requires verify(chart).empty().
+/// Returns the equations of `chart`, or nothing after at least one error. Requires verify(chart).empty().
 std::optional<Equations> derive(const Chart& chart, Diagnostics& diagnostics);
 
 }  // namespace grafverif

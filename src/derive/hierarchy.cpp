@@ -35,7 +35,8 @@ public:
 private:
     const Partial& partial(Id<Partial> id) const { return chart_.partial_charts[id]; }
 
-    /// Returns the chart that contains the macro-step or enclosing step of `inner`; invalid if it has no owner.
+    /// Returns the chart that contains the macro-step or enclosing step of `inner`, or an invalid id if it has no
+    /// owner.
     Id<Partial> outer(Id<Partial> inner) const {
         const Id<Chart::Step> owner = partial(inner).owner;
         return owner.valid() ? chart_.steps[owner].chart : Id<Partial>{};

@@ -58,7 +58,7 @@ Id<Expr> time_of(Derivation& derivation, const Chart::ContinuousAction& action) 
     return exprs.conjunction(terms);
 }
 
-/// Returns equation (13); invalid if a condition is too large.
+/// Returns equation (13), or an invalid id if a condition is too large.
 Id<Expr> output_value(Derivation& derivation, Id<Chart::Variable> output) {
     const Chart::Variable& variable = derivation.chart.variables[output];
     Exprs& exprs = derivation.equations.exprs;

@@ -142,7 +142,7 @@ private:
     const Chart& chart_;
     const Hierarchy& hierarchy_;
     Exprs& exprs_;
-    /// Per step: the firing conditions that activate it, and those that deactivate it.
+    /// For each step: the firing conditions that activate it, and those that deactivate it.
     std::vector<std::vector<Id<Expr>>> on_, off_;
     std::vector<bool> linked_;
 };

@@ -28,7 +28,7 @@ public:
 
     int assign() {
         std::ranges::stable_sort(spans_, {}, &Span::low);
-        std::set<std::pair<int, std::size_t>> free_from;  // per track: end of its last line
+        std::set<std::pair<int, std::size_t>> free_from;  // for each track: end of its last line
         for (const Span& span : spans_) {
             const auto first = free_from.begin();
             if (first == free_from.end() || first->first >= span.low) {

@@ -50,7 +50,7 @@ private:
     const ChartText& text_;
     Writing writing_;
     ElementIds ids_;
-    std::vector<bool> active_ = {};  ///< per step: true if it is marked as active
+    std::vector<bool> active_ = {};  ///< for each step: true if it is marked as active
     std::vector<std::vector<Id<Chart::ContinuousAction>>> continuous_ = {};  ///< continuous actions of each step
     std::vector<std::vector<Id<Chart::StoredAction>>> stored_ = {};          ///< stored actions of each step
     std::vector<std::vector<Id<Chart::ForcingOrder>>> forcing_ = {};         ///< forcing orders of each step

@@ -104,7 +104,7 @@ bool holds_along(const Network& network, const Property& property, const Run& ru
                          *states, [&](const NetworkState& state) { return checked_good(network, property, state); });
 }
 
-/// Returns the run without the free moves `left_out`; empty if the remaining moves are not a run.
+/// Returns the run without the free moves `left_out`, or nothing if the remaining moves are not a run.
 std::optional<Run> without(const Network& network, const Network& timed, const Run& run,
                            const std::vector<std::size_t>& left_out, std::size_t& effort) {
     Remake remake(network, timed, effort);

@@ -65,7 +65,7 @@ private:
         made.push_back({transition_, never, fmt::format("`{}` is never {}: {}", name, state, why)});
     }
 
-    /// Returns a term of the model that is true in every state in which `term` is true; empty if there is none.
+    /// Returns a term of the model that is true in every state in which `term` is true, or nothing if there is none.
     std::optional<Id<Expr>> bound_of(Id<Expr> term) {
         if (chart_.exprs[term].op != Op::Timed) return copy_of(term);
         // `t1/v` requires the timer's output; `v/t2` does not.
@@ -75,8 +75,8 @@ private:
         return exprs_.leaf(Op::Variable, *end);
     }
 
-    /// Returns a copy of the term; empty if it contains an edge, a time condition or an output. Conditions read the
-    /// equation of an output.
+    /// Returns a copy of the term, or nothing if it contains an edge, a time condition or an output. Conditions read
+    /// the equation of an output.
     std::optional<Id<Expr>> copy_of(Id<Expr> term) {
         bool known = true;
         const auto leaf = [&](const Expr& node) {

@@ -227,7 +227,7 @@ private:
         return std::ranges::find(left_out, ChoiceEvent{free.symbol, state}) != left_out.end();
     }
 
-    /// Returns the re-executed run; empty if it is not a valid run, or if it is bad.
+    /// Returns the re-executed run, or nothing if it is not a valid run, or if it is bad.
     std::optional<FlatRun> without(const std::vector<ChoiceEvent>& left_out) {
         const std::size_t from = left_out.front().state;
         if (*bad_ < from) {

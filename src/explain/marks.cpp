@@ -35,7 +35,7 @@ std::optional<Id<ChartRun::Signal>> watched_signal(const ChartRun& run, const Ch
     return {};
 }
 
-/// Returns the value that the timer watches after an event; empty if it is unknown.
+/// Returns the value that the timer watches after an event, or nothing if it is unknown.
 std::optional<bool> watched_value(const ChartRun& run, Id<ChartRun::Timer> id, std::size_t moment) {
     const ChartRun::Timer& timer = run.timers[id];
     const ChartRun::State& after = run.moments[moment].after;

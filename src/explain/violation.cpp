@@ -42,7 +42,7 @@ public:
         for (const std::string& term : terms) terms_.push_back('`' + term + '`');
     }
 
-    /// Returns the violation; empty if the observer does not fail.
+    /// Returns the violation, or nothing if the observer does not fail.
     std::optional<SentenceViolation> made() {
         const std::size_t failed = last("failed"), spoilt = last("spoilt"), due = last("due");
         fails_ = failed < entries_.size();

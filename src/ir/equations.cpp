@@ -19,7 +19,7 @@ struct Check {
     Sorts sorts{equations.exprs, [this](const Expr& leaf) {
                     return sort_of(equations.variables[{static_cast<std::uint32_t>(leaf.value)}].type);
                 }};
-    std::vector<bool> reads_firing = {};  ///< per term: true if it contains a firing condition
+    std::vector<bool> reads_firing = {};  ///< for each term: true if it contains a firing condition
     std::vector<int> defined = {};        ///< number of equations per variable
 
     void fault(std::string text) { faults.push_back(std::move(text)); }

@@ -48,8 +48,7 @@ Id<Expr> flattened(const TransitionSystem& system, FlatSystem& flat, Id<Expr> te
 struct SystemSpelling {
     std::vector<std::string> variables = {};  ///< per flattened(system).variables
     std::vector<std::vector<std::string>> values =
-        {};                                    ///< per variable: names of its values, starting with type.low; empty for
-                                               ///< numbers
+        {};  ///< for each variable: names of its values, starting with type.low; empty for numbers
     std::vector<std::string> properties = {};  ///< per system.properties
 
     bool operator==(const SystemSpelling&) const = default;

@@ -25,7 +25,7 @@ struct MutantFate {
         Refused,     ///< the mutated file is rejected
         Equivalent,  ///< equivalence proved by `compare`
         Noticed,     ///< killed: a property of the original fails
-        Unnoticed,   ///< survived: not equivalent, but no property fails that holds for the original
+        Unnoticed,   ///< survived: the mutant is not equivalent, but no property that holds for the original fails
         Unknown,     ///< the result is unknown
     };
     Kind kind = Kind::Unknown;

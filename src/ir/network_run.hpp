@@ -47,7 +47,7 @@ std::vector<Fire> enabled(const Network& network, const NetworkState& state);
 /// True if one unit of time can pass.
 bool may_delay(const Network& network, const NetworkState& state);
 
-/// Returns the value of an expression over variables and At (an operand of a property, or `settled`); empty if it
+/// Returns the value of an expression over variables and At (an operand of a property, or `settled`), or nothing if it
 /// divides by zero.
 std::optional<std::int64_t> value(const Network& network, const NetworkState& state, Id<Expr> expr);
 

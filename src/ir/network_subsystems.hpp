@@ -23,8 +23,8 @@ struct NetworkSubsystems {
     std::uint32_t count = 0;                      ///< number of parts, which are ordered by their first process
     std::vector<std::uint32_t> of_process = {};   ///< part per process
     std::vector<std::uint32_t> of_variable = {};  ///< part per variable; none if it creates no dependency
-    /// Per part: the conjuncts of `settled` that read only this part. The list is empty if `settled` is not defined or
-    /// a conjunct reads several parts.
+    /// For each part: the conjuncts of `settled` that read only this part. The list is empty if `settled` is not
+    /// defined or a conjunct reads several parts.
     std::vector<std::vector<Id<Expr>>> settled = {};
 };
 

@@ -24,7 +24,7 @@ inline Property probe_of(const Property& property, std::string_view kind, Id<Exp
 
 inline bool is_probe(const Property& property) { return property.name.ends_with(')'); }
 
-/// Returns the name of the property to which a probe belongs; empty if `property` is not a probe.
+/// Returns the name of the property to which a probe belongs, or an empty string if `property` is not a probe.
 inline std::string_view probed_by(const Property& property) {
     return is_probe(property) ? std::string_view(property.name).substr(0, property.name.rfind(".("))
                               : std::string_view();

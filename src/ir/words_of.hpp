@@ -9,7 +9,7 @@
 
 namespace grafverif {
 
-/// Returns the index in `equations.steps` of the step that a timer observes; empty if it observes another term.
+/// Returns the index in `equations.steps` of the step that a timer observes, or nothing if it observes another term.
 inline std::optional<std::size_t> watched_step(const Equations& equations, const Equations::Timer& timer) {
     const auto step = std::ranges::find(equations.steps, timer.watched, &Equations::StepActivity::variable);
     if (step == equations.steps.end()) return {};

@@ -94,7 +94,7 @@ void BackgroundChecker::work() {
             const std::lock_guard hold(door_);
             const auto proves = [](const Task& other) { return other.what == Task::What::Proofs; };
             if (std::ranges::none_of(tasks_, proves)) callbacks_.progress("");
-        } catch (const std::bad_alloc&) {  // not even the failure could be reported
+        } catch (const std::bad_alloc&) {  // there is no memory to report the failure
         } catch (const std::system_error&) {
         }
     }

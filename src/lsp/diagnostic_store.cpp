@@ -67,7 +67,7 @@ std::shared_ptr<const Root> DiagnosticStore::read(const std::string& path, Works
     Diagnostics diagnostics;
     diagnostics.add(*failure);
     root->reading = {};
-    root->inputs = {{path, nullptr}};  // without the open text, so that the document is read again
+    root->inputs = {{path, nullptr}};  // the open text is omitted, so that the document is read again
     root->places = std::make_shared<const Places>(root->reading.sources, path, shown);
     root->typed = told(diagnostics, *root->places);
     return root;

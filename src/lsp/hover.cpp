@@ -10,14 +10,14 @@ namespace grafverif::lsp {
 
 namespace {
 
-/// Returns text of a file as a Markdown code block. No part of it is interpreted as markup.
+/// Returns the text of a file as a Markdown code block. No part of it is interpreted as markup.
 std::string fenced(std::string_view text, const char* language) {
     std::string fence = "```";
     while (text.find(fence) != std::string_view::npos) fence += '`';
     return fence + language + "\n" + std::string(text) + "\n" + fence + "\n";
 }
 
-/// Returns the equations of a step, a transition, an output or a stored variable; empty if there are none.
+/// Returns the equations of a step, a transition, an output or a stored variable, or an empty string if there are none.
 std::string equation_of(const Declaration& thing, const Model& model) {
     const std::string name = thing.owner.substr(thing.owner.find(' ') + 1);
     const auto chart = find_chart(model, name);

@@ -31,7 +31,7 @@ public:
     /// Closes the queue: no further items are added.
     void close();
 
-    /// Returns the next item; empty if none arrives within `patience`, or if the queue is closed.
+    /// Returns the next item, or nothing if none arrives within `patience`, or if the queue is closed.
     std::optional<Item> take(std::chrono::milliseconds patience);
     bool closed() const;
 

@@ -9,7 +9,7 @@
 
 namespace grafverif::lsp {
 
-/// Returns the file of the component with this name; null if there is none.
+/// Returns the file of the component with this name, or null if there is none.
 std::shared_ptr<const Parsed> library_file(std::string_view component);
 /// Returns the names of all components of the library.
 const Names& library_names();

@@ -71,16 +71,17 @@ public:
     const std::vector<Use>& uses(const Parsed& file) const;
     const Use* use_at(const Parsed& file, std::size_t offset) const;
     const Declaration* thing(const std::string& key) const;
-    /// Returns the element that `name` would denote as a term, or as a step, at `offset`; empty if there is none.
+    /// Returns the element that `name` would denote as a term, or as a step, at `offset`, or an empty string if there
+    /// is none.
     std::string meaning(const Parsed& file, std::size_t offset, std::string_view name) const;
     /// Return the elements of a chart, component or loop, or all elements of one kind in the files.
     std::vector<const Declaration*> parts(const std::string& owner) const;
     std::vector<const Declaration*> all(DeclarationKind kind) const;
-    /// Returns the chart, component or loop whose declaration contains `offset`; null if there is none.
+    /// Returns the chart, component or loop whose declaration contains `offset`, or null if there is none.
     const Declaration* around(const Parsed& file, std::size_t offset) const;
     /// Returns the charts that a loop controls.
     std::vector<std::string> controllers(const std::string& loop) const;
-    /// Returns the component of an instance; empty if it is unknown.
+    /// Returns the component of an instance, or an empty string if it is unknown.
     std::string component_of(const std::string& instance) const;
 
     /// Returns every use of the element `key`, including declarations, file by file.

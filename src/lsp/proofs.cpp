@@ -32,7 +32,7 @@ void Session::prove(const std::string& path, const std::string& only) {
 
 void Session::found(Found outcome) {
     if (!board_.is_current(*outcome.root)) return;
-    dirty_ = true;  // until the diagnostics are published
+    dirty_ = true;  // remains true until the diagnostics are published
     board_.add(*outcome.root, outcome.source, std::move(outcome.told));
     Verdicts& known = verdicts_[outcome.root->path];
     if (known.number != outcome.root->number) known = {outcome.root->number, {}};
@@ -72,7 +72,7 @@ void Session::progress_is_requested() {
 // -- results
 // --------------------------------------------------------------------------------------------------------------
 
-/// Returns the verdict on the property with this key for the current texts; null if there is none.
+/// Returns the verdict on the property with this key for the current texts, or null if there is none.
 const VerdictDetails* Session::shown(const std::string& path, const std::string& key) const {
     const auto root = board_.root(path);
     const auto known = verdicts_.find(path);

@@ -16,7 +16,7 @@ namespace {
 
 bool is_of_library(const Parsed& file) { return file.path.starts_with("<library>"); }
 
-/// Returns the reason why an element cannot be renamed to any name; empty if it can.
+/// Returns the reason why an element cannot be renamed to any name, or an empty string if it can.
 std::string obstacle_of(const Names& names, const Declaration& thing) {
     if (is_of_library(*thing.file))
         return fmt::format("`{}` belongs to the component library and cannot be renamed", thing.name);

@@ -16,8 +16,8 @@ void declare_plant(const Parsed& file, Names& names);
 /// Returns the uses of names, sorted by position.
 std::vector<Use> uses_in(const Parsed& file, const Names& names);
 
-/// Returns the element that a term's `name` denotes in `owner`, a chart, component or loop, and its partial chart;
-/// empty if there is none.
+/// Returns the element that a term's `name` denotes in `owner`, a chart, component or loop, and its partial chart, or
+/// an empty string if there is none.
 std::string term_key(const Names& names, const Declaration& owner, std::string_view partial, std::string_view name);
 
 }  // namespace grafverif::lsp

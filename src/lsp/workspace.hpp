@@ -66,7 +66,7 @@ public:
 
     /// Returns true if files on the disk have changed since they were read. The files are updated.
     bool refresh();
-    /// Returns the text of a file; null if it does not exist.
+    /// Returns the text of a file, or null if it does not exist.
     std::shared_ptr<const Text> text(const std::string& path);
     std::shared_ptr<const Parsed> parsed(const std::string& path);
     /// Returns the file and all files that it includes.

@@ -12,7 +12,7 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the sections about one chart; empty after an error.
+/// Returns the sections about one chart, or nothing after an error.
 std::optional<ChartContent> content_of(const Model& model, const Sources& sources, Id<Chart> chart, bool single,
                                        std::optional<ExecutionMode> mode, const Limits& limits,
                                        Diagnostics& diagnostics) {

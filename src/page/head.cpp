@@ -36,7 +36,7 @@ std::size_t errors_found(const PageContent& content) {
     return errors;
 }
 
-/// Returns text about the errors of the charts themselves; empty if there are none.
+/// Returns text about the errors of the charts themselves, or an empty string if there are none.
 std::string errors_text(const PageContent& content) {
     if (const std::size_t errors = errors_found(content); errors != 0)
         return "the chart analysis found " + counted(errors, "error", "errors");

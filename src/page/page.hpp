@@ -54,7 +54,7 @@ struct PageContent {
     std::string warnings = {};         ///< diagnostics as text
 };
 
-/// Returns the charts and components of a page about `loop`, or about `chart` if `loop` is invalid; empty after an
+/// Returns the charts and components of a page about `loop`, or about `chart` if `loop` is invalid, or nothing after an
 /// error.
 std::optional<PageContent> page_content(const Model& model, const Sources& sources, Id<ClosedLoop> loop,
                                         Id<Chart> chart, std::optional<ExecutionMode> mode, const Limits& limits,

@@ -32,7 +32,7 @@ std::optional<std::string> read_stream(std::istream& in, std::string& why);
 /// it is equal for all paths to one name in one folder. It is empty for files without identity: pipes, devices,
 /// inaccessible files.
 std::string file_identity(const std::filesystem::path& path);
-/// Returns the identity of an existing file of any type; empty if there is none.
+/// Returns the identity of an existing file of any type, or an empty string if there is none.
 std::string identity_of_existing(const std::string& path);
 
 /// Finds the files below `folder` whose names end in `ending`, in order. Hidden folders and file systems of the kernel,

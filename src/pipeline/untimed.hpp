@@ -42,8 +42,8 @@ struct SystemToCheck {
 /// the behaviour after the failure is undefined and may differ in another model.
 std::vector<std::string> unproven_faults(const TransitionSystem& system, const std::vector<Verdict>& verdicts);
 
-/// Returns the consequences of a verdict beyond its model, provided that the `unproven` properties hold; empty if the
-/// verdict is unknown.
+/// Returns the consequences of a verdict beyond its model, provided that the `unproven` properties hold, or an empty
+/// string if the verdict is unknown.
 std::string preservation_text(const SystemToCheck& check, const Property& property, const Verdict& verdict,
                               const std::vector<std::string>& unproven);
 

@@ -16,9 +16,9 @@ namespace grafverif {
 /// exceeds 10,000 units.
 std::optional<std::int64_t> time_unit(const Model& model, const ClosedLoop& loop, Diagnostics& diagnostics);
 
-/// Returns the duration, with all its occurrences, without which the time unit would be coarsest; empty if no duration
-/// makes the unit finer. If the loop declares a finer unit than its durations require, the result is that unit, with
-/// duration 0.
+/// Returns the duration, with all its occurrences, without which the time unit would be coarsest, or nothing if no
+/// duration makes the unit finer. If the loop declares a finer unit than its durations require, the result is that
+/// unit, with duration 0.
 std::optional<StateProfile::Finest> finest_duration(const Model& model, const ClosedLoop& loop);
 
 }  // namespace grafverif

@@ -13,7 +13,7 @@ namespace grafverif {
 
 struct PlantVariables {
     Table<Network::Variable> variables = {};  ///< shared variables come first and keep their indices
-    /// Per instance: internal variables, in the order of the component.
+    /// For each instance: internal variables, in the order of the component.
     std::vector<std::vector<Id<Network::Variable>>> own = {};
 };
 

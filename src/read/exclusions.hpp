@@ -26,7 +26,7 @@ struct ExclusionRow {
     bool operator==(const ExclusionRow&) const = default;
 };
 
-/// Returns the rows of `file`; empty after at least one error.
+/// Returns the rows of `file`, or nothing after at least one error.
 std::optional<std::vector<ExclusionRow>> read_exclusions(Id<Source> file, const Sources& sources, const Chart& chart,
                                                          Diagnostics& diagnostics);
 

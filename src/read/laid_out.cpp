@@ -84,7 +84,7 @@ private:
                            },
                            [&](tree::Partial& partial) {
                                begin(partial.where, gap);
-                               items(partial.items);  // not recursive, because partial charts cannot be nested
+                               items(partial.items);  // this is not recursive, because partial charts cannot be nested
                                end(partial.where);
                            },
                        },

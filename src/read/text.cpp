@@ -117,7 +117,7 @@ void read_chart(ReadState& reading, const tree::File& file, const tree::Chart& w
     else reading.charts_in_error.insert(name);
 }
 
-/// Returns the component of this name in the library; null if there is none.
+/// Returns the component of this name in the library, or null if there is none.
 const LibraryEntry* library_entry(const ReadState& reading, std::string_view name) {
     const auto entry = std::ranges::find(reading.context.library, name, &LibraryEntry::name);
     return entry == reading.context.library.end() ? nullptr : &*entry;

@@ -22,7 +22,7 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the value of `encoding` in the XML declaration as a view of the text; empty if there is none.
+/// Returns the value of `encoding` in the XML declaration as a view of the text, or an empty string if there is none.
 std::string_view declared_encoding(std::string_view text) {
     const std::string_view head =
         text.substr(0, text.starts_with("<?xml") ? std::min(text.find("?>"), text.size()) : 0);

@@ -59,7 +59,7 @@ bool is(pugi::xml_node node, std::string_view name);
 pugi::xml_node child(pugi::xml_node node, std::string_view name);
 std::vector<pugi::xml_node> children(pugi::xml_node node, std::string_view name);
 pugi::xml_attribute attribute(pugi::xml_node node, std::string_view name);
-/// Returns the value of an attribute; empty if it is missing.
+/// Returns the value of an attribute, or an empty string if it is missing.
 std::string value(pugi::xml_node node, std::string_view attribute);
 /// Returns the text of an XML comment as comment lines `// ...`.
 std::vector<std::string> comment_lines(std::string_view text);

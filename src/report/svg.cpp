@@ -256,7 +256,7 @@ private:
     std::optional<std::size_t> loop_from_ = {};  ///< index of a column
     std::vector<Group> groups_ = {};
     std::vector<std::string> labels_ = {}, foot_ = {};
-    std::vector<std::size_t> events_ = {};          ///< per column: index of the row of the run
+    std::vector<std::size_t> events_ = {};          ///< for each column: index of the row of the run
     std::size_t left_ = 0, width_ = 0, label_ = 4;  ///< label_ is the number of characters of the longest label
     std::size_t first_ = 0, end_ = 0;               ///< columns of the current strip
     std::string ground_ = {};                       ///< elements of the background

@@ -28,7 +28,7 @@ struct TextOptions {
     std::size_t columns = 0;  ///< columns of the terminal, which limit the width of the final table; 0: unlimited
 };
 
-/// Returns the error at the end of a finite counterexample; empty if its last state shows the violation.
+/// Returns the error at the end of a finite counterexample, or an empty string if its last state shows the violation.
 std::string_view end_of(const Verdict& verdict);
 
 /// Prints the assumptions of the verdicts, violated and unknown properties with details, a table of all verdicts, and

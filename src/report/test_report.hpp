@@ -20,7 +20,7 @@ struct TestReport {
     enum class Cause {
         Different,      ///< an output differs from the expected one
         NotUnderstood,  ///< the response is not a valid line of outputs
-        Silent,         ///< no response within the time limit
+        Silent,         ///< there was no response within the time limit
         Ended,          ///< the response has more than one line, or its line is too long
         Flood,          ///< more than one line, or one without end
     };

@@ -61,7 +61,7 @@ private:
     ChartRun& run_;
     Detail detail_;
     std::vector<OpenRow> open_;  ///< open row of each controller
-    /// Per controller: true if it has sampled inputs on which transitions to be cleared depend.
+    /// For each controller: true if it has sampled inputs on which transitions to be cleared depend.
     std::vector<bool> sampled_;
     std::size_t next_ = 0;                   ///< index of the next event
     std::optional<std::size_t> delay_ = {};  ///< the last event of a delay that does not have a row yet

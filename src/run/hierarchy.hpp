@@ -30,13 +30,15 @@ public:
     /// take precedence, so that `step` may have another activity in the result.
     std::vector<bool> by_hand(const std::vector<bool>& old, Id<Chart::Step> step, bool active) const;
 
-    /// Returns a step whose forcing order applies to the partial chart in `situation`; invalid if there is none.
+    /// Returns a step whose forcing order applies to the partial chart in `situation`, or an invalid id if there is
+    /// none.
     Id<Chart::Step> holder(Id<Chart::PartialChart> partial, const std::vector<bool>& situation) const;
 
     /// Returns the situation at power-on.
     std::vector<bool> initial() const;
 
-    /// Returns one of two contradictory forcing orders that are active in `situation`; invalid if there are none.
+    /// Returns one of two contradictory forcing orders that are active in `situation`, or an invalid id if there are
+    /// none.
     Id<Chart::ForcingOrder> conflict(const std::vector<bool>& situation) const;
 
 private:

@@ -53,13 +53,13 @@ struct Timing {
 };
 
 struct State {
-    std::vector<bool> situation = {};     ///< per step: true if it is active
-    std::vector<std::int64_t> ages = {};  ///< per step: milliseconds since its activation; -1 if inactive
-    /// Per variable: values of internal variables, images of stored outputs; otherwise the initial value.
+    std::vector<bool> situation = {};     ///< for each step: true if it is active
+    std::vector<std::int64_t> ages = {};  ///< for each step: milliseconds since its activation; -1 if inactive
+    /// For each variable: values of internal variables, images of stored outputs; otherwise the initial value.
     std::vector<std::int64_t> values = {};
-    /// Per variable: outputs as written to the plant; otherwise the initial value.
+    /// For each variable: outputs as written to the plant; otherwise the initial value.
     std::vector<std::int64_t> outputs = {};
-    std::vector<bool> previous = {};  ///< per term whose edges are read: its value in the previous evolution
+    std::vector<bool> previous = {};  ///< for each term whose edges are read: its value in the previous evolution
     std::vector<Timing> timing = {};  ///< per element of timed_elements(): its timing
     bool started = false;             ///< true if the first evolution has been executed
 
@@ -101,7 +101,7 @@ struct Evolution {
 struct Cycle {
     State state = {};
     std::vector<std::vector<Id<Chart::Transition>>> fired = {};  ///< cleared transitions per evolution
-    bool stable = false;                                         ///< as in the last evolution
+    bool stable = false;                                         ///< value in the last evolution
     std::optional<StoredRace> race = {};
     std::optional<RunFault> fault = {};
     /// Total instability (stability search only): the situations that repeat forever with these inputs. Outputs were

@@ -36,7 +36,7 @@ private:
 
     std::array<const Chart*, 2> charts_;
     ExecutionMode mode_;
-    /// Per input or output of the chart: its index in the first chart.
+    /// For each input or output of the chart: its index in the first chart.
     std::array<std::vector<std::size_t>, 2> inputs_ = {}, outputs_ = {};
 };
 

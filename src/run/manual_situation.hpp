@@ -21,7 +21,7 @@
 namespace grafverif {
 
 struct ManualSituation {
-    std::vector<bool> situation = {};  ///< per step of the chart: true if it is active
+    std::vector<bool> situation = {};  ///< for each step of the chart: true if it is active
     std::string refusal = {};          ///< reason for rejection; empty if the change is accepted
 };
 

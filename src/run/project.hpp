@@ -49,7 +49,7 @@ public:
     }
     /// Adds a signal for a value. An existing signal keeps its role.
     Id<ChartRun::Signal> add_signal(std::uint32_t key, ChartRun::Signal signal);
-    /// Returns the signal of a value; invalid if there is none.
+    /// Returns the signal of a value, or an invalid id if there is none.
     Id<ChartRun::Signal> signal(std::uint32_t key) const { return signals_[key]; }
     ChartRun::State state(std::int64_t time_ms, const std::vector<std::int64_t>& values) const;
 
@@ -86,7 +86,7 @@ private:
     ChartRun& run_;
     ChartView view_;
     std::vector<Id<Network::Controller>> controller_of_ = {};  ///< per process of a PLC: its controller
-    /// Per process that is neither a controller nor a timer: its instance.
+    /// For each process that is neither a controller nor a timer: its instance.
     std::vector<Id<ChartRun::Instance>> instance_of_ = {};
     std::vector<Id<ChartRun::Timer>> timer_of_ = {};  ///< timer of each process
     std::vector<Id<Network::Variable>> end_of_ = {};  ///< output variable of each timer

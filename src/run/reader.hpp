@@ -14,8 +14,8 @@ namespace grafverif {
 /// Values that an evolution must store for the next one. Only terms that the chart reads are included.
 struct Memory {
     std::vector<Id<Expr>> edges = {};        ///< operands of edges, in order
-    std::vector<std::uint32_t> places = {};  ///< per term: its index in `edges`; empty if there are no edges
-    std::vector<bool> time_conditions = {};  ///< per time condition: true if it is read
+    std::vector<std::uint32_t> places = {};  ///< for each term: its index in `edges`; empty if there are no edges
+    std::vector<bool> time_conditions = {};  ///< for each time condition: true if it is read
 };
 
 Memory memory(const Chart& chart);
@@ -28,9 +28,9 @@ public:
            const Memory* memory)
         : chart_(chart), state_(state), inputs_(inputs), timed_(timed), memory_(memory) {}
 
-    /// Returns the value of a term; empty if it is undefined.
+    /// Returns the value of a term, or nothing if it is undefined.
     std::optional<std::int64_t> value(Id<Expr> term);
-    /// Returns 1 if an action currently sets `output`, otherwise 0; empty if this is undefined.
+    /// Returns 1 if an action currently sets `output`, otherwise 0, or nothing if this is undefined.
     std::optional<std::int64_t> output(Id<Chart::Variable> output);
     /// True if an action stores values in `variable`.
     bool is_stored(Id<Chart::Variable> variable);
@@ -54,7 +54,7 @@ private:
     std::vector<Known> known_ = {};
     std::vector<bool> stored_ = {};
     std::vector<std::vector<Id<Chart::ContinuousAction>>> actions_ = {};
-    std::vector<std::size_t> first_time_ = {};  ///< per continuous action: index of its first element in `timed`
+    std::vector<std::size_t> first_time_ = {};  ///< for each continuous action: index of its first element in `timed`
     bool lost_ = false;                         ///< true if the current term reads an undefined value
 };
 

@@ -32,7 +32,7 @@ public:
 
     void pass(std::int64_t milliseconds) { state_ = pass_time(std::move(state_), milliseconds); }
 
-    /// Returns the differences between the run and the rules; empty if they agree.
+    /// Returns the differences between the run and the rules, or an empty string if they agree.
     std::string does(const ChartRun::Act& act, const ChartRun::State& before, const ChartRun::State& after) {
         if (over_) return {};
         if (act.starts || act.samples) read_inputs(act);

@@ -38,7 +38,7 @@ struct ContradictoryActions {
     /// The variable to which two stored actions assign different values; empty: contradictory forcing orders.
     std::string variable = {};
 };
-/// Returns the contradiction at the end of a run that ends in a race; empty if the rules find none.
+/// Returns the contradiction at the end of a run that ends in a race, or nothing if the rules find none.
 std::optional<ContradictoryActions> clash(const ChartRun& run, std::span<const Chart* const> charts);
 
 /// In an untimed run: two time conditions on one step. A cycle samples the longer one as true and the shorter one as

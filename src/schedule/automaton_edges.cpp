@@ -124,7 +124,7 @@ EdgeTerms edge_terms(const Slots& slots, const Network::Edge& edge,
 
 namespace {
 
-/// Returns the value of a variable after an edge, given its value before; empty if it is not constant.
+/// Returns the value of a variable after an edge, given its value before, or nothing if it is not constant.
 std::optional<std::int64_t> value_after(const Slots& slots, const Network::Edge& edge, Id<Network::Variable> variable,
                                         std::int64_t before) {
     const Exprs& exprs = slots.network.exprs;

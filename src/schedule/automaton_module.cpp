@@ -200,7 +200,7 @@ private:
 
 /// All edges as terms over the values before the step.
 struct Taken {
-    /// Per edge: condition under which it can be taken, including its location and clock constraints.
+    /// For each edge: condition under which it can be taken, including its location and clock constraints.
     std::vector<Id<Expr>> guards = {};
     /// Written variables, with the edges that write them.
     std::map<Place, std::vector<std::pair<Edge, Id<Expr>>>> values = {};

@@ -40,7 +40,7 @@ enum class Discipline {
 struct AutomatonContext {
     const Network& network;
     Discipline discipline = Discipline::Turns;
-    std::vector<bool> shared = {};  ///< per variable: true if several processes or no process writes it
+    std::vector<bool> shared = {};  ///< for each variable: true if several processes or no process writes it
     bool fairness = false;
     /// Clock analysis of the expanded network if clocks are counted; empty if they are omitted.
     std::vector<ProcessClocks> clocks = {};

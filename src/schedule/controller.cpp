@@ -22,7 +22,7 @@ using Role = Equations::Role;
 
 // -- constraints as invariants over free inputs --
 
-/// Returns the inputs that a constraint reads; empty if it reads other variables.
+/// Returns the inputs that a constraint reads, or nothing if it reads other variables.
 std::optional<std::vector<Id<ClosedLoop::Shared>>> inputs_of(const ClosedLoop& loop, Id<Expr> condition) {
     std::vector<Id<ClosedLoop::Shared>> found;
     for (const Id<Expr> leaf : leaves(loop.exprs, condition)) {

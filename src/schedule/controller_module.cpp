@@ -184,9 +184,9 @@ private:
     Draft& draft_;
     const bool divides_ = divides(equations_.exprs);
     std::vector<bool> stored_ =
-        std::vector<bool>(equations_.variables.size());  ///< per variable: true if it has stored actions
-    /// Per variable: the symbol that the cycle reads, and the symbol that is visible outside. They differ for an output
-    /// with stored actions under stability search, whose first symbol is its image.
+        std::vector<bool>(equations_.variables.size());  ///< for each variable: true if it has stored actions
+    /// For each variable: the symbol that the cycle reads, and the symbol that is visible outside. They differ for an
+    /// output with stored actions under stability search, whose first symbol is its image.
     std::vector<Id<Symbol>> read_, shown_;
     std::vector<Id<Variable>> parameters_ = {};
     Id<Symbol> turn_ = {}, elapse_ = {}, started_ = {};  ///< invalid if not used

@@ -157,8 +157,8 @@ System::Subsystems parts(const PlantInstances& plant, const Turn& move, const Of
 
 // -- names for traces -------------------------------------------------------------------------------------------------
 
-/// Returns a condition that is true in steps in which the PLC takes an edge that calls the procedure; invalid if there
-/// is no such procedure.
+/// Returns a condition that is true in steps in which the PLC takes an edge that calls the procedure, or an invalid id
+/// if there is no such procedure.
 Id<Expr> calls(const PlantInstances& plant, Id<Network::Process> plc, Id<Network::Procedure> procedure) {
     if (!procedure.valid()) return {};
     const Network& network = plant.context.network;

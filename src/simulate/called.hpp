@@ -36,7 +36,7 @@ std::vector<std::string> instances_of(const ChartRun& run);
 /// Returns the name in conditions: `press.G1.X3`, without the controller if it is the only one.
 std::string variable_of(const ChartRun::Step& step);
 
-/// Returns the reason why a variable of this type cannot have the value; empty if it can.
+/// Returns the reason why a variable of this type cannot have the value, or an empty string if it can.
 std::string range_text(std::string_view name, const Type& type, std::int64_t value);
 
 /// Returns the message that several elements are called `name`. `all` contains their complete names.

@@ -32,7 +32,7 @@
 namespace grafverif {
 
 struct SetCommand {
-    std::vector<Setting> settings = {};  ///< at least one setting
+    std::vector<Setting> settings = {};  ///< contains at least one setting
     bool operator==(const SetCommand&) const = default;
 };
 struct WaitCommand {

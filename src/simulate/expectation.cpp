@@ -58,8 +58,8 @@ struct Now {
     bool is_step = false, boolean = false;
 };
 
-/// Returns the current value of the variable, step variable or location with this name; empty after an error, with the
-/// reason in `problem`.
+/// Returns the current value of the variable, step variable or location with this name, or nothing after an error, with
+/// the reason in `problem`.
 std::optional<Now> now_of(const ChartRun& run, std::size_t moment, std::string_view name, const LocationOf& location_of,
                           std::string& problem) {
     const ChartRun::State& state = run.moments[moment].after;

@@ -36,7 +36,7 @@ struct Expectation {
     bool operator==(const Expectation&) const = default;
 };
 
-/// Returns the value of an integer; empty if the text is not one.
+/// Returns the value of an integer, or nothing if the text is not one.
 std::optional<std::int64_t> number_of(std::string_view text);
 /// Returns the value of `true`, `false` or an integer, as in commands and expectations.
 std::optional<std::int64_t> value_of(std::string_view text);
@@ -44,7 +44,8 @@ std::optional<std::int64_t> value_of(std::string_view text);
 /// Parses an expectation. Returns a message if the text is invalid.
 std::variant<Expectation, std::string> preservation_class_of(std::string_view text);
 
-/// Returns the location of the instance with this name after the considered event; empty if there is no such instance.
+/// Returns the location of the instance with this name after the considered event, or nothing if there is no such
+/// instance.
 using LocationOf = std::function<std::optional<std::string>(std::string_view instance)>;
 
 /// Returns the first part that does not hold after `moment` of `run`, with the actual value (`X3 is not active`). The

@@ -40,7 +40,7 @@ public:
     const ChartRun& told() const { return told_; }
     ChartRun with_trace_rows(Detail detail) const { return with_rows(project(network_, run_), detail); }
 
-    /// Returns the possible choices; empty after a race.
+    /// Returns the possible choices, or an empty list after a race.
     std::vector<Choice> choices() const;
     std::size_t choice_count() const { return fires().size(); }
     DelayBounds patience() const;
@@ -63,7 +63,8 @@ public:
     std::optional<std::size_t> what_if_row() const { return what_if_row_; }
     /// Returns the time until the next spontaneous or possible event; empty: unbounded.
     std::optional<std::int64_t> soonest_ms() const;
-    /// Returns the location of the instance after an event of the recorded run; empty if there is no such instance.
+    /// Returns the location of the instance after an event of the recorded run, or nothing if there is no such
+    /// instance.
     std::optional<std::string> location_of(std::string_view instance, std::size_t moment) const;
     /// Returns the name of the variable that is connected to a port. For an output such as `Main.FLOW`, it is the
     /// variable that the output writes; for an input, the variable that it reads. The result is empty if there is no

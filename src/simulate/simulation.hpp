@@ -38,8 +38,8 @@ public:
     std::size_t undoable() const { return commands_.size(); }
 
     const ChartRun& told() const;
-    /// Returns the first row of the recorded run that is not part of a run of the model because a step was forced;
-    /// empty if there is none.
+    /// Returns the first row of the recorded run that is not part of a run of the model because a step was forced, or
+    /// nothing if there is none.
     std::optional<std::size_t> what_if_row() const;
     std::vector<Choice> choices() const;
     std::size_t choice_count() const;
@@ -76,7 +76,7 @@ class RandomWalk {
 public:
     explicit RandomWalk(std::uint64_t seed) : random_(seed) {}
 
-    /// Returns a command; empty if no further event is possible.
+    /// Returns a command, or nothing if no further event is possible.
     std::optional<Command> draw(const Simulation& simulation);
 
 private:

@@ -153,7 +153,7 @@ std::string step_variable(const Chart& chart, Id<Chart::Step> step);
 /// Terms that are read by a transition, by an action, or by a time condition that is itself read.
 struct ReadTerms {
     std::vector<bool> terms = {};            ///< per term of Chart::exprs: true if it is read
-    std::vector<bool> time_conditions = {};  ///< per time condition: true if it is read
+    std::vector<bool> time_conditions = {};  ///< for each time condition: true if it is read
 };
 ReadTerms read_terms(const Chart& chart);
 

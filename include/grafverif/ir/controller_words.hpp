@@ -46,7 +46,7 @@ struct ControllerWords {
     std::vector<Named> internals = {};
     std::vector<Timer> timers = {};
     std::vector<std::optional<std::size_t>> conditions =
-        {};  ///< per time condition: its timer; empty if the condition is not read
+        {};  ///< for each time condition: its timer; empty if the condition is not read
     bool operator==(const ControllerWords&) const = default;
 };
 

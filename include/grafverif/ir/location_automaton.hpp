@@ -98,7 +98,7 @@ struct LocationAutomaton {
         Id<Expr> condition = {};
         std::optional<std::uint64_t> combinations =
             {};  ///< number of combinations of inputs and timer outputs; empty if it exceeds 64 bits
-        std::vector<std::int64_t> witness = {};         ///< per input: values for which the instability occurs
+        std::vector<std::int64_t> witness = {};         ///< for each input: values for which the instability occurs
         std::vector<std::vector<Id<Step>>> cycle = {};  ///< the situations that repeat forever
         bool operator==(const Instability&) const = default;
     };

@@ -150,7 +150,7 @@ struct Network {
         Id<Location> waiting = {};  ///< location W of its template
         Id<Variable> stable = {};
         std::vector<Timer> timers = {};            ///< timers in the order of `words`
-        std::vector<Id<Variable>> variables = {};  ///< per variable of its equations: the shared variable
+        std::vector<Id<Variable>> variables = {};  ///< for each variable of its equations: the shared variable
         std::vector<Id<Variable>> images = {};     ///< storage per output until it is written; invalid: none
         Id<Procedure> start = {};  ///< procedure executed before the first cycle; invalid if it would have no effect
         Id<Procedure> fire = {}, evolve = {}, write = {};

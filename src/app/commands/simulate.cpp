@@ -51,7 +51,7 @@ public:
         answer(simulation_.begin());
     }
 
-    /// Returns the error message; empty if there is none. `line` is the text of the command.
+    /// Returns the error message, or an empty string if there is none. `line` is the text of the command.
     std::string execute(const Command& command, std::string_view line) {
         over_ = over_ || std::holds_alternative<QuitCommand>(command);
         if (std::holds_alternative<HelpCommand>(command)) out_ << help;

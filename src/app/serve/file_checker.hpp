@@ -23,7 +23,7 @@ namespace grafverif::app {
 struct CheckedFile {
     ParseResult reading = {};
     std::vector<std::optional<Network>> networks = {};  ///< network of each closed loop; empty if the loop was rejected
-    std::vector<bool> runs = {};                        ///< per chart: true if it can be simulated without a loop
+    std::vector<bool> runs = {};                        ///< for each chart: true if it can be simulated without a loop
     std::uint64_t number = 0;                           ///< number of the parse
 };
 

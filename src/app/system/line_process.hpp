@@ -24,7 +24,7 @@ struct LineProcessLimits {
 struct Reply {
     enum class Kind {
         Line,     ///< `text` is the line, without its terminator
-        Silent,   ///< no line within the time limit
+        Silent,   ///< there was no line within the time limit
         Ended,    ///< the program ended, or closed its output, before it answered
         Flood,    ///< more than one line, or one without end; `text` is its beginning
         Stopped,  ///< the cancellation flag was set

@@ -46,7 +46,7 @@ public:
 private:
     static void* watch(void* guard);
     void watch();
-    /// Returns the message for a limit that is currently exceeded; null if there is none.
+    /// Returns the message for a limit that is currently exceeded, or null if there is none.
     const std::string* reason();
     void end(const std::string& why);
 

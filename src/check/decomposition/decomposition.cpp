@@ -125,7 +125,8 @@ void DecomposedCheck::search_each() {
         each_.push_back(search({part}, true, share_of(options_.deadline, parts_.count - part)));
     for (std::uint32_t part = 0; part < parts_.count; ++part) {
         const bool stopped = each_[part].verdict(timelock_probe).obstacle == UnknownReason::Stopped;
-        if (stopped && options_.deadline && !is_over(options_.deadline))  // it used only its share, and time is left
+        // The search used only its share of the time, and time is left.
+        if (stopped && options_.deadline && !is_over(options_.deadline))
             each_[part] = search({part}, true, options_.deadline);
         count(each_[part].result);
         neighbours_.push_back(omitted(part));

@@ -271,7 +271,7 @@ SubsystemRun InterleavedCheck::settled(const PartList& parts) {
     return made;
 }
 
-/// Returns the run combined with runs of the other parts; empty if it would be too long.
+/// Returns the run combined with runs of the other parts, or nothing if it would be too long.
 std::optional<FlatRun> InterleavedCheck::complete_run(const SubsystemResult& search, const FlatRun& run, bool at_stable,
                                                       Verdict& verdict) {
     SubsystemRun shown = turn_run(search, run);

@@ -32,8 +32,8 @@ struct OmittedSubsystem {
     bool time_passes = false;  ///< time passes in some state
 };
 
-/// Returns the reason why the verdict, which was found without `left_out`, may not hold for the complete system; empty
-/// if it holds. Requires a decided verdict.
+/// Returns the reason why the verdict, which was found without `left_out`, may not hold for the complete system, or an
+/// empty string if it holds. Requires a decided verdict.
 std::string preservation_obstacle(const Verdict& verdict, bool at_stable,
                                   const std::vector<const OmittedSubsystem*>& left_out);
 

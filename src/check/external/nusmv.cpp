@@ -176,7 +176,7 @@ public:
         if (said.end != ProgramResult::End::Signalled) sections_ = sections(said.out);
     }
 
-    /// Returns a section; empty if it does not exist or exists twice.
+    /// Returns a section, or an empty string if it does not exist or exists twice.
     std::string_view section(const std::string& name) const {
         const auto found = sections_.find(name);
         return found == sections_.end() || found->second.size() != 1 ? std::string_view() : found->second.front();

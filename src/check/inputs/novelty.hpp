@@ -27,7 +27,7 @@ public:
     /// or if the memory limit is reached.
     bool run(const FollowLimits& limits);
     std::size_t states() const;
-    /// Returns the run to a state that decides the property; empty if none was found.
+    /// Returns the run to a state that decides the property, or nothing if none was found.
     std::optional<Run> run_of(std::size_t property) const;
 
 private:

@@ -115,7 +115,8 @@ private:
     const LocalAblations ablations_;
     const WholeSearch whole_;
     TimedResult result_ = {};
-    std::vector<std::optional<Property>> questions_ = {};  // per verdict: its property if localization can decide it
+    // For each verdict: its property if localization can decide it.
+    std::vector<std::optional<Property>> questions_ = {};
     std::deque<Task> tasks_ = {};
     std::vector<Open> open_ = {};
     std::vector<Invariant> known_ = {};
@@ -250,7 +251,7 @@ void LocalizationCheck::know(const Property& property) {
     const bool is_true = property.pattern == Pattern::Always;
     if (!is_true && property.pattern != Pattern::Never) return;
     for (const Id<Expr> leaf : leaves(network_.exprs, term))
-        if (network_.exprs[leaf].op == Op::At) return;  // no guard reads a location
+        if (network_.exprs[leaf].op == Op::At) return;  // guards read no locations
     known_.push_back(
         {property.name, is_true ? term : network_.exprs.negation(term), cells_read(network_, cells_, property)});
 }

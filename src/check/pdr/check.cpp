@@ -20,7 +20,7 @@ namespace pdr {
 
 namespace {
 
-/// Returns the reason why this engine does not support a property; empty if it does.
+/// Returns the reason why this engine does not support a property, or an empty string if it does.
 std::string refusal(Pattern pattern) {
     const bool about_runs =
         pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo || pattern == Pattern::AlwaysPossible;
@@ -351,7 +351,7 @@ private:
         }
     }
 
-    /// Returns a run to the first state that has not been searched yet; empty if there is none.
+    /// Returns a run to the first state that has not been searched yet, or nothing if there is none.
     std::optional<RunInputs> next_step(PropertyQuery& question) {
         if (!unrolling_) unrolling_.emplace(circuit_, watch_);
         std::optional<RunInputs> found = unrolling_->run_to(question.target->bad, question.cleared);
@@ -399,7 +399,7 @@ private:
         }
     }
 
-    /// Returns the open query with a value that has been searched least; null if there is none.
+    /// Returns the open query with a value that has been searched least, or null if there is none.
     PropertyQuery* least_looked_at() {
         PropertyQuery* least = nullptr;
         for (PropertyQuery& question : questions_)

@@ -30,8 +30,8 @@ private:
 
     const Circuit& circuit_;
     std::vector<bool> is_latch_;                ///< true if the node is a latch
-    std::vector<std::uint32_t> seen_, needed_;  ///< per node: the last round in which it was seen or needed
-    std::vector<std::uint32_t> cost_;           ///< per node: the number of latches that its value may need
+    std::vector<std::uint32_t> seen_, needed_;  ///< for each node: the last round in which it was seen or needed
+    std::vector<std::uint32_t> cost_;           ///< for each node: the number of latches that its value may need
     std::vector<char> values_;                  ///< value of each node
     std::vector<std::uint32_t> cone_ = {};      ///< nodes in the cone, increasing
     std::uint32_t round_ = 0;

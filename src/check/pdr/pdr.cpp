@@ -287,10 +287,11 @@ private:
     LimitMonitor& watch_;
     std::function<void(std::size_t)> progress_;
     Justifier justifier_;
-    std::unordered_map<std::uint32_t, Literal> next_ = {};  ///< per node of a latch: its next value
+    std::unordered_map<std::uint32_t, Literal> next_ = {};  ///< for each node of a latch: its next value
     std::optional<Solver> solver_ = {};
-    std::vector<std::vector<Cube>> frames_ = {};  ///< per frame: the cubes that it excludes but the next frame does not
-    std::vector<int> active_ = {};                ///< per frame: the assumption under which its clauses hold
+    /// For each frame: the cubes that it excludes but the next frame does not.
+    std::vector<std::vector<Cube>> frames_ = {};
+    std::vector<int> active_ = {};  ///< for each frame: the assumption under which its clauses hold
     std::vector<Obligation> obligations_ = {};
     std::unordered_map<Literal, unsigned> uses_ = {};
     std::uint64_t live_ = 0, clauses_when_new_ = 0;

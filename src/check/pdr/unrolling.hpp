@@ -34,7 +34,7 @@ private:
 
     const Circuit& circuit_;
     LimitMonitor& watch_;
-    std::vector<Literal> next_;                      ///< per node of a latch: its next value
+    std::vector<Literal> next_;                      ///< for each node of a latch: its next value
     std::vector<bool> is_latch_;                     ///< true if the node is a latch
     Circuit unrolled_ = {};                          ///< contains only gates
     std::vector<std::vector<Literal>> states_ = {};  ///< unrolled literal per step and node

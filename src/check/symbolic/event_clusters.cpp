@@ -75,7 +75,7 @@ public:
     }
 
 private:
-    /// Returns the rules that remain for each value of the word; empty if no rule reads it.
+    /// Returns the rules that remain for each value of the word, or an empty list if no rule reads it.
     std::vector<Rules> by_value(const Rules& rules, const BddWord& word) const {
         const auto read = [&](const Read& each) { return each.reads_any(word.bits); };
         std::vector<Rules> parts;

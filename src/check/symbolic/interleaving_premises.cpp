@@ -47,7 +47,8 @@ const Bdd& InterleavingPremises::moving_for_ever() {
     return moving_for_ever_.emplace(std::move(staying));
 }
 
-/// Returns a shortest path of moves in `within` to a state of `goal`, including both ends; empty if there is none.
+/// Returns a shortest path of moves in `within` to a state of `goal`, including both ends, or an empty list if there is
+/// none.
 std::vector<State> InterleavingPremises::moves_to(const State& from, const Bdd& goal, const Bdd& within) const {
     bdd::Rings rings;
     for (bool more = rings.add(model_.only(from)); more && (rings.each.back() & goal).is_false();)

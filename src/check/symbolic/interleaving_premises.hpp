@@ -32,7 +32,7 @@ public:
     /// True if the state with these values is reachable.
     bool reaches(const std::vector<std::int64_t>& values) const { return evaluate(reached_, model_.state_of(values)); }
 
-    /// Returns a run that waits infinitely often; empty if it is too long. Requires diverges().
+    /// Returns a run that waits infinitely often, or nothing if it is too long. Requires diverges().
     std::optional<FlatRun> waiting_run();
     /// Returns moves from the state with these values to a state of `goal`. If no such state is reachable, returns an
     /// infinite sequence of moves. Requires that sequences of moves end only in `goal`.

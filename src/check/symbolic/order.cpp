@@ -123,7 +123,7 @@ private:
     }
 
     const FlatSystem& flat_;
-    /// Per vertex: total weight of its connections.
+    /// For each vertex: total weight of its connections.
     std::vector<double> weights_ = std::vector<double>(flat_.variables.size());
     std::vector<std::uint32_t> vertex_ = {};  ///< vertex of each term
     std::vector<std::vector<std::uint32_t>> ties_ = {};

@@ -24,7 +24,7 @@ struct Path {
 bool grow(const StateSpace& model, bdd::Rings& rings, const Bdd& within, const Bdd& goal,
           const std::function<bool(std::size_t)>& goes_on = {});
 
-/// Returns a shortest path through `rings` to a state of `goal`; empty if no ring contains such a state.
+/// Returns a shortest path through `rings` to a state of `goal`, or an empty list if no ring contains such a state.
 std::vector<State> shortest_path(const StateSpace& model, const bdd::Rings& rings, const Bdd& goal);
 
 /// Returns the states of `within` from which a path in `within`, possibly of length 0, leads to a state of `goal`.

@@ -171,7 +171,7 @@ void PropertyQueries::decide_paths(QueryResult& found, const PropertyQuery& ques
     found.run = run_of(model, lasso(model, search, from, staying));
 }
 
-/// Returns the note on dead transitions; empty if it would need more memory or time than is available.
+/// Returns the note on dead transitions, or an empty string if it would need more memory or time than is available.
 std::string PropertyQueries::what_is_dead(const StateSpace& model, const ReachableSet& search, const State& from) {
     try {
         return dead_transitions_note(system_, flat_, model, search.reached, from);

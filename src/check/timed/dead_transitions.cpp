@@ -30,7 +30,7 @@ States reachable_from(Graph& graph, std::uint32_t from, const Limits& limits) {
     return found;
 }
 
-/// Returns the condition of the transition as the cycle computes it; invalid if there is none.
+/// Returns the condition of the transition as the cycle computes it, or an invalid id if there is none.
 Id<Expr> condition_of(const Network& network, const Network::Controller& controller, const Named& transition) {
     const Network::Template& automaton = network.templates[network.processes[controller.process].automaton];
     for (const Network::Assignment& assignment : automaton.procedures[controller.fire].assignments)
@@ -39,7 +39,7 @@ Id<Expr> condition_of(const Network& network, const Network::Controller& control
     return {};
 }
 
-/// Returns `X3` or `!a`; empty if the term is neither a step nor a named variable.
+/// Returns `X3` or `!a`, or an empty string if the term is neither a step nor a named variable.
 std::string literal_text(const Network& network, Id<Expr> term) {
     if (network.exprs[term].op == Op::Not) {
         const std::string words = literal_text(network, network.exprs.operands(term)[0]);

@@ -58,7 +58,7 @@ struct Layout {
     std::vector<Field> locations = {};            ///< one field per process
     std::vector<Field> variables = {};            ///< one field per variable
     std::vector<std::vector<Field>> clocks = {};  ///< one field per process and clock
-    std::vector<Field> choices = {};      ///< per choice: set of possible valuations; width 0 if it is not stored
+    std::vector<Field> choices = {};      ///< for each choice: set of possible valuations; width 0 if it is not stored
     std::size_t stored = 1;               ///< number of words of a state
     std::size_t words = 1;                ///< number of words including scratch variables
     std::size_t halves = 1;               ///< number of 32-bit units that contain every stored bit

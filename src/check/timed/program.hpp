@@ -116,7 +116,7 @@ public:
         std::uint16_t word = 0;
         Word mask = 0, value = 0;
     };
-    /// Returns the term as a single test of bits; empty if it is not one.
+    /// Returns the term as a single test of bits, or nothing if it is not one.
     std::optional<Literal> literal(Id<Expr> term) const;
     /// From this call on, code that reads the variables of `choice` chooses their valuation. `number`: see
     /// Choices::set.

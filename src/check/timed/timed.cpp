@@ -43,7 +43,7 @@ std::optional<Premises> premises(timed::Graph& graph, std::uint32_t settled, con
     return {};
 }
 
-/// Returns the profile; empty if memory is exhausted.
+/// Returns the profile, or nothing if memory is exhausted.
 std::optional<StateProfile> measured(timed::Graph& graph, const TimedOptions& options, timed::Effort effort) {
     try {
         return timed::profile_of(graph, options.finest ? options.finest() : std::nullopt, effort);

@@ -65,7 +65,7 @@ struct TimedOptions {
 /// Results of a complete search on which verdicts about neighbouring parts depend (docs/explanation/timed-engine.md,
 /// "Sub-loops").
 struct Premises {
-    std::optional<Run> diverges = {};  ///< a lasso in which time diverges; empty if there is none
+    std::optional<Run> diverges = {};  ///< a lasso in which time diverges; empty if no such run exists
     bool rests = false;                ///< true if no run continues forever within one instant
     bool settles = false;              ///< true if time passes only in quiescent states
 };
@@ -74,7 +74,7 @@ struct Premises {
 struct AbstractState {
     Move move = {};
     NetworkState state = {};
-    /// Per choice: a bit per possible valuation; 0 if the move is not an edge of its PLC.
+    /// For each choice: a bit per possible valuation; 0 if the move is not an edge of its PLC.
     std::vector<std::uint64_t> possible = {};
 };
 

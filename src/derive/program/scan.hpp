@@ -15,7 +15,7 @@ namespace grafverif {
 /// Executes one scan. The result is empty after an error: a loop has no constant bound, or the program is too large.
 std::optional<Scan> scan_of(const Program& program, Diagnostics& diagnostics);
 
-/// Returns the value of an expression over the variables of `main` at the end of the scan; empty after an error.
+/// Returns the value of an expression over the variables of `main` at the end of the scan, or nothing after an error.
 std::optional<Id<Expr>> value_after(const Program& program, Id<Program::Node> node, Scan& scan,
                                     Diagnostics& diagnostics);
 

@@ -38,7 +38,8 @@ std::vector<std::vector<std::size_t>> neighbours(std::size_t nodes, const std::s
     return next;
 }
 
-/// Returns the nodes from one end of the path to the other; empty if the links do not form a path over all nodes.
+/// Returns the nodes from one end of the path to the other, or an empty list if the links do not form a path over all
+/// nodes.
 std::vector<std::size_t> path_order(std::size_t nodes, const std::set<Pair>& pairs) {
     if (nodes == 0 || nodes > longest_line || pairs.size() + 1 != nodes) return {};
     const std::vector<std::vector<std::size_t>> next = neighbours(nodes, pairs);

@@ -10,7 +10,7 @@ namespace grafverif::structured_text {
 
 struct Body {
     std::string text = {};
-    std::vector<bool> waits = {};  ///< per variable: true if its new value needs a temporary variable
+    std::vector<bool> waits = {};  ///< for each variable: true if its new value needs a temporary variable
 };
 
 /// Returns one PLC cycle. Requires verify(equations).empty() and that the equations are expressible.

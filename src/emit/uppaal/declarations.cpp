@@ -130,7 +130,7 @@ void write_procedure(std::ostream& out, const Network& network, const Terms& ter
     out << "}\n";
 }
 
-/// Returns text such as `reads G_IN, G_OUT`; empty if there are no parameters of this kind.
+/// Returns text such as `reads G_IN, G_OUT`, or an empty string if there are no parameters of this kind.
 std::string parameters_of_kind(const Network::Template& automaton, const LocalNames& names, Kind kind,
                                std::string_view verb) {
     std::string text;

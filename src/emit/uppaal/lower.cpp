@@ -29,7 +29,7 @@ void split_by_start(Network& network) {
     for (const Template& automaton : network.templates) names.take(automaton.name);
 
     Table<Template> templates;
-    std::vector<std::vector<Id<Template>>> variants(network.templates.size());  // same indices as `used`
+    std::vector<std::vector<Id<Template>>> variants(network.templates.size());  // has the same indices as `used`
     for (const Id<Template> id : network.templates.ids()) {
         const Template& automaton = network.templates[id];
         const std::vector<Id<Location>>& list = used[id.index];

@@ -17,7 +17,7 @@
 namespace grafverif::uppaal {
 namespace {
 
-/// Returns the reason why UPPAAL has no formula for the pattern; empty if it has one.
+/// Returns the reason why UPPAAL has no formula for the pattern, or an empty string if it has one.
 std::string_view reason(Pattern pattern) {
     switch (pattern) {
     case Pattern::Always:
@@ -74,7 +74,7 @@ private:
         list.push_back({id, property.name, formula(property), comment, satisfied});
     }
 
-    /// Returns the error in a formula for UPPAAL, including unknown names; empty if there is none.
+    /// Returns the error in a formula for UPPAAL, including unknown names, or an empty string if there is none.
     std::string what_it_lacks(const std::string& formula) {
         if (known_.empty()) {
             known_.insert(names_.variables.begin(), names_.variables.end());

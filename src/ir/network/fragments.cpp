@@ -224,7 +224,7 @@ private:
 
     const Network& network_;
     std::vector<std::vector<std::uint32_t>> writers_;  // writing processes per variable
-    std::vector<bool> controls_;                       // per process: true for a PLC
+    std::vector<bool> controls_;                       // for each process: true for a PLC
     NetworkFragments cells_ = {};
     std::vector<std::set<std::uint32_t>> talks_to_ = {};    // charts per process
     std::vector<std::set<std::uint32_t>> neighbours_ = {};  // neighbouring instances per process

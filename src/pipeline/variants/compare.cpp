@@ -55,8 +55,8 @@ bool same_plugs(const Chart& a, const Chart& b, Diagnostics& diagnostics) {
     return diagnostics.errors() == before;
 }
 
-/// Returns `chart` with `steps` as its initial steps; empty after an error. Forcing orders to {INIT} would have another
-/// meaning.
+/// Returns `chart` with `steps` as its initial steps, or nothing after an error. Forcing orders to {INIT} would have
+/// another meaning.
 std::optional<Chart> beginning_with(Chart chart, const std::vector<Id<Chart::Step>>& steps, Diagnostics& diagnostics) {
     for (const Chart::ForcingOrder& order : chart.forcing)
         if (order.to == Chart::ForcedTo::Initial) {

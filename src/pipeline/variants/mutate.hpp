@@ -26,7 +26,7 @@ public:
     const std::vector<std::string>& properties() const { return properties_; }
     /// Returns those of them that hold vacuously.
     const std::vector<std::string>& vacuous() const { return vacuous_; }
-    /// Returns the number of steps of the test sequence; empty if there is none, for the reason in no_test().
+    /// Returns the number of steps of the test sequence, or nothing if there is none, for the reason in no_test().
     std::optional<std::size_t> test_steps() const;
     const std::string& no_test() const { return no_test_; }
 

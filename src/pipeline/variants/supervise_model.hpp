@@ -22,7 +22,7 @@ struct PermittedElement {
     std::vector<Span> places = {};            ///< positions of the transition, or of the actions of the output
     std::vector<Id<Chart::Step>> steps = {};  ///< for an output: the steps of its actions
     std::vector<std::string> sets =
-        {};  ///< per action: an output that only this action sets, without restriction; may be empty
+        {};  ///< for each action: an output that only this action sets, without restriction; may be empty
 };
 
 /// Adds to the chart of a controller an input for each of its transitions and continuous outputs, which permits the
@@ -43,7 +43,7 @@ ObservableVariables sight_of(TransitionSystem& system, const TransitionSystem::C
 /// Returns a term that is true if exactly the initial steps of every chart are active.
 Id<Expr> initial_situation(TransitionSystem& system, const Model& model, const ClosedLoop& loop);
 
-/// Returns the properties of the system to enforce; empty after an error.
+/// Returns the properties of the system to enforce, or nothing after an error.
 std::optional<std::vector<Id<Property>>> kept(const TransitionSystem& system, const SuperviseRequest& ask,
                                               const std::string& marked, Diagnostics& diagnostics);
 

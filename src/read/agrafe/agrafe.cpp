@@ -199,7 +199,7 @@ tree::Step step_of(AgrafeReader& reader, std::size_t entity, std::vector<tree::A
     return step;
 }
 
-/// Returns a transition; empty if it has no links and therefore no effect.
+/// Returns a transition, or nothing if it has no links and therefore no effect.
 std::optional<tree::Transition> transition_of(AgrafeReader& reader, std::size_t entity) {
     const AgrafeEntity& one = reader.index[entity];
     tree::Transition transition;
@@ -219,7 +219,7 @@ std::optional<tree::Transition> transition_of(AgrafeReader& reader, std::size_t 
     if (!term) {
         reader.diagnostics().add(
             messages::missing_part(transition.where, "this transition", "`term` for its condition"));
-        transition.condition = reader.draft.constant(false, transition.where);  // already reported
+        transition.condition = reader.draft.constant(false, transition.where);  // this error is already reported
         return transition;
     }
     const std::size_t errors = reader.diagnostics().errors();
@@ -230,7 +230,7 @@ std::optional<tree::Transition> transition_of(AgrafeReader& reader, std::size_t 
     else if (time.kind != AgrafeTime::Kind::None && transition.condition.valid())
         transition.condition = timed(reader, time, transition.condition, reader.xml.where(one.node, "delayTime"));
     if (!transition.condition.valid() && reader.diagnostics().errors() != errors)
-        transition.condition = reader.draft.constant(false, transition.where);  // already reported
+        transition.condition = reader.draft.constant(false, transition.where);  // this error is already reported
     return transition;
 }
 

@@ -59,7 +59,7 @@ Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit&, const PlcopenN
         found = body_condition(reader, inner, reader.xml.where(inner));
     } else if (child(condition, "connectionPointIn")) {
         found = PlcopenValues(reader, network).at(condition);
-    } else if (!children(condition, "connection").empty()) {  // as in version 1.01
+    } else if (!children(condition, "connection").empty()) {  // this is the form of version 1.01
         for (const pugi::xml_node& connection : children(condition, "connection")) {
             const pugi::xml_node source = network.find(value(connection, "refLocalId"));
             if (!source)

@@ -284,7 +284,8 @@ private:
     Chart chart_ = {};
     std::unordered_map<std::uint32_t, std::size_t> index_ = {};  ///< index of each step, by word
     std::unordered_map<std::uint32_t, const st::Action*> actions_ = {};
-    std::vector<std::vector<const st::Association*>> times_ = {};  ///< per action: the associations with a duration
+    /// For each action: the associations with a duration.
+    std::vector<std::vector<const st::Association*>> times_ = {};
 };
 
 }  // namespace

@@ -16,7 +16,8 @@ class Execution {
 public:
     explicit Execution(Sfc& sfc) : sfc_(sfc), first_term_(sfc.draft.file().exprs.size()) {}
 
-    /// Returns the state after the statements, given the assignments `before` them; empty if a statement is rejected.
+    /// Returns the state after the statements, given the assignments `before` them, or nothing if a statement is
+    /// rejected.
     std::optional<SfcEffects> run(const st::Block& block, SfcEffects before, int calls) {
         std::optional<SfcEffects> state = std::move(before);
         for (const Id<st::Statement> id : block)

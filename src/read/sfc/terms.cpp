@@ -139,7 +139,7 @@ SfcTerm comparison(Sfc& sfc, const SfcScope& scope, const st::Expr& node) {
     left = coerced(sfc, left, right.kind);
     right = coerced(sfc, right, left.kind);
     if (left.kind == SfcKind::Bad || right.kind == SfcKind::Bad) return {};
-    if (left.kind == SfcKind::Time && right.kind == SfcKind::Time) {  // both are constant
+    if (left.kind == SfcKind::Time && right.kind == SfcKind::Time) {  // both operands are constant
         const std::int64_t one = sfc.draft[left.expr].value, other = sfc.draft[right.expr].value;
         const bool holds = node.op == st::Op::Less           ? one < other
                            : node.op == st::Op::LessEqual    ? one <= other

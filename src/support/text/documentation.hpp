@@ -7,8 +7,8 @@
 
 namespace grafverif {
 
-/// Returns the address at which the site is published, from the CMake variable GRAFVERIF_DOCUMENTATION_URL; empty if it
-/// is not published.
+/// Returns the address at which the site is published, from the CMake variable GRAFVERIF_DOCUMENTATION_URL, or an empty
+/// string if it is not published.
 std::string_view documentation_url();
 
 /// Returns the address of the entry of a diagnostic on the site at `base`; empty without a base.

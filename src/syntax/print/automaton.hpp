@@ -23,7 +23,7 @@ struct AutomatonCounts {
 };
 AutomatonCounts counts(const LocationAutomaton& automaton);
 
-/// Returns the number of states times the number of input combinations; empty if too large to represent.
+/// Returns the number of states times the number of input combinations, or nothing if too large to represent.
 std::optional<std::uint64_t> transition_count(const MealyMachine& machine);
 
 /// Returns a condition of the automaton or machine: `s and not h1`.

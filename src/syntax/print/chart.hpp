@@ -25,8 +25,8 @@ std::string time_text(const Chart& chart, const Chart::TimeCondition& time,
 std::string time_text(std::int64_t rise_ms, const std::string& watched, std::int64_t fall_ms);
 /// Returns the qualifier of the names of a controller, such as `press.`; empty if there is only one controller.
 std::string prefix_of(const Network& network, const Network::Controller& controller);
-/// Returns the condition of the timer with index `timer` in `controller.timers`; empty if it observes a term without a
-/// name.
+/// Returns the condition of the timer with index `timer` in `controller.timers`, or an empty string if it observes a
+/// term without a name.
 std::string time_text(const Network& network, const Network::Controller& controller, std::size_t timer);
 /// Returns the displayed name of each process of the network. It is the condition of a timer if the observed term has a
 /// name, otherwise the name of the process.

@@ -21,7 +21,7 @@ namespace grafverif {
 enum class FormulaLanguage { Ctl, Ltl, Uppaal };
 /// Returns `CTL`, `LTL` or `UPPAAL`.
 std::string_view word(FormulaLanguage language);
-/// Returns the formula language of a pattern; empty if its operands are in the input language of grafverif.
+/// Returns the formula language of a pattern, or nothing if its operands are in the input language of grafverif.
 std::optional<FormulaLanguage> formula_language(Pattern pattern);
 
 /// Meaning of a name in a model.
@@ -30,7 +30,7 @@ struct FormulaName {
     /// The value is chosen in each step, so that it is not allowed in CTL, which describes states.
     bool of_steps = false;
 };
-/// Returns the meaning of a name; empty if the model has no such name. A qualified name is passed as one name:
+/// Returns the meaning of a name, or nothing if the model has no such name. A qualified name is passed as one name:
 /// `press.X_2`.
 using FormulaNames = std::function<std::optional<FormulaName>(std::string_view)>;
 
@@ -39,7 +39,7 @@ struct FormulaFault {
     std::string what = {};           ///< description such as `expected `)`, got `&``
 };
 
-/// Returns the first error in `text`; empty if it is a formula. Without `names`, each name is assumed to have a
+/// Returns the first error in `text`, or nothing if it is a formula. Without `names`, each name is assumed to have a
 /// suitable type.
 std::optional<FormulaFault> formula_fault(FormulaLanguage language, std::string_view text,
                                           const FormulaNames& names = {});

@@ -14,7 +14,7 @@ std::string claim(Pattern pattern, const std::vector<std::string>& operands, con
 /// Returns a property with an observer. `bound` is its duration or count as text, if it has one.
 std::string claim(const Sentence& watch, const std::vector<std::string>& operands, const std::string& bound);
 
-/// Returns the duration or count of a sentence; empty if it has none.
+/// Returns the duration or count of a sentence, or an empty string if it has none.
 std::string bound_text(const Sentence& watch);
 
 /// Returns the proof obligation of a constraint if there is a plant, such as `!(IN && OUT)`.

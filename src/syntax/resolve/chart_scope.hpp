@@ -29,8 +29,9 @@ struct ChartScope {
     std::unordered_map<std::string_view, std::vector<Id<Chart::Step>>> steps_by_name = {};
     std::unordered_map<std::string, Id<Chart::TimeCondition>> times = {};
     std::unordered_map<std::uint64_t, Term> known_names = {};  ///< terms of names, by partial chart and word
-    std::vector<Span> continuous = {}, stored = {};  ///< per variable: the position of its first action of that type
-    Id<Chart::PartialChart> here = {};               ///< partial chart of the current term
+    /// For each variable: the position of its first action of that type.
+    std::vector<Span> continuous = {}, stored = {};
+    Id<Chart::PartialChart> here = {};  ///< partial chart of the current term
 
     std::string_view text(tree::Name name) const { return file.text(name); }
 };
@@ -67,7 +68,7 @@ void resolve_stored(ChartScope& scope, const tree::Assignment& written, Chart::S
 // -- condition.cpp
 /// Resolves terms with the names of `scope`, which must outlive the result.
 Terms terms_of(ChartScope& scope);
-/// Returns the term of a condition; invalid after an error.
+/// Returns the term of a condition, or an invalid id after an error.
 Id<Expr> resolve_condition(ChartScope& scope, Id<tree::Expr> node, Id<Chart::PartialChart> here, std::string_view user);
 /// Returns the step named `label` in `here`; reports an unknown name.
 Id<Chart::Step> step_in(ChartScope& scope, Id<Chart::PartialChart> here, tree::Name label);

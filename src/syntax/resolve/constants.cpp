@@ -39,7 +39,7 @@ std::optional<std::int64_t> value_of(Named::Kind kind, const std::string& text) 
     return duration_ms(text);
 }
 
-/// Returns the declared type, or the type of the value if none is declared; empty after an error.
+/// Returns the declared type, or the type of the value if none is declared, or nothing after an error.
 std::optional<Named::Kind> written_kind(const tree::Variable& written, TermKind value) {
     switch (written.type) {
     case tree::TypeWord::Bool: return Named::Kind::Boolean;
@@ -58,7 +58,7 @@ struct Bounds {
     bool contain(std::int64_t value) const { return low <= value && value <= high; }
 };
 
-/// Returns the declared range; empty if there is none or after an error.
+/// Returns the declared range, or nothing if there is none or after an error.
 std::optional<Bounds> bounds_of(LoopScope& scope, const tree::Variable& written) {
     if (!written.range) return {};
     Terms terms = constant_terms(scope, "a range");

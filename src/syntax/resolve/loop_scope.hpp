@@ -30,7 +30,8 @@ struct LoopScope {
     std::unordered_map<std::string, Id<ClosedLoop::Shared>> shared = {};
     std::unordered_map<std::string_view, Id<ClosedLoop::Instance>> instances = {};
     std::unordered_map<std::string_view, Id<ClosedLoop::Observer>> observers = {};
-    std::vector<std::string> instance_writers = {};  ///< per shared variable: the instance that writes it; may be empty
+    /// For each shared variable: the instance that writes it; may be empty.
+    std::vector<std::string> instance_writers = {};
     std::unordered_set<std::string_view> excused = {};  ///< names bound in instances with errors, which may drive them
     std::unordered_set<std::string_view> below = {};    ///< constants that are declared later
     std::unordered_set<std::string_view> valueless = {};  ///< constants with an error
@@ -59,7 +60,7 @@ std::string location_list(const Component& component);
 /// other names are known, and reports conflicts with them.
 void resolve_constants(LoopScope& scope, const tree::ClosedLoop& written);
 void check_constant_names(LoopScope& scope);
-/// Returns the value of a constant as a term; empty if there is no such constant.
+/// Returns the value of a constant as a term, or nothing if there is no such constant.
 std::optional<Term> constant_named(LoopScope& scope, std::string_view name);
 /// Returns the resolver of terms that read only constants. `user` is named in errors.
 Terms constant_terms(LoopScope& scope, std::string_view user);

@@ -59,7 +59,7 @@ private:
 
     const Chart* chart_;
     std::vector<bool> active_;
-    std::vector<std::size_t> waits_;  ///< per transition: number of upstream steps that cannot be active so far
+    std::vector<std::size_t> waits_;  ///< for each transition: number of upstream steps that cannot be active so far
     std::vector<std::vector<Id<Chart::Transition>>> downstream_ = {};
     std::vector<std::vector<Id<Chart::Step>>> links_ = {};  ///< steps that an owner activates
     std::vector<Id<Chart::Step>> work_ = {};

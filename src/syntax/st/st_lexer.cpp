@@ -39,7 +39,7 @@ std::string without_underscores(std::string_view digits) {
     return kept;
 }
 
-/// Returns the value of an integer such as `1_000`; empty if it is too large.
+/// Returns the value of an integer such as `1_000`, or nothing if it is too large.
 std::optional<std::int64_t> integer_of(std::string_view digits, int base) {
     const std::string kept = without_underscores(digits);
     std::int64_t value = 0;

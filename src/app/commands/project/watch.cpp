@@ -69,7 +69,7 @@ void note(const Command& command, FileWatcher& seen) {
     CommandContext job{.options = command.options};
     job.watch = &seen;
     for (const auto& [name, place, use] : path_options) {
-        if (use != PathUse::Read) (job.options.*place).reset();  // no file is written
+        if (use != PathUse::Read) (job.options.*place).reset();  // this run writes no file
         else if (const auto& file = job.options.*place) seen.note(*file);
     }
     for (const std::string& file : command.options.operands) {
@@ -81,7 +81,7 @@ void note(const Command& command, FileWatcher& seen) {
     }
 }
 
-/// Returns how the execution ended; empty if a change or Ctrl-C ended it.
+/// Returns how the execution ended, or nothing if a change or Ctrl-C ended it.
 std::optional<ChildEnd> run_once(const Command& command, const FileWatcher& seen,
                                  const std::atomic<bool>& end_requested) {
     const Descriptor nothing(::open("/dev/null", O_RDONLY | O_CLOEXEC));
