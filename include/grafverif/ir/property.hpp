@@ -63,7 +63,7 @@ struct Property {
     std::vector<Id<Expr>> operands = {};
     std::string raw = {};
     Sentence watch = {};     ///< for Pattern::Watched
-    bool at_stable = false;  ///< true: evaluated in quiescent states only
+    bool at_stable = false;  ///< evaluated only in quiescent states
     bool expected_violated = false;
     Span origin = {};
 
