@@ -11,7 +11,7 @@ function(grafverif_group_by_room target)
     get_target_property(sources ${target} SOURCES)
     foreach(source IN LISTS sources)
         get_filename_component(folder "${source}" DIRECTORY)
-        # Relative paths: the names of units do not depend on the folders of the source and build trees.
+        # Paths are relative, so that the names of units do not depend on the folders of the source and build trees.
         string(REPLACE "${PROJECT_BINARY_DIR}/" "" folder "${folder}")
         string(REPLACE "${PROJECT_SOURCE_DIR}/" "" folder "${folder}")
         string(MAKE_C_IDENTIFIER "${folder}" room)

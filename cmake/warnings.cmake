@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: MIT
-# grafverif_warnings: compiler options for the code of the project, and the sanitizers if enabled. The preset selects if
-# warnings are errors (CMAKE_COMPILE_WARNING_AS_ERROR).
+# grafverif_warnings: compiler options for the code of the project, and the sanitizers if enabled. The preset determines
+# whether warnings are errors (CMAKE_COMPILE_WARNING_AS_ERROR).
 add_library(grafverif_warnings INTERFACE)
 target_compile_options(grafverif_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
                        -Wnon-virtual-dtor -Wold-style-cast -Wswitch)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    # g++ 12: false positives about overlapping copies in std::string's operator+ (GCC bug 105651)
+    # g++ 12 reports false positives about overlapping copies in std::string's operator+ (GCC bug 105651)
     target_compile_options(grafverif_warnings INTERFACE -Wno-restrict)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # false positives for members of std::variant, std::optional and, with sanitizers, std::regex (GCC bug 105562)
+    # g++ reports false positives for members of std::variant, std::optional and, with sanitizers, std::regex (GCC bug
+    # 105562).
     target_compile_options(grafverif_warnings INTERFACE -Wno-maybe-uninitialized)
 endif()
 if(GRAFVERIF_SANITIZE)

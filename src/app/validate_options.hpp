@@ -27,7 +27,7 @@ std::string validate_untimed(Options& options);
 
 /// Parses arguments of the form `NAME=VALUE` with distinct names. Returns an error message or an empty string.
 std::string take_constants(const std::vector<std::string>& given, Options& options);
-/// Handles `--ablate CORRECTION`: models without one correction of the method, for the page that shows its effect.
+/// Handles `--ablate CORRECTION`, which omits a correction of the method. A page of the documentation uses it.
 std::string disable_corrections(const std::vector<std::string>& cures, Options& options);
 std::string take_jobs(const std::vector<std::string>& given, Options& options);
 

@@ -2,8 +2,8 @@
 // Portfolio of engines on one system. The symbolic engine runs in one thread, decomposed into subsystems. After a share
 // of the time, localization joins in a second thread, followed by PDR and BMC, which alternate. The first engine that
 // decides a property provides its verdict, and a note names the engine. When all properties are decided, all engines
-// stop. Results are validated as in a single-engine run, so verdicts do not depend on which engine finishes first; the
-// counterexample may.
+// stop. Results are validated as in a single-engine run, so verdicts do not depend on which engine finishes first.
+// Counterexamples may depend on it.
 //
 // Without a second thread, the engines run sequentially, each except the last for a bounded share of the time.
 //

@@ -25,7 +25,7 @@ struct MealyOptions {
     const std::atomic<bool>* stop = nullptr;  ///< cancellation flag, which another thread may set
 };
 
-/// Returns the machine of the automaton, or nothing after an error: a limit was reached. Requires
+/// Returns the machine of the automaton, or nothing if a limit was reached, which is an error. Requires
 /// verify(automaton).empty().
 std::optional<MealyMachine> mealy_machine(const LocationAutomaton& automaton, const MealyOptions& options,
                                           Diagnostics& diagnostics);

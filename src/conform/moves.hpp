@@ -25,7 +25,7 @@ namespace grafverif::conform {
 struct StateMove {
     Bdd set = {};
     StateId next = 0;
-    bool stable = false;  ///< true if these inputs change only levels that timers observe, and these only once
+    bool stable = false;  ///< true if these inputs change, once, only levels that timers observe
 };
 
 /// Thrown if an evolution has no result: a race, or a value that is undefined or out of range.

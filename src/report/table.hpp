@@ -23,7 +23,7 @@ Cells cells(const ChartRun& run, std::size_t index, bool complete);
 /// Returns the cleared transitions, such as `T0; TW0`.
 std::string cleared_text(const ChartRun& run, const ChartRun::Row& row);
 
-/// Returns the event, such as `V_Act: going_out, V 0 -> 1`; for a controller also the stored values.
+/// Returns the event, such as `V_Act: going_out, V 0 -> 1`. The event of a controller also contains the stored values.
 std::string happening(const ChartRun& run, std::size_t index);
 
 /// Returns the active steps, such as `0` or `3 4`; `none` if no step is active.

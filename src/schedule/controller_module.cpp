@@ -189,7 +189,7 @@ private:
     /// output with stored actions under stability search, whose first symbol is its image.
     std::vector<Id<Symbol>> read_, shown_;
     std::vector<Id<Variable>> parameters_ = {};
-    Id<Symbol> turn_ = {}, elapse_ = {}, started_ = {};  ///< invalid if not used
+    Id<Symbol> turn_ = {}, elapse_ = {}, started_ = {};  ///< invalid if the module does not use it
     TermCopier now_{equations_.exprs, draft_.exprs, [this](const Expr& node) { return draft_.leaf(read(of(node))); }};
     TermCopier first_{equations_.exprs, draft_.exprs, [this](const Expr& node) {
                           const Role role = variable(of(node)).role;

@@ -62,7 +62,7 @@ struct Property {
     Pattern pattern = Pattern::Always;
     std::vector<Id<Expr>> operands = {};
     std::string raw = {};
-    Sentence watch = {};     ///< for Pattern::Watched
+    Sentence watch = {};     ///< used only by Pattern::Watched
     bool at_stable = false;  ///< evaluated only in quiescent states
     bool expected_violated = false;
     Span origin = {};

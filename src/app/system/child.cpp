@@ -101,7 +101,7 @@ public:
 
 private:
     /// Ends adopted processes. When a child ends, this process adopts its children, and the next iteration finds them.
-    /// Children that it may not end remain.
+    /// It leaves children that it has no permission to end.
     void end_adopted() {
         constexpr int most_rounds = 1000;
         for (int round = 0; round < most_rounds; ++round) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Observations of a chart: functions of states. A set of observations ("sights") is a function with one variable per
-// observation; an observation that is a bit of the state uses the variable of that bit.
+// Observations of a chart, which are functions of states. A set of observations ("sights") is a function with one
+// variable per observation; an observation that is a bit of the state uses the variable of that bit.
 #pragma once
 
 #include <cstdint>

@@ -70,7 +70,7 @@ private:
     struct Frame {
         std::uint32_t state = 0;
         std::uint32_t low = 0;
-        std::uint32_t first = 0;  // its start in successors_; its end is the top of the stack
+        std::uint32_t first = 0;  // start of the frame in successors_; the frame ends at the top of the stack
         bool loops = false;       // true if the state has an edge to itself
     };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Breadth-first search by the number of moves. A delay of any length counts as one move: a state reached by a delay
 // continues the same delay at no cost. Therefore, if time passes in a state, it is advanced immediately, unit by unit,
-// until it is stopped or reaches a state whose delay is known. All states on the way are one level below. A state of
-// that level that was first reached by an edge has the same distance by the delay. Its parent becomes its predecessor
-// in time, so that its successors in time have their shortest runs through it.
+// until it is stopped or reaches a state whose delay is known. All states on the way are one level below. If an
+// edge reached such a state first, the delay reaches it with the same distance. The parent of the state becomes its
+// predecessor in time, so that its successors in time have their shortest runs through it.
 //
 // The queue is processed block by block. All threads compute the moves of a block while nothing is written. States that
 // the store does not contain are grouped by hash. Then one thread numbers the new states in the order of the block, as

@@ -18,7 +18,7 @@ struct ProgramProperty {
     std::string text = {};
     Kind kind = Kind::Invariant;
     Error error = Error::Overflow;
-    /// MutualExclusion: at least two conditions; otherwise at most one.
+    /// MutualExclusion has at least two conditions; every other kind has at most one.
     std::vector<Id<Program::Node>> conditions = {};
     Span origin = {};
 };

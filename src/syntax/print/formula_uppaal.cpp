@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The symbolic queries of UPPAAL over its expressions. UPPAAL itself applies operator precedence. In this reader, an
-// expression is a sequence of operands and operators; an operand has prefix operators before it and indices after it.
+// Reads the symbolic queries of UPPAAL, which are over its expressions. UPPAAL itself applies operator precedence. In
+// this reader, an expression is a sequence of operands and operators; an operand has prefix operators before it and
+// indices after it.
 #include <fmt/format.h>
 
 #include <algorithm>
