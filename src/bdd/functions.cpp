@@ -68,7 +68,7 @@ Bdd cube(const BddSpace& space, std::span<const BddLiteral> literals) {
         assert(literal.variable < order.size());
         sorted.emplace_back(order.level_of[literal.variable], literal.value);
     }
-    std::ranges::sort(sorted, std::ranges::greater{});  // bottom-up, so that each literal adds one node
+    std::ranges::sort(sorted, std::ranges::greater{});  // the order is bottom-up, so that each literal adds one node
     sorted.erase(std::ranges::unique(sorted).begin(), sorted.end());
     if (sorted.empty()) return Bdd::constant(true);
     return result_of(&space.kernel(), [&](Kernel& k) {

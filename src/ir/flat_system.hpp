@@ -46,10 +46,10 @@ Id<Expr> flattened(const TransitionSystem& system, FlatSystem& flat, Id<Expr> te
 
 /// Names in a generated model, as printed by the external program that reads it.
 struct SystemSpelling {
-    std::vector<std::string> variables = {};  ///< per flattened(system).variables
+    std::vector<std::string> variables = {};  ///< names of flattened(system).variables
     std::vector<std::vector<std::string>> values =
         {};  ///< for each variable: names of its values, starting with type.low; empty for numbers
-    std::vector<std::string> properties = {};  ///< per system.properties
+    std::vector<std::string> properties = {};  ///< names of system.properties
 
     bool operator==(const SystemSpelling&) const = default;
 };

@@ -37,12 +37,12 @@ struct Comparison {
     };
     struct Scan {
         std::int64_t wait_ms = 0;               ///< time since the previous scan
-        std::vector<std::int64_t> inputs = {};  ///< in the order of Comparison::inputs
+        std::vector<std::int64_t> inputs = {};  ///< values in the order of Comparison::inputs
         bool operator==(const Scan&) const = default;
     };
     /// Response of a chart to a scan.
     struct ScanOutputs {
-        std::vector<std::int64_t> outputs = {};  ///< in the order of Comparison::outputs
+        std::vector<std::int64_t> outputs = {};  ///< values in the order of Comparison::outputs
         std::string situation = {};              ///< situation after the scan: `{2, 5}`
         std::string stop = {};                   ///< reason why there are no outputs; empty if outputs exist
         /// True if both responses have equal outputs, or both have stopped.

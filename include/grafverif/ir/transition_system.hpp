@@ -106,7 +106,7 @@ struct TransitionSystem {
         ControllerWords<Symbol> words =
             {};  ///< transitions; one is cleared by a step that `evolves` if its condition held before that step
         Id<Expr> starts = {};   ///< true in the first evolution; invalid if the first evolution has no visible effect
-        Id<Expr> samples = {};  ///< true if inputs and timer outputs are sampled; if invalid, each evolution does it
+        Id<Expr> samples = {};  ///< true if inputs and timer outputs are sampled; if invalid, equal to `evolves`
         Id<Expr> evolves = {};  ///< true if the step is one evolution; invalid if every step is one
         Id<Expr> writes = {};   ///< true if outputs are written; if invalid, evolutions write them as the mode requires
         bool operator==(const Controller&) const = default;

@@ -132,7 +132,7 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const std::
 
 namespace {
 
-/// Created after the folder is locked; a folder without it belongs to another program.
+/// Name of a file that is created after the folder is locked. A folder without this file belongs to another program.
 constexpr const char* lock_mark = ".grafverif-run";
 constexpr std::string_view folder_name = "grafverif-run-", random_part = "XXXXXX";
 
