@@ -55,8 +55,8 @@ NAME        [A-Z_][A-Z0-9_]*
 "EXIT"          return lexer.sign(Kind::EXIT);
 "AND"|"&"       return lexer.sign(Kind::AND);
 "OR"            return lexer.sign(Kind::OR);
-"AND_THEN"      return lexer.lazy_sign(Kind::AND, MATCH);
-"OR_ELSE"       return lexer.lazy_sign(Kind::OR, MATCH);
+"AND_THEN"      return lexer.sign(Kind::AND_THEN);
+"OR_ELSE"       return lexer.sign(Kind::OR_ELSE);
 "XOR"           return lexer.sign(Kind::XOR);
 "NOT"           return lexer.sign(Kind::NOT);
 "MOD"           return lexer.sign(Kind::MOD);

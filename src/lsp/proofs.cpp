@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Background checks of a session. They are started after a save and on demand, and shown as code lenses of loops and
-// properties.
+// Checks of a session. They are started after a save and on demand, and shown as code lenses of loops and properties.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 

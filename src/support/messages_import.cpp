@@ -122,6 +122,16 @@ Diagnostic not_in_program(Span where, std::string_view what, std::string_view hi
     return error("not-in-program", where, fmt::format("{} is not supported in a program; {}", what, hint));
 }
 
+Diagnostic not_standard(Span where, std::string_view what, std::string_view meaning) {
+    return warning("not-standard", where,
+                   fmt::format("{} is not defined by IEC 61131-3; it is read as {}", what, meaning));
+}
+
+Diagnostic undocumented(Span where, std::string_view what, std::string_view reading) {
+    return warning("undocumented-reading", where,
+                   fmt::format("the documentation of CODESYS does not define {}; {}", what, reading));
+}
+
 Diagnostic program_type_mismatch(Span where, std::string_view what, std::string_view expected, std::string_view found) {
     return error("type-mismatch", where, fmt::format("{} is {}; expected {}", what, found, expected));
 }

@@ -11,6 +11,9 @@ namespace grafverif::messages {
 
 /// A construct that programs cannot contain at this position. `hint` is the remedy in the imperative.
 Diagnostic not_in_program(Span where, std::string_view what, std::string_view hint);
+/// A construct that the standard does not have; `meaning`: how it is read.
+Diagnostic not_standard(Span where, std::string_view what, std::string_view meaning);
+Diagnostic undocumented(Span where, std::string_view what, std::string_view reading);
 Diagnostic program_type_mismatch(Span where, std::string_view what, std::string_view expected, std::string_view found);
 Diagnostic not_a_number_of_type(Span where, std::int64_t value, std::string_view type);
 Diagnostic recursive_unit(Span where, std::string_view name);

@@ -13,6 +13,7 @@
 
 #include "derive/program/scan.hpp"
 #include "run/program/interpreter.hpp"
+#include "support/random_codesys.hpp"
 #include "support/random_diagram.hpp"
 #include "support/random_program.hpp"
 #include "support/random_sfc.hpp"
@@ -199,6 +200,48 @@ TEST(RandomizedProgram, SequentialFunctionChartsAgreeWithTheirRules) {
          {"cleared transitions", "simultaneous clearing", "selections", "actions", "final scans", "actions with L",
           "actions with D", "actions with SD", "actions with DS", "actions with SL"})
         EXPECT_GT(seen[what], test_size(100)) << what;
+}
+
+TEST(RandomizedProgram, ChartsOfCodesysAgreeWithItsDocumentation) {
+    std::map<std::string, int> seen;
+    Met met;
+    for (int seed = 1; seed <= test_size(300); ++seed) {
+        Random random(static_cast<unsigned>(seed));
+        RandomCodesys charts = random_codesys(random);
+        const std::string text = charts.xml();
+        Sources sources;
+        Diagnostics diagnostics;
+        const auto read = read_program(sources.add({"random.xml", text}), sources, diagnostics);
+        ASSERT_TRUE(read) << "seed " << seed << '\n' << error_texts(diagnostics, sources) << text;
+        const auto equations = scan_of(read->program(), diagnostics);
+        ASSERT_TRUE(equations) << "seed " << seed << '\n' << error_texts(diagnostics, sources) << text;
+        ASSERT_EQ(disagreement(read->program(), *equations, random, met), "") << "seed " << seed << '\n' << text;
+        ProgramRun run(read->program());
+        std::vector<std::int64_t> inputs(4);
+        for (int scan = 1; scan <= 60; ++scan) {
+            for (std::int64_t& input : inputs) input = chance(random, 40) ? 1 - input : input;
+            if (chance(random, 80)) inputs[3] = 0;
+            const std::int64_t elapsed = random_number(random, 0, 15);
+            run.scan(inputs, elapsed);
+            charts.scan(inputs, elapsed);
+            const std::string where = "seed " + std::to_string(seed) + ", scan " + std::to_string(scan) + '\n' + text;
+            ASSERT_EQ(value_of(run, "log"), charts.log) << where;
+            for (const char* name : {"v0", "v1", "v2"})
+                ASSERT_EQ(value_of(run, name), charts.values[name] ? 1 : 0) << name << ", " << where;
+            for (std::size_t c = 0; c < charts.charts.size(); ++c)
+                for (std::size_t i = 0; i < charts.charts[c].steps.size(); ++i) {
+                    const std::string step = "Chart" + std::to_string(c) + ".S" + std::to_string(i);
+                    ASSERT_EQ(value_of(run, step + ".X"), charts.charts[c].steps[i].active ? 1 : 0)
+                        << step << ", " << where;
+                }
+        }
+        seen["cleared transitions"] += charts.cleared;
+        seen["ends of actions"] += charts.ends;
+        seen["exit actions"] += charts.exits;
+        seen["resets"] += charts.resets;
+    }
+    print_counts(seen);
+    for (const auto& [what, count] : seen) EXPECT_GT(count, test_size(100)) << what;
 }
 
 }  // namespace

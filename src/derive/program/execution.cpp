@@ -29,6 +29,8 @@ SymbolicExecution::SymbolicExecution(const Program& program, const ProgramLayout
     memory_.push_back(exprs.constant(false));
     exited_ = static_cast<std::uint32_t>(memory_.size());
     memory_.push_back(exprs.constant(false));
+    value_ = static_cast<std::uint32_t>(memory_.size());
+    memory_.push_back(exprs.constant(false));
 }
 
 void SymbolicExecution::run_main() { invoke(program_.main, main_); }
@@ -102,12 +104,12 @@ Id<Expr> SymbolicExecution::alive() {
     return exprs_.negation(exprs_.disjunction(memory_[returned_], memory_[exited_]));
 }
 
-void SymbolicExecution::event(std::vector<Scan::Event>& events, Id<Expr> condition, Span origin) {
+void SymbolicExecution::event(std::vector<Scan::Event>& events, Id<Expr> condition, Span origin, ProgramFault fault) {
     if (is_false(exprs_, condition)) return;
     std::vector<Id<Expr>> all = path_;
     all.push_back(condition);
     const Id<Expr> reached = exprs_.conjunction(all);
-    if (!is_false(exprs_, reached)) events.push_back({reached, origin});
+    if (!is_false(exprs_, reached)) events.push_back({reached, origin, fault});
 }
 
 // -- statements -------------------------------------------------------------------------------------------------------
@@ -134,15 +136,21 @@ void SymbolicExecution::execute(const Program::Statement& statement, std::uint32
     switch (statement.kind) {
     case Kind::Assign: {
         const Id<Expr> term = value(statement.value, frame);
-        write(address(statement.place, frame), term);
+        for (const Element& one : elements(statement.place, frame, statement.origin))
+            write(one.cell, exprs_.conditional(one.condition, term, memory_[one.cell]));
         return;
     }
-    case Kind::Invoke: return invoke(statement.unit, address(statement.place, frame));
+    case Kind::Invoke:
+        for (const Element& one : elements(statement.place, frame, statement.origin))
+            branch(
+                one.condition, [&] { invoke(statement.unit, one.cell); }, [] {});
+        return;
     case Kind::If: return arms(statement, 0, {}, frame);
     case Kind::Case: return arms(statement, 0, value(statement.value, frame), frame);
     case Kind::For: return for_loop(statement, frame);
     case Kind::While:
     case Kind::Repeat: return loop(statement, {}, frame);
+    case Kind::Check: return event(faults, value(statement.value, frame), statement.origin, ProgramFault::Chart);
     case Kind::Exit: return write(exited_, exprs_.constant(true));
     case Kind::Return: return write(returned_, exprs_.constant(true));
     }
@@ -262,11 +270,12 @@ void SymbolicExecution::iterate(const Program::Statement& statement, Id<Expr> la
 void SymbolicExecution::invoke(Id<Program::Unit> id, std::uint32_t frame) {
     const Program::Unit& unit = program_.units[id];
     for (const Program::Variable& one : unit.variables)
-        if (one.section == Program::Variable::Section::Temporary)
-            write(frame + one.offset,
-                  literal(exprs_,
-                          program_.types[one.type].kind == Program::Type::Kind::Boolean ? Type{} : integer_type(0, 1),
-                          one.initial));
+        if (one.section == Program::Variable::Section::Temporary) {
+            std::uint32_t cell = frame + one.offset;
+            std::vector<Id<Expr>> terms;
+            initial_terms(one.type, one.initial, terms);
+            for (const Id<Expr> term : terms) write(cell++, term);
+        }
     execute(unit.body, 0, frame);
     write(returned_, exprs_.constant(false));
     write(exited_, exprs_.constant(false));

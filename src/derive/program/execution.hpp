@@ -54,18 +54,30 @@ private:
     Id<Expr> alive();
     void fail(const Diagnostic& diagnostic);
     bool counts(const Program::Statement& statement);
-    void event(std::vector<Scan::Event>& events, Id<Expr> condition, Span origin);
-    std::uint32_t address(Program::Place place, std::uint32_t frame) const {
+    void event(std::vector<Scan::Event>& events, Id<Expr> condition, Span origin,
+               ProgramFault fault = ProgramFault::DivisionByZero);
+    std::uint32_t address(const Program::Place& place, std::uint32_t frame) const {
         return place.global ? place.offset : frame + place.offset;
     }
+    /// The cell for given values of the indices, and the condition that they have these values.
+    struct Element {
+        std::uint32_t cell = 0;
+        Id<Expr> condition = {};
+    };
+    void initial_terms(Id<Program::Type> type, std::int64_t initial, std::vector<Id<Expr>>& terms);
+    std::vector<Element> elements(const Program::Place& place, std::uint32_t frame, Span origin);
+    Id<Expr> read(const Program::Node& node, std::uint32_t frame);
+    Id<Expr> lazy(const Program::Node& node, std::uint32_t frame);
+    Id<Expr> bitwise(const Program::Node& node, const std::vector<Id<Expr>>& values);
+    Id<Expr> bit(Id<Expr> value, std::int64_t place);
 
     const Program& program_;
     Exprs& exprs_;
     Diagnostics& diagnostics_;
     std::vector<Id<Expr>> memory_ = {};
     std::vector<Write> journal_ = {};
-    std::vector<Id<Expr>> path_ = {};  ///< conditions of the branches that are being executed
-    std::uint32_t main_ = 0, returned_ = 0, exited_ = 0;
+    std::vector<Id<Expr>> path_ = {};  ///< conditions of the open branches
+    std::uint32_t main_ = 0, returned_ = 0, exited_ = 0, value_ = 0;
     std::uint64_t executed_ = 0;
     const Program::Statement* loop_ = nullptr;  ///< the outermost loop that is being executed
     bool failed_ = false;

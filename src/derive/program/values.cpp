@@ -2,6 +2,7 @@
 // Evaluates expressions. Terms wrap a result around if it is outside of the range of its type. The ranges of the
 // operands determine if one addition or subtraction is sufficient.
 #include <algorithm>
+#include <bit>
 
 #include "derive/program/execution.hpp"
 #include "ir/literal.hpp"
@@ -20,13 +21,115 @@ Id<Expr> SymbolicExecution::value(Id<Program::Node> id, std::uint32_t frame) {
     case Operation::Constant:
         return program_.types[node.type].kind == Program::Type::Kind::Boolean ? exprs_.constant(node.value != 0)
                                                                               : exprs_.integer(node.value);
-    case Operation::Read: return memory_[address(node.place, frame)];
+    case Operation::Read: return read(node, frame);
     case Operation::Call: return call(node, frame);
+    case Operation::AndThen:
+    case Operation::OrElse: return lazy(node, frame);
     default: break;
     }
     std::vector<Id<Expr>> values;
     for (const Id<Program::Node> operand : node.operands) values.push_back(value(operand, frame));
+    const bool bits = program_.types[node.type].kind == Program::Type::Kind::Bits;
+    if (bits && node.op != Operation::Select && node.op != Operation::Convert) return bitwise(node, values);
     return calculated(node, values);
+}
+
+// -- array elements ---------------------------------------------------------------------------------------------------
+
+std::vector<SymbolicExecution::Element> SymbolicExecution::elements(const Program::Place& place, std::uint32_t frame,
+                                                                    Span origin) {
+    std::vector<Element> found = {{address(place, frame), exprs_.constant(true)}};
+    for (const Program::Index& index : place.indices) {
+        const Id<Expr> at = value(index.value, frame);
+        const Id<Expr> outside = exprs_.disjunction(exprs_.apply(Op::Less, at, exprs_.integer(index.low)),
+                                                    exprs_.apply(Op::Greater, at, exprs_.integer(index.high)));
+        event(faults, outside, origin, ProgramFault::ArrayBounds);
+        std::vector<Element> next;
+        for (const Element& one : found)
+            for (std::int64_t i = index.low; i <= index.high; ++i) {
+                const Id<Expr> condition =
+                    exprs_.conjunction(one.condition, exprs_.apply(Op::Equal, at, exprs_.integer(i)));
+                if (is_false(exprs_, condition)) continue;
+                next.push_back({one.cell + static_cast<std::uint32_t>(i - index.low) * index.stride, condition});
+            }
+        found = std::move(next);
+    }
+    return found;
+}
+
+/// With an index outside of the array: a fault, and any value.
+Id<Expr> SymbolicExecution::read(const Program::Node& node, std::uint32_t frame) {
+    if (node.place.indices.empty()) return memory_[address(node.place, frame)];
+    const std::vector<Element> all = elements(node.place, frame, node.origin);
+    Id<Expr> result = memory_[all.empty() ? address(node.place, frame) : all.back().cell];
+    for (std::size_t i = all.size(); i-- > 1;)
+        result = exprs_.conditional(all[i - 1].condition, memory_[all[i - 1].cell], result);
+    return result;
+}
+
+/// The second operand is evaluated in a branch, which its faults and overflows have as a condition.
+Id<Expr> SymbolicExecution::lazy(const Program::Node& node, std::uint32_t frame) {
+    const Id<Expr> first = value(node.operands[0], frame);
+    const bool conjunction = node.op == Operation::AndThen;
+    branch(
+        conjunction ? first : exprs_.negation(first),
+        [&] {
+            const Id<Expr> second = value(node.operands[1], frame);
+            write(value_, second);
+        },
+        [&] { write(value_, exprs_.constant(!conjunction)); });
+    return memory_[value_];
+}
+
+// -- bit strings ------------------------------------------------------------------------------------------------------
+
+/// True if the bit of a number from 0 is set.
+Id<Expr> SymbolicExecution::bit(Id<Expr> value, std::int64_t place) {
+    const Id<Expr> shifted =
+        place == 0 ? value : exprs_.apply(Op::Divide, value, exprs_.integer(std::int64_t{1} << place));
+    return exprs_.apply(Op::Equal, exprs_.apply(Op::Modulo, shifted, exprs_.integer(2)), exprs_.integer(1));
+}
+
+Id<Expr> SymbolicExecution::bitwise(const Program::Node& node, const std::vector<Id<Expr>>& values) {
+    const std::int64_t high = program_.types[node.type].high;
+    const auto width = static_cast<std::int64_t>(std::popcount(static_cast<std::uint64_t>(high)));
+    const auto power = [&](std::int64_t places) { return exprs_.integer(std::int64_t{1} << places); };
+    const auto lower = [&](std::int64_t places) {  // the bits below a place
+        return places == width ? values[0] : exprs_.apply(Op::Modulo, values[0], power(places));
+    };
+    const auto upper = [&](std::int64_t places) {  // the bits from a place
+        return places == 0 ? values[0] : exprs_.apply(Op::Divide, values[0], power(places));
+    };
+    switch (node.op) {
+    case Operation::Not: return exprs_.apply(Op::Minus, exprs_.integer(high), values[0]);
+    case Operation::And:
+    case Operation::Or:
+    case Operation::Xor: break;
+    default: {
+        const std::int64_t places = program_.nodes[node.operands[1]].value;
+        if (places == 0) return values[0];
+        const bool left = node.op == Operation::ShiftLeft || node.op == Operation::RotateLeft;
+        const bool rotates = node.op == Operation::RotateLeft || node.op == Operation::RotateRight;
+        if (places == width) return rotates ? values[0] : exprs_.integer(0);
+        const std::int64_t cut = left ? width - places : places;
+        if (!left && !rotates) return upper(cut);
+        const Id<Expr> moved = exprs_.apply(Op::Times, lower(cut), power(width - cut));
+        return rotates ? exprs_.apply(Op::Plus, moved, upper(cut)) : moved;
+    }
+    }
+    Id<Expr> sum = exprs_.integer(0);
+    for (std::int64_t place = 0; place < width; ++place) {
+        std::vector<Id<Expr>> bits;
+        for (const Id<Expr> one : values) bits.push_back(bit(one, place));
+        Id<Expr> set = bits[0];
+        if (node.op == Operation::And) set = exprs_.conjunction(bits);
+        else if (node.op == Operation::Or) set = exprs_.disjunction(bits);
+        else
+            for (std::size_t i = 1; i < bits.size(); ++i) set = exprs_.apply(Op::NotEqual, set, bits[i]);
+        if (!is_false(exprs_, set))
+            sum = exprs_.apply(Op::Plus, sum, exprs_.conditional(set, power(place), exprs_.integer(0)));
+    }
+    return sum;
 }
 
 Id<Expr> SymbolicExecution::calculated(const Program::Node& node, const std::vector<Id<Expr>>& values) {
@@ -74,6 +177,14 @@ Id<Expr> SymbolicExecution::calculated(const Program::Node& node, const std::vec
     }
     case Operation::Select: return exprs_.conditional(values[0], values[2], values[1]);
     case Operation::IsNonzero: return exprs_.apply(Op::NotEqual, values[0], exprs_.integer(0));
+    case Operation::Narrow: {
+        const Program::Type& to = program_.types[node.type];
+        event(faults,
+              exprs_.disjunction(exprs_.apply(Op::Less, values[0], exprs_.integer(to.low)),
+                                 exprs_.apply(Op::Greater, values[0], exprs_.integer(to.high))),
+              node.origin, ProgramFault::Range);
+        return wrapped_term(to, values[0], false);
+    }
     case Operation::Convert: {
         const Program::Type& from = program_.types[program_.nodes[node.operands[0]].type];
         const Program::Type& to = program_.types[node.type];
@@ -85,6 +196,12 @@ Id<Expr> SymbolicExecution::calculated(const Program::Node& node, const std::vec
     }
     case Operation::Constant:
     case Operation::Read:
+    case Operation::AndThen:
+    case Operation::OrElse:
+    case Operation::ShiftLeft:
+    case Operation::ShiftRight:
+    case Operation::RotateLeft:
+    case Operation::RotateRight:
     case Operation::Call: break;
     }
     return values[0];
@@ -102,12 +219,13 @@ Id<Expr> SymbolicExecution::in_range(const Program::Node& node, Id<Expr> value) 
     if (node.op == Operation::Modulo) return value;
     const Program::Type& type = program_.types[node.type];
     const Id<Expr> high = exprs_.integer(type.high), low = exprs_.integer(type.low);
-    const bool only_up = node.op == Operation::Absolute || node.op == Operation::Divide;
+    const bool time = type.kind == Program::Type::Kind::Time;
+    const bool only_up = !time && (node.op == Operation::Absolute || node.op == Operation::Divide);
     const Id<Expr> above = exprs_.apply(Op::Greater, value, high);
     const Id<Expr> below = only_up ? exprs_.constant(false) : exprs_.apply(Op::Less, value, low);
     if ((only_up && type.low == 0) || (is_false(exprs_, above) && is_false(exprs_, below))) return value;
-    event(overflows, exprs_.disjunction(above, below), node.origin);
-    if (only_up) {  // the operation negated the least number
+    event(time ? faults : overflows, exprs_.disjunction(above, below), node.origin, ProgramFault::Range);
+    if (only_up) {  // the least number, negated
         const std::int64_t count = type.high - type.low + 1;
         return exprs_.conditional(above, exprs_.apply(Op::Minus, value, exprs_.integer(count)), value);
     }
@@ -129,15 +247,25 @@ Id<Expr> SymbolicExecution::wrapped_term(const Program::Type& type, Id<Expr> val
     return exprs_.apply(Op::Plus, positive, exprs_.integer(type.low));
 }
 
+void SymbolicExecution::initial_terms(Id<Program::Type> of, std::int64_t initial, std::vector<Id<Expr>>& terms) {
+    const Program::Type& type = program_.types[of];
+    if (type.kind == Program::Type::Kind::Array) {
+        for (std::int64_t index = type.low; index <= type.high; ++index) initial_terms(type.element, initial, terms);
+    } else if (type.kind == Program::Type::Kind::Block) {
+        for (const Program::Variable& variable : program_.units[type.unit].variables)
+            initial_terms(variable.type, variable.initial, terms);
+    } else if (type.kind != Program::Type::Kind::Unsupported) {
+        terms.push_back(
+            literal(exprs_, type.kind == Program::Type::Kind::Boolean ? Type{} : integer_type(0, 1), initial));
+    }
+}
+
 Id<Expr> SymbolicExecution::call(const Program::Node& node, std::uint32_t frame) {
     std::vector<Id<Expr>> values;
     for (const Id<Program::Node> operand : node.operands) values.push_back(value(operand, frame));
     const Program::Unit& unit = program_.units[node.unit];
     const auto own = static_cast<std::uint32_t>(memory_.size());
-    for (const Program::Variable& variable : unit.variables)
-        memory_.push_back(program_.types[variable.type].kind == Program::Type::Kind::Boolean
-                              ? exprs_.constant(variable.initial != 0)
-                              : exprs_.integer(variable.initial));
+    for (const Program::Variable& variable : unit.variables) initial_terms(variable.type, variable.initial, memory_);
     for (std::size_t i = 0; i < values.size(); ++i) memory_[own + unit.inputs[i]] = values[i];
     const Id<Expr> returned = memory_[returned_], exited = memory_[exited_];
     write(returned_, exprs_.constant(false));

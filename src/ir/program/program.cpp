@@ -11,31 +11,53 @@ struct Walk {
     const Program& program;
     ProgramLayout layout = {};
 
-    void frame(Id<Program::Unit> id, const std::string& prefix) {
-        const Program::Unit& unit = program.units[id];
-        for (const Program::Variable& variable : unit.variables) {
-            const Program::Type& type = program.types[variable.type];
-            if (type.kind != Program::Type::Kind::Block) {
-                layout.cells.push_back({prefix + variable.name, variable.type, variable.initial, variable.input,
-                                        variable.output, variable.section == Program::Variable::Section::Temporary,
-                                        variable.constant, variable.origin});
-                continue;
-            }
-            const auto begin = static_cast<std::uint32_t>(layout.cells.size());
-            frame(type.unit, prefix + variable.name + ".");
-            const Program::Unit& block = program.units[type.unit];
-            if (!block.elapsed) continue;
-            layout.timers.push_back({begin + *block.running, begin + *block.elapsed, variable.longest});
-            layout.longest = std::max(layout.longest, variable.longest);
+    /// The variable that contains the cells gives those of its parts their properties.
+    struct Owner {
+        bool input = false, output = false, temporary = false, constant = false;
+    };
+
+    void frame(Id<Program::Unit> id, const std::string& prefix, const Owner& owner) {
+        for (const Program::Variable& variable : program.units[id].variables) {
+            const bool temporary = variable.section == Program::Variable::Section::Temporary;
+            value(variable, variable.type, prefix + variable.name,
+                  {owner.input || variable.input, owner.output || variable.output, owner.temporary || temporary,
+                   owner.constant || variable.constant});
         }
+    }
+
+    void value(const Program::Variable& variable, Id<Program::Type> of, const std::string& name, const Owner& owner) {
+        const Program::Type& type = program.types[of];
+        if (type.kind == Program::Type::Kind::Array) {
+            for (std::int64_t index = type.low; index <= type.high; ++index)
+                value(variable, type.element, name + "[" + std::to_string(index) + "]", owner);
+            return;
+        }
+        if (type.kind == Program::Type::Kind::Unsupported) return;
+        if (type.kind != Program::Type::Kind::Block) {
+            layout.cells.push_back({name, of, variable.initial, owner.input, owner.output, owner.temporary,
+                                    owner.constant, variable.origin});
+            return;
+        }
+        const auto begin = static_cast<std::uint32_t>(layout.cells.size());
+        const Program::Unit& block = program.units[type.unit];
+        frame(type.unit, name + ".", block.kind == Program::Unit::Kind::Structure ? owner : Owner{});
+        if (!block.elapsed) return;
+        layout.timers.push_back({begin + *block.running, begin + *block.elapsed, variable.longest});
+        layout.longest = std::max(layout.longest, variable.longest);
     }
 };
 
-void initialise(const Program& program, Id<Program::Unit> unit, std::vector<std::int64_t>& cells) {
-    for (const Program::Variable& variable : program.units[unit].variables) {
-        const Program::Type& type = program.types[variable.type];
-        if (type.kind == Program::Type::Kind::Block) initialise(program, type.unit, cells);
-        else cells.push_back(variable.initial);
+void initialise(const Program& program, Id<Program::Type> of, std::int64_t initial, std::vector<std::int64_t>& cells) {
+    const Program::Type& type = program.types[of];
+    if (type.kind == Program::Type::Kind::Unsupported) return;
+    if (type.kind == Program::Type::Kind::Array) {
+        for (std::int64_t index = type.low; index <= type.high; ++index)
+            initialise(program, type.element, initial, cells);
+    } else if (type.kind == Program::Type::Kind::Block) {
+        for (const Program::Variable& variable : program.units[type.unit].variables)
+            initialise(program, variable.type, variable.initial, cells);
+    } else {
+        cells.push_back(initial);
     }
 }
 
@@ -43,15 +65,30 @@ void initialise(const Program& program, Id<Program::Unit> unit, std::vector<std:
 
 ProgramLayout layout_of(const Program& program) {
     Walk walk{program};
-    walk.frame(program.globals, "");
+    walk.frame(program.globals, "", {});
     walk.layout.main = static_cast<std::uint32_t>(walk.layout.cells.size());
-    walk.frame(program.main, "");
+    if (program.main != program.globals) walk.frame(program.main, "", {});
     return std::move(walk.layout);
+}
+
+std::uint32_t size_of(const Program& program, Id<Program::Type> type) {
+    const Program::Type& of = program.types[type];
+    if (of.kind == Program::Type::Kind::Unsupported) return 0;
+    if (of.kind == Program::Type::Kind::Block) return program.units[of.unit].size;
+    if (of.kind != Program::Type::Kind::Array) return 1;
+    return static_cast<std::uint32_t>(of.high - of.low + 1) * size_of(program, of.element);
+}
+
+std::vector<std::int64_t> initial_cells(const Program& program, const Program::Variable& variable) {
+    std::vector<std::int64_t> cells;
+    initialise(program, variable.type, variable.initial, cells);
+    return cells;
 }
 
 std::vector<std::int64_t> initial_frame(const Program& program, Id<Program::Unit> unit) {
     std::vector<std::int64_t> cells;
-    initialise(program, unit, cells);
+    for (const Program::Variable& variable : program.units[unit].variables)
+        initialise(program, variable.type, variable.initial, cells);
     return cells;
 }
 
@@ -72,7 +109,9 @@ std::string value_text(const Program::Type& type, std::int64_t value) {
         break;
     case Program::Type::Kind::Integer:
     case Program::Type::Kind::Bits:
-    case Program::Type::Kind::Block: break;
+    case Program::Type::Kind::Block:
+    case Program::Type::Kind::Array:
+    case Program::Type::Kind::Unsupported: break;
     }
     return std::to_string(value);
 }

@@ -3,13 +3,13 @@
 //
 // Semantics of one scan, which `run/program` executes literally and `derive/program` as equations:
 //   - the inputs take new values, the elapsed times of timers advance, and the body of `main` is executed once;
-//   - statements execute in order; function blocks and functions execute at each call; a function block keeps its cells
-//     between calls; the cells of a function and of the section VAR_TEMP have their initial values at the beginning of
-//     each call;
-//   - integers wrap around within the range of their type; comparisons, quotients and remainders use the operands as
-//     mathematical integers; a division by zero is a run-time fault, after which the behaviour of the program is
-//     undefined;
-//   - AND and OR evaluate all operands.
+//   - statements execute in order; function blocks and functions execute at each call; a function block keeps
+//     its cells between calls, a function and the section VAR_TEMP begin each call with their initial values;
+//   - integers wrap around within the range of their type; a comparison, a quotient or a remainder has the value of the
+//     operands as numbers; a division by zero, an index outside of its array, and a duration or a value of a subrange
+//     outside of its type are run-time faults, after which nothing is stated about the program, and so is a Sequential
+//     Function Chart that activates an active step or gives an action two durations;
+//   - AND and OR evaluate all operands, AND_THEN and OR_ELSE only those that determine the value.
 //
 // Every unit has a frame of cells. The frame of an instance of a function block is part of the frame of its owner.
 // Therefore the cells of the program are those of `globals` followed by those of `main`.
@@ -31,19 +31,29 @@ struct Program {
     struct Statement;
 
     struct Type {
-        enum class Kind : std::uint8_t { Boolean, Integer, Bits, Time, Enumeration, Block };
+        enum class Kind : std::uint8_t { Boolean, Integer, Bits, Time, Enumeration, Block, Array, Unsupported };
         Kind kind = Kind::Boolean;
         std::string name = {};
-        std::int64_t low = 0, high = 1;
-        std::vector<std::string> values = {};  ///< names of the values of an enumeration, starting at 0
-        Id<Unit> unit = {};                    ///< unit of a function block type
+        std::int64_t low = 0, high = 1;        ///< of an array: its first and last index
+        std::vector<std::string> values = {};  ///< of an enumeration, from 0
+        Id<Unit> unit = {};                    ///< of a block or structure
+        Id<Type> element = {};                 ///< of an array; of a subrange: the complete type
         bool operator==(const Type&) const = default;
     };
 
-    /// A cell, addressed relative to the frame of the unit or of the globals.
+    /// The index of an array element, whose cells begin `stride * (value - low)` after those of the first one.
+    struct Index {
+        Id<Node> value = {};
+        std::int64_t low = 0, high = 0;  ///< outside of them: a run-time fault
+        std::uint32_t stride = 1;
+        bool operator==(const Index&) const = default;
+    };
+    /// A cell, relative to the frame of the unit, or of the globals. The frame of `main` follows that of the globals,
+    /// so that other units name its cells as global ones.
     struct Place {
         bool global = false;
         std::uint32_t offset = 0;
+        std::vector<Index> indices = {};  ///< those that are not constant
         bool operator==(const Place&) const = default;
     };
 
@@ -53,7 +63,13 @@ struct Program {
         Not,
         And,
         Or,
-        Xor,  // Boolean operators with any number of operands
+        Xor,  // Boolean or bit strings, any number of operands
+        AndThen,
+        OrElse,  // Boolean, two operands; the second is evaluated only if it determines the value
+        ShiftLeft,
+        ShiftRight,
+        RotateLeft,
+        RotateRight,  // bit string, constant number of places from 0 to the width
         Equal,
         NotEqual,
         Less,
@@ -68,10 +84,11 @@ struct Program {
         Modulo,  // arithmetic; quotients are truncated towards zero
         Absolute,
         Minimum,
-        Maximum,  // operators with any number of operands
-        Limit,    // operands: minimum, value, maximum
-        Select,   // operands: condition, value if false, value if true
-        Convert,  // wraps a number to the range of `type`; a Boolean is 0 or 1
+        Maximum,  // any number of operands
+        Limit,    // least value, value, greatest value
+        Select,   // condition, value if false, value if true
+        Convert,  // wraps a number to `type`; a Boolean is 0 or 1
+        Narrow,   // to a subrange; a value outside of it is a fault
         IsNonzero,
         Call,  // call of a function, with one operand for each input
     };
@@ -97,7 +114,7 @@ struct Program {
     struct Statement {
         enum class Kind : std::uint8_t {
             Assign,
-            Invoke,  // calls the function block `unit` at `place`
+            Invoke,  // the function block or action `unit` at `place`, its frame
             If,
             Case,
             For,
@@ -105,13 +122,14 @@ struct Program {
             Repeat,
             Exit,
             Return,
+            Check,  // `value` is true: a fault of a chart
         };
         Kind kind = Kind::Return;
         Place place = {};
-        Id<Type> type = {};     ///< type of the cell
-        Id<Node> value = {};    ///< assigned value; selector; condition of a loop; first value of FOR
-        Id<Node> last = {};     ///< last value of FOR, evaluated once
-        std::int64_t step = 1;  ///< increment of FOR
+        Id<Type> type = {};     ///< of the cell
+        Id<Node> value = {};    ///< assigned; selector; condition of a loop or fault; first value of FOR
+        Id<Node> last = {};     ///< of FOR, evaluated once
+        std::int64_t step = 1;  ///< of FOR
         Id<Unit> unit = {};
         std::vector<Arm> arms = {};  ///< branches; the body of a loop is the only one
         Span origin = {};
@@ -119,12 +137,12 @@ struct Program {
     };
 
     struct Variable {
-        enum class Section : std::uint8_t { Local, Input, Output, Temporary };
+        enum class Section : std::uint8_t { Local, Input, Output, InOut, Temporary };
         std::string name = {};
         Section section = Section::Local;
         Id<Type> type = {};
         std::uint32_t offset = 0;
-        std::int64_t initial = 0;  ///< initial value of the cell; unused for a function block
+        std::int64_t initial = 0;  ///< not of a block; of an array: of each element
         bool constant = false;
         bool input = false;        ///< true for a free input of the program: VAR_INPUT of the program, or `AT %I`
         bool output = false;       ///< true for VAR_OUTPUT of the program, or `AT %Q`
@@ -133,7 +151,8 @@ struct Program {
         bool operator==(const Variable&) const = default;
     };
     struct Unit {
-        enum class Kind : std::uint8_t { Program, FunctionBlock, Function, Globals };
+        /// The body of an action works on the frame of its owner; a structure has no body.
+        enum class Kind : std::uint8_t { Program, FunctionBlock, Function, Globals, Action, Structure };
         Kind kind = Kind::Program;
         std::string name = {};
         std::vector<Variable> variables = {};
@@ -152,13 +171,15 @@ struct Program {
     Table<Node> nodes = {};
     Table<Statement> statements = {};
     Id<Unit> globals = {}, main = {};
-    /// Interval of the task; if empty, any time may pass between two scans.
-    std::optional<std::int64_t> interval_ms = {};
+    std::optional<std::int64_t> interval_ms = {};  ///< interval of the task; empty: any time may pass between two scans
 
     bool operator==(const Program&) const = default;
 };
 
-/// A cell of the program. Its address is the index in the cells of `globals` followed by those of `main`.
+/// A run-time fault.
+enum class ProgramFault : std::uint8_t { DivisionByZero, ArrayBounds, Range, Chart };
+
+/// A cell of the program, by its address: those of `globals`, then those of `main`.
 struct ProgramCell {
     std::string name = {};  ///< name such as `Motor` or `T1.Q`
     Id<Program::Type> type = {};
@@ -178,7 +199,11 @@ struct ProgramLayout {
 };
 ProgramLayout layout_of(const Program& program);
 
-/// Returns the initial values of the cells of a frame of `unit`.
+/// The number of cells of a variable.
+std::uint32_t size_of(const Program& program, Id<Program::Type> type);
+/// The initial values of the cells of a variable.
+std::vector<std::int64_t> initial_cells(const Program& program, const Program::Variable& variable);
+/// The value of the cells of a new frame of `unit`.
 std::vector<std::int64_t> initial_frame(const Program& program, Id<Program::Unit> unit);
 
 /// Returns `value` wrapped to the range of the type: modulo the number of values of the type.

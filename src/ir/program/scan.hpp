@@ -23,8 +23,10 @@ struct Scan {
     struct Event {
         Id<Expr> condition = {};
         Span origin = {};
+        ProgramFault fault = ProgramFault::DivisionByZero;  ///< of `faults`
     };
-    std::vector<Event> faults = {};     ///< divisions by zero; the behaviour of a scan in which one occurs is undefined
+    /// Run-time faults, in the order of execution: nothing is stated about the scan in which one occurs.
+    std::vector<Event> faults = {};
     std::vector<Event> overflows = {};  ///< results that wrap around
 };
 

@@ -19,7 +19,17 @@ namespace {
 using Kind = ProgramProperty::Kind;
 
 std::string no_fault_reason(Outcome outcome) {
-    return outcome == Outcome::Violated ? "a division by zero is possible" : "divisions by zero are not excluded";
+    return outcome == Outcome::Violated ? "a run-time fault is possible" : "run-time faults are not excluded";
+}
+
+std::string text_of(ProgramFault fault) {
+    switch (fault) {
+    case ProgramFault::DivisionByZero: return "the program divides by zero";
+    case ProgramFault::ArrayBounds: return "the program uses an index outside of its array";
+    case ProgramFault::Chart: return "a chart activates an active step, or an action has two durations";
+    case ProgramFault::Range: break;
+    }
+    return "the program computes a value outside of the range of its type";
 }
 
 class Check {
@@ -37,7 +47,8 @@ public:
             const auto condition = condition_of(property, diagnostics);
             ok = ok && condition;
             if (!condition) continue;
-            goals_.push_back({property.name, property.text, pattern_of(property.kind), *condition, property.origin});
+            goals_.push_back({property.name, property.text, pattern_of(property.kind), *condition, property.origin,
+                              property.is_about_fault()});
             about_.push_back(&property);
         }
         if (ok) system_ = schedule_program(scan_, goals_);
@@ -101,28 +112,33 @@ private:
         }
         if (property.kind == Kind::Termination) return exprs.constant(true);  // true because all loops were unrolled
         if (property.kind != Kind::Absence) return terms.front();
-        const bool overflow = property.error == ProgramProperty::Error::Overflow;
         std::vector<Id<Expr>> events;
-        if (overflow)
+        if (!property.is_about_fault()) {
             for (const Scan::Event& event : scan_.overflows) events.push_back(event.condition);
-        return exprs.disjunction(events);  // divisions by zero: see `fault`
+            return exprs.disjunction(events);
+        }
+        Id<Expr> earlier = exprs.constant(false);  // only the first fault of a scan is one of the program
+        for (const Scan::Event& event : scan_.faults) {
+            if (event.fault == property.fault())
+                events.push_back(exprs.conjunction(event.condition, exprs.negation(earlier)));
+            earlier = exprs.disjunction(earlier, event.condition);
+        }
+        return exprs.disjunction(events);
     }
 
-    /// Returns the verdict on divisions by zero. A division by zero is a model error if no property concerns it.
+    /// The verdict on run-time faults, which are model errors if no property is about them.
     Outcome fault(const Verdict& verdict, const std::optional<SystemRun>& run) {
         if (verdict.outcome != Outcome::Violated || !run) return verdict.outcome;
         ProgramReplay replay = replay_program(program_, scan_, system_, *run, nullptr);
-        if (!replay.disagreement.empty())
-            report_.failures.push_back("a division by zero is not confirmed: " + replay.disagreement);
-        else fault_trace_ = std::move(replay.trace);
-        const bool requested = std::ranges::any_of(about_, is_about_division);
-        if (fault_trace_ && !requested)
-            report_.error_traces.push_back({"no-value", "the program divides by zero", *fault_trace_});
+        if (!replay.disagreement.empty()) {
+            report_.failures.push_back("a run-time fault is not confirmed: " + replay.disagreement);
+            return verdict.outcome;
+        }
+        const bool requested = std::ranges::any_of(about_, [&](const ProgramProperty* property) {
+            return property->is_about_fault() && property->fault() == replay.fault;
+        });
+        if (!requested) report_.error_traces.push_back({"no-value", text_of(*replay.fault), std::move(replay.trace)});
         return verdict.outcome;
-    }
-
-    static bool is_about_division(const ProgramProperty* property) {
-        return property->kind == Kind::Absence && property->error == ProgramProperty::Error::DivisionByZero;
     }
 
     void add(Verdict verdict, const std::optional<SystemRun>& run, std::size_t index, Outcome no_fault,
@@ -131,11 +147,7 @@ private:
         PropertyResult answer;
         answer.text = property.text;
         const bool universal_holds = (verdict.pattern == Pattern::Reachable) == (verdict.outcome == Outcome::Violated);
-        if (is_about_division(&property)) {
-            verdict.outcome = no_fault;
-            if (no_fault == Outcome::Violated) answer.trace = fault_trace_;
-            if (no_fault == Outcome::Unknown) verdict.obstacle = UnknownReason::Stopped;
-        } else if (verdict.outcome != Outcome::Unknown && universal_holds && no_fault != Outcome::Holds) {
+        if (verdict.outcome != Outcome::Unknown && universal_holds && no_fault != Outcome::Holds) {
             verdict.outcome = Outcome::Unknown;
             verdict.obstacle = no_fault == Outcome::Violated ? UnknownReason::Faulty : UnknownReason::Stopped;
             verdict.reason = no_fault_reason(no_fault);
@@ -160,7 +172,6 @@ private:
     std::vector<const ProgramProperty*> about_ = {};  ///< property of each goal
     ProgramSystem system_ = {};
     Report report_ = {};
-    std::optional<ChartRun> fault_trace_ = {};
 };
 
 }  // namespace

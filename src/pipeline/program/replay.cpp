@@ -23,7 +23,10 @@ bool shows(const ProgramProperty& property, ProgramRun& run) {
     case Kind::Reachability:
     case Kind::Reachable: return holds(property.conditions.front());
     case Kind::MutualExclusion: return std::ranges::count_if(property.conditions, holds) > 1;
-    case Kind::Absence: return property.error == ProgramProperty::Error::Overflow && run.overflowed();
+    case Kind::Absence:
+        return property.error == ProgramProperty::Error::Overflow
+                   ? !run.fault() && run.overflowed()
+                   : run.fault() && run.fault()->kind == property.fault();
     case Kind::Termination: break;
     }
     return false;
@@ -60,18 +63,17 @@ public:
         event(0);
         for (std::size_t k = 0; k < run_.states.size() && !interpreter_.fault(); ++k) {
             const std::string difference = compare(k);
-            if (!difference.empty()) return {difference, {}};
+            if (!difference.empty()) return {difference, {}, {}};
             scan(k);
             event(k + 1);
         }
         add_rows();
-        const bool expected =
-            property == nullptr ? interpreter_.fault().has_value()
-            : property->kind == Kind::Absence && property->error == ProgramProperty::Error::DivisionByZero
-                ? interpreter_.fault().has_value()
-                : !interpreter_.fault() && shows(*property, interpreter_);
-        if (!expected) return {"the last scan does not show the claimed values", {}};
-        return {{}, std::move(trace_)};
+        const bool about_fault = property != nullptr && property->is_about_fault();
+        const bool expected = property == nullptr
+                                  ? interpreter_.fault().has_value()
+                                  : (about_fault || !interpreter_.fault()) && shows(*property, interpreter_);
+        if (!expected) return {"the last scan does not show the claimed values", {}, {}};
+        return {{}, std::move(trace_), interpreter_.fault() ? std::optional(interpreter_.fault()->kind) : std::nullopt};
     }
 
 private:

@@ -3,6 +3,7 @@
 // all variables.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "grafverif/ir/chart_run.hpp"
@@ -15,10 +16,10 @@ namespace grafverif {
 struct ProgramReplay {
     std::string disagreement = {};  ///< difference from the run of the system; empty if the run is confirmed
     ChartRun trace = {};
+    std::optional<ProgramFault> fault = {};  ///< that ends the run
 };
 
-/// Replays the run. The last scan must violate `property`, or reach it in case of `reachable`. If `property` is null,
-/// the last scan must divide by zero.
+/// `property`: the last scan has to violate it, or for `reachable` to reach it; nullptr: it has to have a fault.
 ProgramReplay replay_program(const Program& program, const Scan& scan, const ProgramSystem& system,
                              const SystemRun& run, const ProgramProperty* property);
 

@@ -22,6 +22,7 @@ std::vector<pugi::xml_node> upstream(PlcopenReader& reader, const PlcopenNetwork
                                      bool (*wanted)(pugi::xml_node), std::string_view hint) {
     std::vector<pugi::xml_node> found, work = {start};
     std::unordered_set<std::size_t> seen = {start.hash_value()};
+    bool joined = false;  // CODESYS joins the only branch without a jump before a transition
     for (std::size_t i = 0; i < work.size(); ++i) {
         for (const pugi::xml_node& source : sources_of(reader, network, work[i])) {
             const bool over = is(source, "jumpStep");  // CODESYS draws lines that continue after the jump of a branch
@@ -30,7 +31,9 @@ std::vector<pugi::xml_node> upstream(PlcopenReader& reader, const PlcopenNetwork
             const bool on_the_way = is(start, "transition")
                                         ? kind == "selectionDivergence" || kind == "simultaneousConvergence"
                                         : kind == "simultaneousDivergence" || kind == "selectionConvergence";
-            if (on_the_way || kind == "connector" || kind == "continuation") work.push_back(source);
+            const bool joins = reader.is_codesys_program() && is(start, "transition") && kind == "selectionConvergence";
+            joined = joined || joins;
+            if (on_the_way || joins || kind == "connector" || kind == "continuation") work.push_back(source);
             else if (wanted(source)) found.push_back(source);
             else
                 reader.diagnostics().add(messages::misplaced_link(
@@ -39,6 +42,9 @@ std::vector<pugi::xml_node> upstream(PlcopenReader& reader, const PlcopenNetwork
                     hint));
         }
     }
+    if (joined && found.size() > 1)
+        reader.diagnostics().add(
+            messages::misplaced_link(reader.xml.where(start), "several branches join before this `transition`", hint));
     return found;
 }
 
@@ -55,12 +61,15 @@ st::Association association(PlcopenReader& reader, pugi::xml_node action) {
     st::Association made;
     made.where = reader.xml.where(action);
     made.unread = attribute(action, "indicator") || child(action, "indicator");
+    if (reader.is_codesys_program() && value(action, "indicator").empty())  // CODESYS writes an empty one
+        made.unread = bool(child(action, "indicator"));
     // The default qualifier is N.
     if (attribute(action, "qualifier")) made.qualifier = st::capitals(value(action, "qualifier"));
     if (const std::string duration = value(action, "duration"); !duration.empty())
         made.time = reader.expression(reader.xml.text(action, "duration"));
     if (const pugi::xml_node reference = child(action, "reference")) {
         made.action = reader.name(value(reference, "name"), reader.xml.where(reference, "name"));
+        if (reader.is_codesys_program()) made.path = reader.expression(reader.xml.text(reference, "name"));
         return made;
     }
     const pugi::xml_node text = child(child(action, "inline"), "ST");
@@ -94,16 +103,20 @@ void codesys_actions(PlcopenReader& reader, pugi::xml_node node, st::Step& step)
         for (const Known& one : known) {
             for (const pugi::xml_node& entry : children(attributes, "attribute")) {
                 if (value(entry, "guid") != one.guid) continue;
-                if (reader.of_program) {
-                    reader.refuse(reader.xml.where(entry), "an entry, active or exit action of CODESYS",
-                                  "use an action block with the qualifier P1, N or P0");
-                    continue;
-                }
                 st::Association made;
                 made.where = reader.xml.where(entry);
                 made.qualifier = one.qualifier;
                 const auto path = reader.expression(reader.xml.text(entry));
                 if (!path.valid()) continue;
+                if (reader.of_program && !reader.is_codesys_program()) {
+                    reader.refuse(reader.xml.where(entry), "an entry, active or exit action outside of CODESYS",
+                                  "use an action block with the qualifier P1, N or P0");
+                    continue;
+                }
+                if (reader.of_program) {
+                    (made.qualifier == "P1" ? step.entry : made.qualifier == "N" ? step.active : step.exit) = path;
+                    continue;
+                }
                 const st::Expr& written = reader.file.exprs[path];
                 if (written.op == st::Op::Name) {
                     made.action = {written.word, written.where};
@@ -148,7 +161,27 @@ void read_actions(PlcopenReader& reader, const PlcopenNetwork& network, const st
     for (std::size_t i = 0; i < steps.size(); ++i) codesys_actions(reader, steps[i].node, made.steps[i]);
 }
 
-/// Returns elements with the given name from left to right, which is the default order of priority.
+/// The variables that control the chart, from the settings of the element around it.
+st::ChartFlags flags_of(PlcopenReader& reader, pugi::xml_node chart) {
+    st::ChartFlags flags;
+    const pugi::xml_node owner = chart.parent().parent();  // `pou` or `action`, around `body`
+    for (const pugi::xml_node& data : children(child(owner, "addData"), "data")) {
+        const pugi::xml_node settings = child(data, "SFCSettings");
+        if (!settings || reader.xml.content(child(settings, "UseDefaults")) == "true") continue;
+        flags.stated = true;
+        for (const pugi::xml_node& flag : child(settings, "Flags").children()) {
+            if (flag.type() != pugi::node_element || !reader.flag(flag, "Use")) continue;
+            const std::string_view name = local_name(flag.name());
+            if (name == "Init") flags.init = true;
+            else if (name == "Reset") flags.reset = true;
+            else if (name == "Pause") flags.pause = true;
+            else flags.others = "SFC" + std::string(name);
+        }
+    }
+    return flags;
+}
+
+/// Elements with the given name from left to right: the default order of priority.
 std::vector<pugi::xml_node> from_left(const PlcopenNetwork& network, std::string_view name) {
     std::vector<pugi::xml_node> found;
     for (const pugi::xml_node& element : network.elements)
@@ -240,17 +273,19 @@ st::Transition transition_of(PlcopenReader& reader, const st::Unit& unit, const 
 
 }  // namespace
 
-void read_network(PlcopenReader& reader, st::Unit& unit, pugi::xml_node body, st::Name macro_step) {
+std::vector<st::Network> read_network(PlcopenReader& reader, const st::Unit& unit, pugi::xml_node body) {
     struct Open {
         pugi::xml_node body = {};
         st::Name macro_step = {};
     };
-    std::vector<Open> open = {{body, macro_step}};
+    std::vector<Open> open = {{body, {}}};
+    std::vector<st::Network> networks;
     for (std::size_t at = 0; at < open.size(); ++at) {
         const PlcopenNetwork network = network_of(reader, open[at].body);
         st::Network made;
         made.macro_step = open[at].macro_step;
         made.where = reader.xml.where(open[at].body);
+        if (reader.is_codesys_program()) made.flags = flags_of(reader, open[at].body);
         std::vector<Step> steps;
         for (const pugi::xml_node& element : network.elements) {
             if (!is_step(element)) continue;
@@ -293,8 +328,9 @@ void read_network(PlcopenReader& reader, st::Unit& unit, pugi::xml_node body, st
                 made.transitions[transitions.at(from.hash_value())].to.push_back(target);
         }
         read_actions(reader, network, steps, made);
-        unit.networks.push_back(std::move(made));
+        networks.push_back(std::move(made));
     }
+    return networks;
 }
 
 }  // namespace grafverif

@@ -21,6 +21,7 @@ struct PlcopenReader {
 
     /// Reports a construct that cannot be read.
     void refuse(Span where, std::string_view what, std::string_view hint);
+    bool is_codesys_program() const { return of_program && file.dialect == st::Dialect::Codesys; }
     Diagnostics& diagnostics() { return draft.diagnostics(); }
     st::Name name(const std::string& text, Span where) { return {file.intern(text), where}; }
     /// Parses an expression; invalid after an error.
@@ -59,8 +60,8 @@ std::vector<PlcopenLine> lines_of(PlcopenReader& reader, const PlcopenNetwork& n
 /// Returns the elements at which they begin.
 std::vector<pugi::xml_node> sources_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point);
 
-/// Reads the steps and transitions of the chart. The expansions of macro-steps are appended as separate networks.
-void read_network(PlcopenReader& reader, st::Unit& unit, pugi::xml_node body, st::Name macro_step);
+/// The steps and transitions of the chart, then the expansions of its macro-steps.
+std::vector<st::Network> read_network(PlcopenReader& reader, const st::Unit& unit, pugi::xml_node body);
 
 // -- conditions.cpp
 /// Returns the condition of a transition, or an invalid id if it is omitted, or after an error.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <initializer_list>
 #include <optional>
 #include <regex>
@@ -61,9 +62,27 @@ st::Type type_of(PlcopenReader& reader, pugi::xml_node type) {
         if (name == "subrangeSigned" || name == "subrangeUnsigned") {
             const pugi::xml_node range = child(one, "range");
             made.name = reader.name("INT", reader.xml.where(one));
+            if (const pugi::xml_node base = child(one, "baseType"); base && reader.of_program)
+                made.name = type_of(reader, base).name;
             made.low = reader.expression(reader.xml.text(range, "lower"));
             made.high = reader.expression(reader.xml.text(range, "upper"));
         }
+        if (name == "array" && reader.of_program) {
+            made = type_of(reader, child(one, "baseType"));
+            made.composite = true;
+            std::vector<std::array<Id<st::Expr>, 2>> dimensions;
+            for (const pugi::xml_node& dimension : children(one, "dimension"))
+                dimensions.push_back({reader.expression(reader.xml.text(dimension, "lower")),
+                                      reader.expression(reader.xml.text(dimension, "upper"))});
+            made.dimensions.insert(made.dimensions.begin(), dimensions.begin(), dimensions.end());
+        }
+        if (name == "enum" && reader.of_program)
+            for (const pugi::xml_node& value_node : children(child(one, "values"), "value")) {
+                if (attribute(value_node, "value"))
+                    reader.refuse(reader.xml.where(value_node, "value"), "a number of an enumeration value",
+                                  "remove it");
+                made.values.push_back(reader.name(value(value_node, "name"), reader.xml.where(value_node, "name")));
+            }
     }
     if (!made.name.valid()) made.name = reader.name("?", reader.xml.where(type));
     return made;
@@ -107,14 +126,16 @@ st::Unit unit_of(PlcopenReader& reader, pugi::xml_node pou) {
     return unit;
 }
 
-/// Reads the actions of the POU in Structured Text. Actions in other languages are rejected later.
+/// Reads the actions of the POU. Those in Structured Text are executed by programs and charts, charts by programs of
+/// CODESYS; actions in other languages are rejected later.
 void read_actions(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit) {
     for (const pugi::xml_node& node : children(child(pou, "actions"), "action")) {
         st::Action action;
         action.name = reader.name(value(node, "name"), reader.xml.where(node, "name"));
         action.where = reader.xml.where(node);
-        const pugi::xml_node text = child(child(node, "body"), "ST");
+        const pugi::xml_node text = child(child(node, "body"), "ST"), chart = child(child(node, "body"), "SFC");
         if (text) action.body = reader.statements(reader.xml.text(text));
+        else if (chart && reader.is_codesys_program()) action.networks = read_network(reader, unit, chart);
         else action.opaque = true;
         unit.actions.push_back(std::move(action));
     }
@@ -166,7 +187,7 @@ st::File read_plcopen(const Xml& xml, const Sources& sources, Draft& draft) {
         st::Unit unit = unit_of(reader, pou);
         unit.comment = remarks(reader, pou);
         read_actions(reader, pou, unit);
-        read_network(reader, unit, child(child(pou, "body"), "SFC"), {});
+        unit.networks = read_network(reader, unit, child(child(pou, "body"), "SFC"));
         reader.file.units.push_back(std::move(unit));
     }
     if (pous.empty() && program) {
@@ -186,15 +207,12 @@ void read_body(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit,
     if (bodies.size() > 1) reader.refuse(reader.xml.where(bodies[1]), "a second body of a unit", "combine the bodies");
     const pugi::xml_node body = bodies.empty() ? pugi::xml_node() : bodies.front();
     const pugi::xml_node chart = child(body, "SFC");
-    if (chart) read_actions(reader, pou, unit);
-    else
-        for (const pugi::xml_node& action : children(child(pou, "actions"), "action"))
-            reader.refuse(reader.xml.where(action), "an action of a unit", "write its statements instead of the call");
+    read_actions(reader, pou, unit);
     for (const pugi::xml_node& node : body.children()) {
         if (node.type() != pugi::node_element || is(node, "addData") || is(node, "documentation")) continue;
         if (is(node, "ST")) unit.body = reader.statements(reader.xml.text(node));
         else if (is(node, "LD") || is(node, "FBD")) unit.body = statements_of(reader, unit, node, functions);
-        else if (node == chart) read_network(reader, unit, node, {});
+        else if (node == chart) unit.networks = read_network(reader, unit, node);
         else
             reader.refuse(reader.xml.where(node), "a body in `" + std::string(local_name(node.name())) + '`',
                           "write it in Structured Text, LD, FBD or SFC");
@@ -217,7 +235,27 @@ std::optional<std::int64_t> milliseconds(const std::string& text) {
 
 /// Returns the interval of a task: a duration of IEC 61131-3 or of XML Schema.
 Id<st::Expr> interval_of(PlcopenReader& reader, pugi::xml_node task) {
-    const auto known = milliseconds(value(task, "interval"));
+    auto known = milliseconds(value(task, "interval"));
+    for (const pugi::xml_node& data : children(child(task, "addData"), "data")) {  // CODESYS states microseconds
+        const pugi::xml_node settings = child(data, "TaskSettings");
+        const std::string kind = value(settings, "KindOfTask"), unit = value(settings, "IntervalUnit");
+        if (!settings) continue;
+        if (kind != "Cyclic" && kind != "Freewheeling")
+            reader.refuse(reader.xml.where(settings, "KindOfTask"), "a task that an event starts",
+                          "give the task an interval");
+        if (kind != "Cyclic" || value(settings, "Interval").empty()) continue;
+        const std::int64_t factor = unit == "us" ? 1 : unit == "ms" ? 1000 : unit == "s" ? 1'000'000 : 0;
+        const std::string text = value(settings, "Interval");
+        std::int64_t number = 0;
+        const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (factor == 0 || failure != std::errc() || end != text.data() + text.size() || number <= 0 ||
+            number > 1'000'000'000 || number * factor % 1000 != 0) {
+            reader.refuse(reader.xml.where(settings, "Interval"), "this interval of a task",
+                          "use a whole number of milliseconds");
+            continue;
+        }
+        known = number * factor / 1000;
+    }
     if (!known) return reader.expression(reader.xml.text(task, "interval"));
     const Id<st::Expr> interval = reader.make(st::Op::Time, {}, reader.xml.where(task, "interval"));
     reader.node(interval).value = *known;
@@ -226,7 +264,9 @@ Id<st::Expr> interval_of(PlcopenReader& reader, pugi::xml_node task) {
 
 void read_tasks(PlcopenReader& reader, pugi::xml_node resource) {
     const auto instance = [&](pugi::xml_node node, st::Name task) {
-        const std::string_view type = attribute(node, "typeName") ? "typeName" : "type";
+        const std::string_view type = !value(node, "typeName").empty() ? "typeName"
+                                      : attribute(node, "type")        ? "type"
+                                                                       : "name";  // CODESYS
         reader.file.instances.push_back({reader.name(value(node, "name"), reader.xml.where(node, "name")),
                                          task,
                                          reader.name(value(node, type), reader.xml.where(node, type)),
@@ -252,16 +292,43 @@ void read_tasks(PlcopenReader& reader, pugi::xml_node resource) {
     for (const pugi::xml_node& each : children(resource, "pouInstance")) instance(each, {});
 }
 
+/// True if CODESYS or a tool based on it wrote the file: it adds data in a namespace of its own.
+bool is_codesys(pugi::xml_node root) {
+    for (const pugi::xml_node& data : all_of(root, {"data"}))
+        if (value(data, "name").starts_with("http://www.3s-software.com/plcopenxml/")) return true;
+    return false;
+}
+
+/// A data type of the project.
+void read_type(PlcopenReader& reader, pugi::xml_node node) {
+    st::TypeDeclaration made;
+    made.name = reader.name(value(node, "name"), reader.xml.where(node, "name"));
+    made.where = reader.xml.where(node);
+    made.type = type_of(reader, child(node, "baseType"));
+    const pugi::xml_node structure = child(child(node, "baseType"), "struct");
+    made.structure = bool(structure);
+    if (structure) read_variables(reader, structure, made.members);
+    if (const pugi::xml_node initial = child(child(node, "initialValue"), "simpleValue"))
+        made.initial = reader.expression(reader.xml.text(initial, "value"));
+    else if (child(node, "initialValue"))
+        reader.refuse(reader.xml.where(child(node, "initialValue")), "an initial value in parts",
+                      "assign the parts in the program");
+    reader.file.types.push_back(std::move(made));
+}
+
 }  // namespace
 
 st::File read_plcopen_program(const Xml& xml, const Sources& sources, Diagnostics& diagnostics) {
     Draft draft(xml.source(), false, diagnostics);
     PlcopenReader reader{xml, sources, draft, true};
     reader.file.source = xml.source();
-    for (const pugi::xml_node& type : all_of(xml.root(), {"dataType"}))
-        reader.refuse(xml.where(type), "a data type of the project", "declare it in Structured Text");
-    for (const pugi::xml_node& list : all_of(xml.root(), {"globalVars"}))
+    if (is_codesys(xml.root())) reader.file.dialect = st::Dialect::Codesys;
+    for (const pugi::xml_node& type : all_of(xml.root(), {"dataType"})) read_type(reader, type);
+    for (const pugi::xml_node& list : all_of(xml.root(), {"globalVars"})) {
+        if (attribute(list, "name"))
+            reader.file.global_lists.push_back(reader.name(value(list, "name"), xml.where(list, "name")));
         read_variables(reader, list, reader.file.globals);
+    }
     const std::vector<pugi::xml_node> pous = all_of(xml.root(), {"pou"});
     std::unordered_set<std::string> functions;
     for (const pugi::xml_node& pou : pous)

@@ -190,6 +190,11 @@ Id<st::Expr> PlcopenValues::block(pugi::xml_node node, const std::string& output
                                                                    : "two"));
         return {};
     }
+    while (inputs.size() > 2 && (type == "ADD" || type == "MUL")) {  // operators of two operands, from the left
+        const Id<st::Expr> first = reader_.make(function->op, {inputs[0], inputs[1]}, where);
+        inputs.erase(inputs.begin());
+        inputs.front() = first;
+    }
     const Id<st::Expr> found = reader_.make(type == "NOT" ? st::Op::Not : function->op, inputs, where);
     if (outputs.empty()) return found;
     return passes_on(outputs.front()) ? negated(outputs.front(), found) : Id<st::Expr>{};

@@ -84,9 +84,9 @@ std::uint32_t Reader::add_cells(Id<Unit> id, st::Name name, std::array<std::stri
 std::optional<Reader::Found> Reader::chart_member(Id<st::Expr> path) {
     const st::Expr member = file_->exprs[path];
     const st::Expr owner = file_->exprs[member.first];
-    Found instance{{}, {}, nullptr, nullptr, false};
+    Found instance;
     Id<Unit> unit = unit_;
-    if (owner.op == st::Op::Member && any_member_) {
+    if (owner.op == st::Op::Member && is_open()) {
         const bool known = std::ranges::any_of(scopes_, [&](const Scope& scope) {
             return scope.members.contains({owner.word.index, member.word.index});
         });
@@ -97,21 +97,24 @@ std::optional<Reader::Found> Reader::chart_member(Id<st::Expr> path) {
         unit = program.types[found->type].unit;
     } else if (owner.op != st::Op::Name) return {};
     const auto known = scopes_[unit.index].members.find({owner.word.index, member.word.index});
-    if (known == scopes_[unit.index].members.end()) return {};
+    if (known == scopes_[unit.index].members.end() || known->second == ambiguous_member) return {};
     Variable& element = program.units[unit].variables[known->second];
     const Id<Unit> block = program.types[element.type].unit;
     Variable& cell = program.units[block].variables[scopes_[block.index].variables.at(member.word.index)];
-    return Found{{instance.place.global, instance.place.offset + element.offset + cell.offset},
-                 cell.type,
-                 &cell,
-                 &element,
-                 true};
+    Found made;
+    made.place = shifted(instance.place, element.offset + cell.offset);
+    made.type = cell.type;
+    made.variable = &cell;
+    made.instance = &element;
+    made.block = block;
+    made.inside = made.locked = true;
+    return made;
 }
 
 void Reader::declare_chart(std::size_t index) {
     const Id<Unit> id = declared_[index];
     const st::Unit& from = file_->units[index];
-    Chart& chart = charts_[index];
+    Chart& chart = charts_[index].body;
     for (const st::Step& step : from.networks.front().steps)
         add_cells(id, step.name, {"X", "T"}, step_type(step.initial));
     for (ChartAction& action : chart.actions) {
@@ -139,7 +142,7 @@ std::uint32_t Reader::cell_of(Id<st::Word> step) const {
 
 Id<Node> Reader::read(std::uint32_t cell, Id<Type> type, Span where) {
     const Id<Node> node = add(Op::Read, type, {}, where);
-    program.nodes[node].place = {false, cell};
+    program.nodes[node].place = {false, cell, {}};
     return node;
 }
 
@@ -151,7 +154,7 @@ Id<Node> Reader::all(Op op, std::vector<Id<Node>> operands, Span where) {
 void Reader::store(std::uint32_t cell, Id<Type> type, Id<Node> value, Span where, Program::Body& body) {
     Statement made;
     made.kind = Statement::Kind::Assign;
-    made.place = {false, cell};
+    made.place = {false, cell, {}};
     made.type = type;
     made.value = value;
     made.origin = where;
@@ -166,11 +169,51 @@ void Reader::add_if(std::vector<Program::Arm> arms, Span where, Program::Body& b
     body.push_back(program.statements.add(std::move(made)));
 }
 
+void Reader::check(Id<Node> fault, Span where, Program::Body& body) {
+    Statement made;
+    made.kind = Statement::Kind::Check;
+    made.value = fault;
+    made.origin = where;
+    body.push_back(program.statements.add(std::move(made)));
+}
+
+/// Tests those transitions whose structure allows that they activate an active step. `steps`: the cells of X.
+void Reader::check_transitions(const st::Network& network, const Chart& chart, const std::vector<std::uint32_t>& steps,
+                               Program::Body& body) {
+    const auto names = [](const std::vector<st::Name>& list, Id<st::Word> step) {
+        return std::ranges::find(list, step, &st::Name::word) != list.end();
+    };
+    for (std::size_t i = 0; i < network.transitions.size(); ++i) {
+        if (!chart.checked[i]) continue;
+        const st::Transition& transition = network.transitions[i];
+        const auto cleared = [&](std::size_t of) { return read(chart.cleared[of], bool_, transition.where); };
+        std::vector<Id<Node>> faults;
+        for (std::size_t k = 0; k < network.steps.size(); ++k) {
+            const Id<st::Word> step = network.steps[k].name.word;
+            if (!names(transition.to, step)) continue;
+            if (!names(transition.from, step)) faults.push_back(read(steps[k], bool_, transition.where));
+            for (std::size_t j = 0; j < network.transitions.size(); ++j)
+                if (j != i && names(network.transitions[j].to, step)) faults.push_back(cleared(j));
+        }
+        const Id<Node> any = all(Op::Or, std::move(faults), transition.where);
+        check(all(Op::And, {cleared(i), any}, transition.where), transition.where, body);
+    }
+}
+
+/// `active`: the conditions that give each duration.
+void Reader::check_durations(const Chart& chart, std::size_t index, const std::vector<Id<Node>>& active,
+                             Program::Body& body) {
+    if (!chart.checked_actions[index]) return;
+    const Span where = chart.actions[index].where;
+    for (std::size_t i = 0; i < active.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) check(all(Op::And, {active[i], active[j]}, where), where, body);
+}
+
 // -- the chart --------------------------------------------------------------------------------------------------------
 
 Program::Body Reader::chart(std::size_t index) {
     const st::Network& network = file_->units[index].networks.front();
-    const Chart& chart = charts_[index];
+    const Chart& chart = charts_[index].body;
     if (!chart.valid) return {};
     Program::Body body;
     Program::Arm later{read(chart.started, bool_, network.where), {}, {}}, first;
@@ -180,9 +223,20 @@ Program::Body Reader::chart(std::size_t index) {
         if (step.initial)
             store(cell_of(step.name.word) + time_offset, time_, number(0, time_, step.where), step.where, first.body);
     add_if({std::move(later), std::move(first)}, network.where, body);
-    for (const ChartAction& action : chart.actions) control(action, body);
+    for (std::size_t i = 0; i < chart.actions.size(); ++i) control(chart, i, body);
     for (const ChartAction& action : chart.actions) execute(action, body);
     return body;
+}
+
+/// The condition of a transition. Some tools accept integers.
+std::optional<Id<Node>> Reader::condition_of(Id<st::Expr> root) {
+    const Span where = file_->exprs[root].where;
+    const auto value = expression(root);
+    if (!value) return {};
+    if (value->literal || type(*value).kind != Type::Kind::Integer)
+        return converted(*value, bool_, where, "the condition");
+    diagnostics->add(messages::not_standard(where, "an integer as a condition", "the condition that it is not zero"));
+    return add(Op::IsNonzero, bool_, {value->node}, where);
 }
 
 void Reader::evolve(const st::Network& network, const Chart& chart, Program::Body& body) {
@@ -201,14 +255,16 @@ void Reader::evolve(const st::Network& network, const Chart& chart, Program::Bod
             if (shares)
                 enabled.push_back(add(Op::Not, bool_, {read(chart.cleared[chart.order[j]], bool_, where)}, where));
         }
-        const auto value = expression(transition.condition);
         const Span at = file_->exprs[transition.condition].where;
-        const auto condition = value ? converted(*value, bool_, at, "the condition") : std::nullopt;
+        const auto condition = condition_of(transition.condition);
         if (!condition) continue;
         Program::Arm arm{all(Op::And, std::move(enabled), where), {}, {}};
         store(chart.cleared[chart.order[i]], bool_, *condition, at, arm.body);
         add_if({std::move(arm)}, where, body);
     }
+    std::vector<std::uint32_t> cells;
+    for (const st::Step& step : network.steps) cells.push_back(cell_of(step.name.word));
+    check_transitions(network, chart, cells, body);
     for (const st::Step& step : network.steps) {
         std::vector<Id<Node>> activating, deactivating;
         for (std::size_t i = 0; i < network.transitions.size(); ++i) {
@@ -226,7 +282,8 @@ void Reader::evolve(const st::Network& network, const Chart& chart, Program::Bod
     }
 }
 
-void Reader::control(const ChartAction& action, Program::Body& body) {
+void Reader::control(const Chart& chart, std::size_t index, Program::Body& body) {
+    const ChartAction& action = chart.actions[index];
     const Id<Unit> block = declared_[action.control];
     const auto input = [&](std::string_view name) {
         const Scope& scope = scopes_[block.index];
@@ -237,6 +294,14 @@ void Reader::control(const ChartAction& action, Program::Body& body) {
         for (const Id<st::Word> step : steps) active.push_back(flag(step, action.where));
         store(input(qualifier), bool_, all(Op::Or, std::move(active), action.where), action.where, body);
     }
+    std::vector<Id<Node>> durations;
+    for (std::size_t i = 0; i < action.durations.size(); ++i) {
+        std::vector<Id<Node>> active;
+        for (const Id<st::Word> step : action.durations[i]) active.push_back(flag(step, action.where));
+        durations.push_back(all(Op::Or, std::move(active), action.where));
+        store(input("TIME_" + std::to_string(i + 1)), bool_, durations.back(), action.where, body);
+    }
+    check_durations(chart, index, durations, body);
     if (action.time.valid()) {
         const auto value = expression(action.time);
         const Span where = file_->exprs[action.time].where;
@@ -245,7 +310,7 @@ void Reader::control(const ChartAction& action, Program::Body& body) {
     }
     Statement made;
     made.kind = Statement::Kind::Invoke;
-    made.place = {false, action.cell};
+    made.place = {false, action.cell, {}};
     made.unit = block;
     made.origin = action.where;
     body.push_back(program.statements.add(std::move(made)));
@@ -259,7 +324,7 @@ void Reader::execute(const ChartAction& action, Program::Body& body) {
     };
     if (action.variable) {
         if (const auto variable = named(action.name.word, action.name.where)) {
-            if (variable->variable->constant)
+            if (variable->constant)
                 reject(action.name.where, "an assignment to a constant", "declare it without CONSTANT");
             assign(*variable, {output("Q"), false}, action.name.where, body);
         }
@@ -291,7 +356,7 @@ std::array<Reader::MaybeTyped, 2> Reader::compared(const std::vector<Id<st::Expr
 
 void Reader::limit_step_time(const Found& read) {
     if (read.instance == nullptr || program.types[read.type].kind != Type::Kind::Time) return;
-    if (!chart_units_.contains(program.types[read.instance->type].unit.index)) return;
+    if (!chart_units_.contains(read.block.index)) return;
     read.instance->longest = std::max(read.instance->longest, compared_time_.value_or(program.types[time_].high));
 }
 

@@ -45,20 +45,28 @@ constexpr std::array qualifiers = {
     Qualifier{"P0", false, "P0_END, P0_OLD : BOOL;", "P0_END := P0_OLD AND NOT P0; P0_OLD := P0;", "", "P0_END"},
 };
 
-/// Returns the text of ACTION_CONTROL. Q is the state of a Boolean variable. Statements are executed while A is true,
-/// which includes one scan after Q (the final scan).
-std::string control_text(const ChartAction& action, std::optional<std::int64_t> time) {
-    const std::string duration = time ? fmt::format("T#{}ms", *time) : "T";
+/// Q is the state of a Boolean variable; statements are executed while A is true: also once after Q (the final scan).
+/// `times`: the constant durations; of several ones, the inputs `TIME_1`, `TIME_2`, ... select one.
+std::string control_text(const ChartAction& action, const std::vector<std::int64_t>& times) {
+    const std::string duration = times.empty() ? "T" : fmt::format("T#{}ms", times.front());
     const std::string reset = action.steps.contains("R") ? "R" : "FALSE";
     std::string inputs, variables, statements, value = "FALSE", active = "Q OR Q_OLD";
     for (const Qualifier& one : qualifiers) {
         if (!action.steps.contains(std::string(one.name))) continue;
         inputs += fmt::format("{}{}", inputs.empty() ? "" : ", ", one.name);
         variables += one.variables;
-        statements += fmt::format(fmt::runtime(one.statements), duration, reset);
+        for (std::size_t i = 1; one.timed && i < times.size(); ++i)
+            statements +=
+                fmt::format("{} TIME_{} THEN {} ", i == 1 ? "IF" : "ELSIF", i + 1,
+                            fmt::format(fmt::runtime(one.statements), fmt::format("T#{}ms", times[i]), reset));
+        const bool selects = one.timed && times.size() > 1;
+        statements +=
+            fmt::format("{}{}{}", selects ? "ELSE " : "", fmt::format(fmt::runtime(one.statements), duration, reset),
+                        selects ? " END_IF;" : "");
         if (!one.value.empty()) value += fmt::format(" OR {}", one.value);
         if (!one.trigger.empty()) active += fmt::format(" OR {}", one.trigger);
     }
+    for (std::size_t i = 1; times.size() > 1 && i <= times.size(); ++i) inputs += fmt::format(", TIME_{}", i);
     return fmt::format(
         "FUNCTION_BLOCK ACTION_CONTROL VAR_INPUT {} : BOOL; T : TIME; END_VAR\n"
         "VAR_OUTPUT Q, A : BOOL; END_VAR VAR Q_OLD : BOOL; {} END_VAR\n"
@@ -74,19 +82,41 @@ public:
     ChartReader(st::File& file, std::size_t unit, Sources& sources, Diagnostics& diagnostics)
         : file_(file), unit_(file.units[unit]), sources_(sources), diagnostics_(diagnostics) {}
 
+    /// A chart of CODESYS, also in an action.
+    Chart read_codesys(const std::vector<st::Network>& networks) {
+        const std::size_t errors = diagnostics_.errors();
+        unit_.networks = networks;
+        const st::Network& network = unit_.networks.front();
+        check_structure(network);
+        if (!network.flags.others.empty())
+            reject(network.where, "the variable `" + network.flags.others + "` in use",
+                   "do not use it in the settings of the chart");
+        for (const st::Step& step : network.steps) {
+            if (step.initial && step.entry.valid())
+                reject(file_.exprs[step.entry].where, "an entry action of the initial step", "move it to a later step");
+            if ((step.entry.valid() || step.exit.valid()) && repeats(network, step))
+                reject(step.where, "an entry or exit action of a step that a transition leaves and activates",
+                       "use a second step");
+            for (const st::Association& association : step.actions) add_codesys(step, association);
+        }
+        for (ChartAction& action : chart_.actions) {
+            action.controlled = std::ranges::any_of(
+                action.steps, [](const auto& one) { return one.first != "N" && one.first != "R" && one.first != "S"; });
+            if (action.controlled) control(action);
+        }
+        std::ranges::stable_sort(chart_.actions, {}, &ChartAction::label);  // they are executed in alphabetical order
+        if (diagnostics_.errors() == errors) check_safety(network);
+        chart_.valid = diagnostics_.errors() == errors;
+        return std::move(chart_);
+    }
+
     Chart read() {
         const std::size_t errors = diagnostics_.errors();
         const st::Network& network = unit_.networks.front();
-        if (unit_.kind == st::UnitKind::Function)
-            reject(network.where, "a Sequential Function Chart as the body of a function", "use a function block");
-        if (unit_.networks.size() > 1)
-            reject(unit_.networks[1].where, "a macro-step", "write its steps into the chart");
         if (!unit_.body.empty())
             reject(file_.statements[unit_.body.front()].where, "a statement next to a Sequential Function Chart",
                    "move it to an action");
-        steps(network);
-        for (const st::Transition& transition : network.transitions) check(transition);
-        order(network);
+        check_structure(network);
         for (const st::Action& action : unit_.actions) declare(action);
         for (const st::Step& step : network.steps)
             for (const st::Association& association : step.actions) add(step, association);
@@ -101,6 +131,66 @@ private:
         diagnostics_.add(messages::not_in_program(where, what, hint));
     }
     std::string text(st::Name name) const { return std::string(file_.text(name)); }
+
+    void check_structure(const st::Network& network) {
+        if (unit_.kind == st::UnitKind::Function)
+            reject(network.where, "a Sequential Function Chart as the body of a function", "use a function block");
+        if (unit_.networks.size() > 1)
+            reject(unit_.networks[1].where, "a macro-step", "write its steps into the chart");
+        steps(network);
+        for (const st::Transition& transition : network.transitions) check(transition);
+        order(network);
+    }
+
+    /// The standard makes it an error if associations of one action with different durations are active together.
+    void check_durations(const Marking& marking) {
+        for (std::size_t i = 0; i < chart_.actions.size(); ++i) {
+            const auto active = [&](const std::vector<Id<st::Word>>& steps) {
+                return std::ranges::any_of(steps, [&](Id<st::Word> step) { return marking[index_.at(step.index)]; });
+            };
+            if (std::ranges::count_if(chart_.actions[i].durations, active) > 1) chart_.checked_actions[i] = true;
+        }
+    }
+
+    static bool repeats(const st::Network& network, const st::Step& step) {
+        const auto names = [&](const std::vector<st::Name>& list) {
+            return std::ranges::find(list, step.name.word, &st::Name::word) != list.end();
+        };
+        return std::ranges::any_of(network.transitions, [&](const st::Transition& transition) {
+            return names(transition.from) && names(transition.to);
+        });
+    }
+
+    void add_codesys(const st::Step& step, const st::Association& association) {
+        constexpr std::array accepted = {"N", "R", "S", "L", "D", "P", "P0", "P1"};
+        const auto qualifier = std::ranges::find(qualifiers, association.qualifier, &Qualifier::name);
+        if (association.unread)
+            return reject(association.where, "an action block with an indicator variable",
+                          "give the qualifier and a duration only");
+        if (!association.path.valid())
+            return reject(association.where, "an action block without a name", "name an action or a Boolean variable");
+        if (qualifier == qualifiers.end() || std::ranges::find(accepted, association.qualifier) == accepted.end())
+            return reject(association.where, "the qualifier `" + association.qualifier + "` in a chart of CODESYS",
+                          "use one of N, R, S, L, D, P, P0, P1");
+        if (qualifier->timed != association.time.valid())
+            return reject(association.where,
+                          "the qualifier `" + association.qualifier +
+                              (qualifier->timed ? "` without a duration" : "` with a duration"),
+                          qualifier->timed ? "write the duration after it" : "remove the duration");
+        const std::string label = path_text(file_, association.path);
+        if (label.empty()) return reject(association.where, "this action", "name an action or a Boolean variable");
+        auto action = std::ranges::find(chart_.actions, label, &ChartAction::label);
+        if (action == chart_.actions.end()) {
+            times_.emplace_back();
+            ChartAction made;
+            made.path = association.path;
+            made.label = label;
+            made.where = association.where;
+            action = chart_.actions.insert(action, std::move(made));
+        }
+        action->steps[association.qualifier].push_back(step.name.word);
+        if (qualifier->timed) times_[static_cast<std::size_t>(action - chart_.actions.begin())].push_back(&association);
+    }
 
     void steps(const st::Network& network) {
         const st::Step* initial = nullptr;
@@ -226,14 +316,32 @@ private:
     /// together.
     void control(ChartAction& action) {
         const auto& timed = times_[static_cast<std::size_t>(&action - chart_.actions.data())];
-        std::optional<std::int64_t> time;
-        if (!timed.empty()) time = duration(timed.front()->time);
-        for (std::size_t i = 1; i < timed.size(); ++i)
-            if (!time || duration(timed[i]->time) != time || timed[i]->qualifier != timed.front()->qualifier)
-                reject(timed[i]->where, "a second duration of the action `" + action.label + "`",
-                       "use one qualifier and one constant duration for each action");
-        if (!timed.empty() && !time) action.time = timed.front()->time;
-        const std::string body = control_text(action, time);
+        std::vector<std::int64_t> times;
+        for (const st::Association* one : timed) {
+            const auto time = duration(one->time);
+            const std::string& qualifier = timed.front()->qualifier;
+            const auto known = time ? std::ranges::find(times, *time) : times.end();
+            const bool another = known == times.end() && one != timed.front();
+            if (one->qualifier != qualifier || (another && (!time || (qualifier != "L" && qualifier != "D")))) {
+                reject(one->where, "a second duration of the action `" + action.label + "`",
+                       "use one qualifier for each action, and constant durations; several ones only for L and D");
+                continue;
+            }
+            if (!time) {
+                action.time = one->time;
+                continue;
+            }
+            const auto index = static_cast<std::size_t>(known - times.begin());
+            if (known == times.end()) {
+                times.push_back(*time);
+                action.durations.emplace_back();
+            }
+            for (const st::Step& step : unit_.networks.front().steps)
+                if (std::ranges::any_of(step.actions, [&](const st::Association& own) { return &own == one; }))
+                    action.durations[index].push_back(step.name.word);
+        }
+        if (times.size() < 2) action.durations.clear();
+        const std::string body = control_text(action, times);
         const Id<Source> source = sources_.add({"action control", body});
         const st::Text all = {{{source, 0, static_cast<std::uint32_t>(body.size())}, false}};
         action.control = file_.units.size();
@@ -242,23 +350,27 @@ private:
         file_.units.back().name.word = file_.intern(fmt::format("ACTION_CONTROL {}", action.control));
     }
 
-    /// Checks that, without regard to conditions, no transition activates an active step. Then clearing transitions
-    /// simultaneously has the same effect as clearing them in sequence. If a chart has too many situations to examine,
-    /// it is rejected.
+    /// Finds the transitions that activate an active step in some situation, without regard to conditions. Simultaneous
+    /// clearing has the effect of clearing in sequence. If a chart has too many situations, every transition can.
     void check_safety(const st::Network& network) {
+        chart_.checked.assign(network.transitions.size(), false);
+        chart_.checked_actions.assign(chart_.actions.size(), false);
         Marking first(index_.size());
         for (const st::Step& step : network.steps)
             if (step.initial) first[index_.at(step.name.word.index)] = true;
         std::set<Marking> seen = {first};
         std::vector<Marking> open = {first};
-        std::set<const st::Transition*> reported;
         while (!open.empty()) {
-            if (seen.size() >= most_markings)
-                return reject(network.where, fmt::format("a chart with more than {} situations", most_markings),
-                              "divide it into several function blocks");
+            if (seen.size() >= most_markings) {
+                chart_.checked.assign(network.transitions.size(), true);
+                chart_.checked_actions.assign(chart_.actions.size(), true);
+                return;
+            }
             const Marking marking = std::move(open.back());
             open.pop_back();
-            for (const st::Transition& transition : network.transitions) {
+            check_durations(marking);
+            for (std::size_t i = 0; i < network.transitions.size(); ++i) {
+                const st::Transition& transition = network.transitions[i];
                 const auto marked = [&](const Marking& in, const st::Name& step) {
                     return in[index_.at(step.word.index)];
                 };
@@ -267,9 +379,7 @@ private:
                 Marking next = marking;
                 for (const st::Name& step : transition.from) next[index_.at(step.word.index)] = false;
                 for (const st::Name& step : transition.to) {
-                    if (marked(next, step) && reported.insert(&transition).second)
-                        reject(transition.where, "a transition that can activate the active step `" + text(step) + "`",
-                               "join the parallel branches in one transition first");
+                    if (marked(next, step)) chart_.checked[i] = true;
                     next[index_.at(step.word.index)] = true;
                 }
                 if (seen.insert(next).second) open.push_back(std::move(next));
@@ -278,7 +388,7 @@ private:
     }
 
     st::File& file_;
-    const st::Unit unit_;  // copied, because units are added to the file
+    st::Unit unit_;  // a copy: units are added to the file
     Sources& sources_;
     Diagnostics& diagnostics_;
     Chart chart_ = {};
@@ -290,12 +400,30 @@ private:
 
 }  // namespace
 
-std::vector<Chart> read_charts(st::File& file, Sources& sources, Diagnostics& diagnostics) {
-    std::vector<Chart> charts;
+std::string path_text(const st::File& file, Id<st::Expr> path) {
+    const st::Expr& node = file.exprs[path];
+    if (node.op == st::Op::Name) return st::capitals(file.text(node.word));
+    if (node.op != st::Op::Member) return {};
+    const std::string owner = path_text(file, node.first);
+    return owner.empty() ? owner : owner + "." + st::capitals(file.text(node.word));
+}
+
+std::vector<UnitCharts> read_charts(st::File& file, Sources& sources, Diagnostics& diagnostics) {
+    std::vector<UnitCharts> charts;
     const std::size_t units = file.units.size();
+    const bool codesys = file.dialect == st::Dialect::Codesys;
     for (std::size_t index = 0; index < units; ++index) {
-        charts.emplace_back();
-        if (!file.units[index].networks.empty()) charts.back() = ChartReader(file, index, sources, diagnostics).read();
+        UnitCharts& made = charts.emplace_back();
+        const auto networks = file.units[index].networks;
+        if (!networks.empty() && codesys)
+            made.body = ChartReader(file, index, sources, diagnostics).read_codesys(networks);
+        else if (!networks.empty()) made.body = ChartReader(file, index, sources, diagnostics).read();
+        for (std::size_t i = 0; i < file.units[index].actions.size(); ++i) {
+            const auto inner = file.units[index].actions[i].networks;
+            made.actions.emplace_back();
+            if (!inner.empty())
+                made.actions.back() = ChartReader(file, index, sources, diagnostics).read_codesys(inner);
+        }
     }
     charts.resize(file.units.size());
     return charts;

@@ -16,27 +16,46 @@ namespace grafverif::program {
 
 /// The action blocks of one action or Boolean variable.
 struct ChartAction {
-    st::Name name = {};  ///< invalid if the statements are in the action block of the step
+    st::Name name = {};      ///< invalid if the statements are in the step
+    Id<st::Expr> path = {};  ///< in CODESYS: the action or variable
     std::string label = {};
-    bool variable = false;                                        ///< true if `name` is a Boolean variable
-    st::Block body = {};                                          ///< statements, if it is not a variable
-    std::map<std::string, std::vector<Id<st::Word>>> steps = {};  ///< steps, per qualifier
-    Id<st::Expr> time = {};   ///< duration; invalid if there is none, or if it is a constant in `control`
-    std::size_t control = 0;  ///< index of its ACTION_CONTROL in the units of the file
-    std::uint32_t cell = 0;   ///< cell of the instance; set by the Reader
+    bool variable = false;                                        ///< `name` is a Boolean variable
+    st::Block body = {};                                          ///< otherwise
+    std::map<std::string, std::vector<Id<st::Word>>> steps = {};  ///< per qualifier
+    Id<st::Expr> time = {};                                       ///< invalid: none, or constants within `control`
+    /// Of different constant durations: the steps that give each, for the inputs `TIME_1`, `TIME_2`, ... of `control`.
+    std::vector<std::vector<Id<st::Word>>> durations = {};
+    std::size_t control = 0;  ///< its ACTION_CONTROL, a unit of the file
+    bool controlled = true;   ///< it has one; otherwise only N, R and S
+    std::uint32_t cell = 0;   ///< of the instance; set by the Reader
+    /// In CODESYS: cells of Q, of its last value, of the memory of S, and of the condition of R.
+    std::uint32_t value = 0, before = 0, stored = 0, resets = 0;
     Span where = {};
 };
 
 struct Chart {
-    bool valid = false;                       ///< true if no error was reported
-    std::vector<std::size_t> order = {};      ///< transitions, ordered by priority and then by position
-    std::vector<ChartAction> actions = {};    ///< actions in the order of their first action blocks
-    std::uint32_t started = 0;                ///< cell that is true if the body has been executed before
-    std::vector<std::uint32_t> cleared = {};  ///< cell of each transition
+    bool valid = false;                       ///< no error was reported
+    std::vector<std::size_t> order = {};      ///< the transitions by priority, then position
+    std::vector<ChartAction> actions = {};    ///< in the order of their first action blocks
+    std::uint32_t started = 0;                ///< cell: the body was executed before
+    std::vector<std::uint32_t> cleared = {};  ///< cell per transition
+    /// Per transition and per action: the structure does not exclude a fault, which is tested in each execution.
+    std::vector<bool> checked = {}, checked_actions = {};
+    std::vector<std::uint32_t> steps = {};      ///< in CODESYS: cell per step
+    std::vector<std::uint32_t> before = {};     ///< in CODESYS: cell per step, active in the last execution
+    std::vector<std::uint32_t> variables = {};  ///< in CODESYS: index in the variables of the unit, per step
 };
 
-/// Returns a chart for each unit of the file, which is not valid for units that are not charts. The units of action
-/// controls are added to the file.
-std::vector<Chart> read_charts(st::File& file, Sources& sources, Diagnostics& diagnostics);
+struct UnitCharts {
+    Chart body = {};
+    std::vector<Chart> actions = {};  ///< per action
+};
+
+/// The charts of each unit of the file; not valid where there is none. The units of action controls are added to the
+/// file.
+std::vector<UnitCharts> read_charts(st::File& file, Sources& sources, Diagnostics& diagnostics);
+
+/// `A.B.C` in capitals, for a path of names; otherwise empty.
+std::string path_text(const st::File& file, Id<st::Expr> path);
 
 }  // namespace grafverif::program

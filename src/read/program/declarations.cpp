@@ -33,14 +33,12 @@ constexpr std::array elementary_types = {
 
 constexpr std::uint32_t most_cells = 100'000;
 
-std::string quoted(std::string_view text) { return "`" + std::string(text) + "`"; }
-
 }  // namespace
 
-Reader::Reader(st::File& file, const Sources& sources, Diagnostics& sink, std::vector<Chart> charts)
+Reader::Reader(st::File& file, const Sources& sources, Diagnostics& sink, std::vector<UnitCharts> charts)
     : diagnostics(&sink), file_(&file), sources_(&sources), charts_(std::move(charts)) {
     for (const Elementary& one : elementary_types) {
-        const Id<Type> id = program.types.add({one.kind, one.name, one.low, one.high, {}, {}});
+        const Id<Type> id = program.types.add({one.kind, one.name, one.low, one.high, {}, {}, {}});
         types_[file.intern(one.name).index] = id;
     }
     bool_ = {0};
@@ -54,91 +52,63 @@ void Reader::reject(Span where, std::string_view what, std::string_view hint) {
 }
 
 void Reader::read(std::size_t user) {
+    program.globals = program.units.add({});
+    program.units[program.globals].kind = Unit::Kind::Globals;
+    scopes_.emplace_back();
+    calls_.emplace_back();
+    unit_ = body_ = program.globals;
+    main_block_ = main_block(user);
     declare_types();
     declare_units(user);
-    for (std::size_t index = 0; index < file_->units.size(); ++index) {
-        unit_ = declared_[index];
-        const bool has_chart = !file_->units[index].networks.empty();
-        Program::Body body = has_chart ? chart(index) : block(file_->units[index].body);
-        program.units[unit_].body = std::move(body);
-    }
-    check_calls();
     choose_main(user);
+    for (std::size_t index = 0; index < file_->units.size(); ++index) read_body(index);
+    check_calls();
 }
 
-// -- types ------------------------------------------------------------------------------------------------------------
-
-void Reader::declare_types() {
-    for (const st::TypeDeclaration& declaration : file_->types) {
-        const std::uint32_t word = declaration.name.word.index;
-        if (types_.contains(word)) {
-            diagnostics->add(messages::duplicate_name(declaration.name.where, "type", text(declaration.name.word),
-                                                      declaration.name.where));
-            continue;
-        }
-        if (declaration.structure) {
-            reject(declaration.name.where, "a structure", "declare its members as variables");
-            continue;
-        }
-        if (declaration.initial.valid())
-            reject(file_->exprs[declaration.initial].where, "an initial value of a type", "write it at the variables");
-        const auto type = declaration.type.values.empty()
-                              ? type_of(declaration.type, declaration.where)
-                              : enumeration(text(declaration.name.word), declaration.type, declaration.where);
-        if (type) types_[word] = *type;
+void Reader::read_body(std::size_t index) {
+    const st::Unit& from = file_->units[index];
+    const bool codesys = file_->dialect == st::Dialect::Codesys;
+    unit_ = body_ = declared_[index];
+    Program::Body body;
+    if (from.networks.empty()) body = block(from.body);
+    else body = codesys ? codesys_chart(charts_[index].body, from.networks.front()) : chart(index);
+    program.units[unit_].body = std::move(body);
+    for (std::size_t i = 0; i < from.actions.size(); ++i) {
+        const st::Action& action = from.actions[i];
+        const auto known = scopes_[unit_.index].actions.find(action.name.word.index);
+        if (known == scopes_[unit_.index].actions.end()) continue;
+        body_ = known->second;
+        body = action.networks.empty() ? block(action.body)
+                                       : codesys_chart(charts_[index].actions[i], action.networks.front());
+        program.units[body_].body = std::move(body);
     }
 }
 
-std::optional<Id<Type>> Reader::enumeration(std::string_view name, const st::Type& type, Span /*where*/) {
-    Type made{Type::Kind::Enumeration, std::string(name), 0, static_cast<std::int64_t>(type.values.size()) - 1, {}, {}};
-    const Id<Type> id{static_cast<std::uint32_t>(program.types.size())};
-    for (const st::Name value : type.values) {
-        const auto [place, fresh] =
-            values_.try_emplace(value.word.index, id, static_cast<std::int64_t>(made.values.size()));
-        if (!fresh) diagnostics->add(messages::duplicate_name(value.where, "value", text(value.word), value.where));
-        made.values.push_back(text(value.word));
+/// The only function block that no other unit instantiates, in a file without programs and instances.
+std::optional<std::size_t> Reader::main_block(std::size_t user) const {
+    if (!file_->instances.empty()) return {};
+    std::set<std::uint32_t> instantiated;
+    for (std::size_t index = 0; index < user; ++index)
+        for (const st::Variable& variable : file_->units[index].variables)
+            instantiated.insert(variable.type.name.word.index);
+    std::optional<std::size_t> found;
+    for (std::size_t index = 0; index < user; ++index) {
+        const st::Unit& unit = file_->units[index];
+        if (unit.kind == st::UnitKind::Program) return {};
+        if (unit.kind != st::UnitKind::FunctionBlock || instantiated.contains(unit.name.word.index)) continue;
+        if (found) return {};
+        found = index;
     }
-    return program.types.add(std::move(made));
+    return found;
 }
 
-std::optional<Id<Type>> Reader::type_of(const st::Type& type, Span where) {
-    if (!type.values.empty()) return enumeration("enumeration", type, where);
-    if (type.composite)
-        return reject(where, "an array, pointer or qualified type", "use elementary types"), std::nullopt;
-    if (type.low.valid()) return reject(where, "a subrange", "declare the complete type"), std::nullopt;
-    if (const auto known = types_.find(type.name.word.index); known != types_.end()) return known->second;
-    if (const auto unit = units_.find(type.name.word.index); unit != units_.end()) {
-        if (file_->units[unit->second].kind != st::UnitKind::FunctionBlock)
-            return reject(type.name.where, "an instance of " + quoted(text(type.name.word)),
-                          "instantiate function blocks only"),
-                   std::nullopt;
-        declare(unit->second);
-        if (states_[unit->second] == State::Open) {
-            diagnostics->add(messages::recursive_unit(type.name.where, text(type.name.word)));
-            return {};
-        }
-        const Id<Type> id =
-            program.types.add({Type::Kind::Block, text(type.name.word), 0, 0, {}, declared_[unit->second]});
-        types_[type.name.word.index] = id;
-        return id;
-    }
-    static constexpr std::array known_elsewhere = {"REAL",  "LREAL",       "STRING",       "WSTRING", "LINT",
-                                                   "ULINT", "LWORD",       "LTIME",        "DATE",    "TOD",
-                                                   "DT",    "TIME_OF_DAY", "DATE_AND_TIME"};
-    const std::string name = capitals(type.name.word);
-    if (std::ranges::find(known_elsewhere, name) != known_elsewhere.end())
-        reject(type.name.where, "the type " + quoted(name), "use BOOL, TIME or an integer of at most 32 bits");
-    else diagnostics->add(messages::unknown(type.name.where, "type", text(type.name.word), ""));
-    return {};
+void Reader::warn_once(std::string_view what, std::string_view reading, Span where) {
+    if (warned_.insert(std::string(reading)).second) diagnostics->add(messages::undocumented(where, what, reading));
 }
 
 // -- units ------------------------------------------------------------------------------------------------------------
 
 void Reader::declare_units(std::size_t user) {
-    program.globals = program.units.add({});
-    program.units[program.globals].kind = Unit::Kind::Globals;
-    scopes_.emplace_back();
-    calls_.emplace_back();
     for (std::size_t index = 0; index < file_->units.size(); ++index) {
         const st::Unit& from = file_->units[index];
         const auto [place, fresh] = units_.try_emplace(from.name.word.index, index);
@@ -168,9 +138,6 @@ void Reader::declare(std::size_t index) {
     states_[index] = State::Open;
     const st::Unit& from = file_->units[index];
     const Id<Unit> id = declared_[index];
-    if (from.networks.empty())
-        for (const st::Action& action : from.actions)
-            reject(action.where, "an action without a Sequential Function Chart", "move its statements to the body");
     if (from.kind == st::UnitKind::Function) {
         const auto type = type_of(from.result, from.result.name.where);
         if (type && program.types[*type].kind == Type::Kind::Block)
@@ -182,8 +149,9 @@ void Reader::declare(std::size_t index) {
             {unit.name, Variable::Section::Local, type.value_or(bool_), 0, 0, false, false, false, 0, from.name.where});
         scopes_[id.index].variables[from.name.word.index] = 0;
     }
-    declare_variables(id, from.variables, from.kind == st::UnitKind::Program);
-    if (!from.networks.empty()) declare_chart(index);
+    declare_variables(id, from.variables, from.kind == st::UnitKind::Program || index == main_block_);
+    if (!from.networks.empty() && file_->dialect == st::Dialect::Standard) declare_chart(index);
+    else declare_actions(index);
     Unit& unit = program.units[id];
     if (unit.size == 0) {  // every instance has at least one cell, which bounds the number of instances
         unit.size = 1;
@@ -231,50 +199,116 @@ void Reader::declare(Id<Unit> id, const st::Variable& from, bool is_program) {
                    "declare it with the type of the global one");
         return;
     }
-    if (from.section == st::Section::InOut)
-        return reject(from.name.where, "VAR_IN_OUT", "pass the value in and assign it back");
+    unit_ = body_ = id;  // of constants in bounds
     const auto type = type_of(from.type, from.where);
     if (!type) return;
-    Unit& target = program.units[id];  // read again, because type_of may have added units' variables
+    if (!is_allowed(program.units[id], from, *type, is_program)) return;
+    Unit& target = program.units[id];  // type_of may have added units' variables
     Variable made;
     made.name = text(from.name.word);
     made.type = *type;
     made.offset = target.size;
     made.constant = from.constant;
     made.origin = from.name.where;
-    const bool block = program.types[*type].kind == Type::Kind::Block;
-    const bool function = target.kind == Unit::Kind::Function;
-    if (block && (function || from.section != st::Section::Local) && from.section != st::Section::Global)
-        return reject(from.name.where, "an instance in this section",
-                      "declare it in VAR of a program or function block");
-    if (function && from.section == st::Section::Output)
-        return reject(from.name.where, "an output of a function", "use a function block");
-    if (block && from.initial.valid())
-        return reject(file_->exprs[from.initial].where, "an initial value of an instance", "assign its inputs");
-    if (!from.address.empty() && (!is_program || function || block))
-        return reject(from.name.where, "an address here", "declare it in a program or in VAR_GLOBAL");
     switch (from.section) {
     case st::Section::Input: made.section = Variable::Section::Input; break;
     case st::Section::Output: made.section = Variable::Section::Output; break;
+    case st::Section::InOut: made.section = Variable::Section::InOut; break;
     case st::Section::Temporary: made.section = Variable::Section::Temporary; break;
     default: break;
     }
     const std::string address = st::capitals(from.address);
     const bool global = target.kind == Unit::Kind::Globals;
-    made.input = is_program && ((!global && from.section == st::Section::Input) || address.starts_with("%I"));
-    made.output = is_program && ((!global && from.section == st::Section::Output) || address.starts_with("%Q"));
+    const Type of = program.types[*type];
+    const bool instance = of.kind == Type::Kind::Block && program.units[of.unit].kind != Unit::Kind::Structure;
+    made.input =
+        !instance && ((is_program && !global && from.section == st::Section::Input) || address.starts_with("%I"));
+    made.output =
+        !instance && ((is_program && !global && from.section == st::Section::Output) || address.starts_with("%Q"));
     if (made.constant && made.input) made.input = false;
-    if (from.initial.valid()) {
-        unit_ = id;
+    if (made.input && file_->dialect == st::Dialect::Codesys && capitals(from.name.word) == "SFCINIT")
+        reject(from.name.where, "`SFCInit` as an input of the program", "remove it");
+    if (of.kind == Type::Kind::Integer && of.element.valid()) made.initial = of.low <= 0 && of.high >= 0 ? 0 : of.low;
+    if (from.initial.valid() && of.kind != Type::Kind::Unsupported) {
+        unit_ = body_ = id;
         if (const auto value = constant(from.initial, *type)) made.initial = *value;
     }
     Unit& last = program.units[id];
-    last.size += block ? program.units[program.types[*type].unit].size : 1;
+    last.size += size_of(program, *type);
     scopes_[id.index].variables[word] = static_cast<std::uint32_t>(last.variables.size());
     last.variables.push_back(std::move(made));
 }
 
-/// Reports variables at one address: they share their value, but cells do not.
+/// True if the unit can have this variable; otherwise it is reported.
+bool Reader::is_allowed(const Unit& unit, const st::Variable& from, Id<Type> type, bool is_program) {
+    const Span where = from.name.where;
+    const Type& of = program.types[type];
+    const bool composite = of.kind == Type::Kind::Block || of.kind == Type::Kind::Array;
+    const bool instances = composite && !is_composite(type);
+    const bool function = unit.kind == Unit::Kind::Function;
+    const bool codesys = file_->dialect == st::Dialect::Codesys;
+    const bool own_section = from.section == st::Section::Local || from.section == st::Section::Global;
+    const bool incomplete = from.address.ends_with('*') && unit.kind == Unit::Kind::FunctionBlock;
+    std::string_view what, hint;
+    if (from.section == st::Section::InOut && (unit.kind != Unit::Kind::FunctionBlock || is_program || instances)) {
+        what = "this variable in VAR_IN_OUT";
+        hint = "use VAR_IN_OUT in function blocks, without instances";
+    } else if (instances && unit.kind != Unit::Kind::Structure && (function || (!own_section && !codesys))) {
+        what = "an instance in this section";
+        hint = "declare it in VAR of a program or function block";
+    } else if (instances && from.section == st::Section::Temporary) {
+        what = "an instance in this section";
+        hint = "declare it in VAR of a program or function block";
+    } else if (function && from.section == st::Section::Output) {
+        what = "an output of a function";
+        hint = "use a function block";
+    } else if (function && from.section == st::Section::Input && !is_elementary(type)) {
+        what = "an input of a function with this type";
+        hint = "use a function block";
+    } else if (composite && from.initial.valid()) {
+        what = of.kind == Type::Kind::Array ? "an initial value of an array" : "an initial value of an instance";
+        hint = "assign its parts";
+    } else if (!from.address.empty() && ((!is_program && !incomplete) || function || composite)) {
+        what = "an address here";
+        hint = "declare it in a program or in VAR_GLOBAL, or as `AT %I*`";
+    }
+    if (!what.empty()) reject(where, what, hint);
+    return what.empty();
+}
+
+/// The actions of a unit that statements can call, and the cells of its charts in CODESYS.
+void Reader::declare_actions(std::size_t index) {
+    const Id<Unit> id = declared_[index];
+    const st::Unit& from = file_->units[index];
+    for (std::size_t i = 0; i < from.actions.size(); ++i) {
+        const st::Action& action = from.actions[i];
+        if (from.kind == st::UnitKind::Function)
+            reject(action.where, "an action of a function", "write its statements into the body");
+        if (action.opaque) reject(action.where, "an action in this language", "write it in Structured Text");
+        Unit unit;
+        unit.kind = Unit::Kind::Action;
+        unit.name = text(action.name.word);
+        unit.origin = action.name.where;
+        const auto [known, fresh] = scopes_[id.index].actions.try_emplace(action.name.word.index);
+        if (!fresh) {
+            diagnostics->add(messages::duplicate_name(action.name.where, "action", text(action.name.word),
+                                                      program.units[known->second].origin));
+            continue;
+        }
+        if (const auto variable = scopes_[id.index].variables.find(action.name.word.index);
+            variable != scopes_[id.index].variables.end())
+            diagnostics->add(messages::duplicate_name(action.name.where, "variable", text(action.name.word),
+                                                      program.units[id].variables[variable->second].origin));
+        known->second = program.units.add(std::move(unit));
+        scopes_.emplace_back();
+        calls_.emplace_back();
+        if (!action.networks.empty())
+            declare_codesys(index, charts_[index].actions[i], action.networks.front(), text(action.name.word) + ".");
+    }
+    if (!from.networks.empty()) declare_codesys(index, charts_[index].body, from.networks.front(), "");
+}
+
+/// Variables at one address share their value, which cells do not.
 void Reader::check_addresses(const std::vector<const st::Variable*>& located) {
     std::map<std::string, const st::Variable*> seen;
     for (const st::Variable* variable : located) {
@@ -340,6 +374,7 @@ void Reader::choose_main(std::size_t user) {
                     messages::several_programs(file_->units[index].name.where, text(file_->units[index].name.word)));
             else chosen = index;
         }
+        if (!chosen) chosen = main_block_;
         if (!chosen) diagnostics->add(messages::no_program({file_->source, 0, 0}));
     }
     program.main = chosen ? declared_[*chosen] : program.globals;

@@ -60,7 +60,7 @@ std::optional<ProgramText> read_program(Id<Source> source, Sources& sources, Dia
     if (!st::parse_programs({{{blocks, 0, static_cast<std::uint32_t>(standard.size())}, false}}, file, sources,
                             diagnostics))
         return {};
-    std::vector<program::Chart> charts = program::read_charts(file, sources, diagnostics);
+    std::vector<program::UnitCharts> charts = program::read_charts(file, sources, diagnostics);
     text.inside_->reader.emplace(file, sources, diagnostics, std::move(charts));
     text.inside_->reader->read(user);
     if (diagnostics.errors() != errors) return {};

@@ -21,6 +21,11 @@ struct ProgramProperty {
     /// MutualExclusion has at least two conditions; every other kind has at most one.
     std::vector<Id<Program::Node>> conditions = {};
     Span origin = {};
+
+    bool is_about_fault() const { return kind == Kind::Absence && error != Error::Overflow; }
+    ProgramFault fault() const {
+        return error == Error::ArrayBounds ? ProgramFault::ArrayBounds : ProgramFault::DivisionByZero;
+    }
 };
 
 /// Reads the properties; empty after at least one error. The expressions are added to the nodes of `program`.

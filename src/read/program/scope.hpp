@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// program::Reader: resolves names and checks types of Structured Text and Sequential Function Charts. Its functions are
-// in four files: declarations, expressions, statements and charts.
+// program::Reader: name resolution and type checking of Structured Text and Sequential Function Charts, in files for
+// declarations, types, names, expressions, functions, statements, calls, and the charts of the standard and of CODESYS.
 #pragma once
 
 #include <array>
@@ -27,10 +27,13 @@ using Unit = Program::Unit;
 using Statement = Program::Statement;
 using Variable = Program::Variable;
 
+inline bool is_number(const Type& type) { return type.kind == Type::Kind::Integer; }
+inline std::string quoted(std::string_view text) { return "`" + std::string(text) + "`"; }
+
 class Reader {
 public:
-    /// `charts` contains one chart for each unit of the file.
-    Reader(st::File& file, const Sources& sources, Diagnostics& diagnostics, std::vector<Chart> charts);
+    /// `charts`: one for each unit of the file.
+    Reader(st::File& file, const Sources& sources, Diagnostics& diagnostics, std::vector<UnitCharts> charts);
 
     /// `user` is the number of units of the user, which precede the standard ones.
     void read(std::size_t user);
@@ -52,25 +55,44 @@ private:
     struct Found {
         Program::Place place = {};
         Id<Type> type = {};
-        Variable* variable = nullptr;  ///< variable of its unit
-        Variable* instance = nullptr;  ///< instance that contains it, if it was named through the instance
-        bool inside = false;           ///< true if it was named through an instance
+        Variable* variable = nullptr;  ///< in its unit
+        Variable* instance = nullptr;  ///< the block that contains it, if named through it
+        Id<Unit> block = {};           ///< of the instance
+        bool inside = false;           ///< named through an instance
+        bool locked = false;           ///< statements of this unit cannot assign it
+        bool constant = false;
+    };
+    /// What a call statement executes.
+    struct Callee {
+        Program::Place place = {};
+        Id<Unit> body = {};            ///< a function block, or an action
+        Id<Unit> block = {};           ///< its inputs can be assigned
+        Variable* instance = nullptr;  ///< of the block; nullptr for an action of this unit
     };
     struct Scope {
         std::unordered_map<std::uint32_t, std::uint32_t> variables =
             {};  ///< word -> index in the variables of the unit
         std::unordered_map<std::uint32_t, Span> externals = {};
-        /// Step or action, and member -> index in the variables. A variable may have the name of a step.
+        std::unordered_map<std::uint32_t, Id<Unit>> actions = {};       ///< that statements can call
+        std::map<std::string, std::uint32_t, std::less<>> stored = {};  ///< cells of S in charts of CODESYS
+        /// Step or action, and member -> index in the variables: a variable may have the name of a step.
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> members = {};
     };
     enum class State { New, Open, Done };
+    static constexpr std::uint32_t ambiguous_member = 0xffffffff;  ///< of steps with one name in several charts
 
     // Defined in declarations.cpp:
     void declare_types();
+    void declare_structure(const st::TypeDeclaration& declaration);
+    std::optional<Id<Type>> array(const st::Type& type, Span where);
+    std::optional<Id<Type>> subrange(const st::Type& type, Span where);
+    void declare_actions(std::size_t index);
+    std::optional<std::size_t> main_block(std::size_t user) const;
     void declare_units(std::size_t user);
     void declare(std::size_t index);
     void declare_variables(Id<Unit> unit, const std::vector<st::Variable>& variables, bool is_program);
     void declare(Id<Unit> unit, const st::Variable& variable, bool is_program);
+    bool is_allowed(const Unit& unit, const st::Variable& variable, Id<Type> type, bool is_program);
     void check_addresses(const std::vector<const st::Variable*>& located);
     std::optional<Id<Type>> type_of(const st::Type& type, Span where);
     std::optional<Id<Type>> enumeration(std::string_view name, const st::Type& type, Span where);
@@ -78,6 +100,8 @@ private:
     void choose_main(std::size_t user);
     void task_of(const st::Instance& instance);
     void check_calls();
+    void read_body(std::size_t index);
+    void warn_once(std::string_view what, std::string_view reading, Span where);
 
     // Defined in chart.cpp:
     void declare_chart(std::size_t index);
@@ -86,9 +110,24 @@ private:
                             Variable::Section section = Variable::Section::Local);
     std::uint32_t add_cells(Id<Unit> unit, st::Name name, std::array<std::string_view, 2> members, Id<Type> type);
     std::optional<Found> chart_member(Id<st::Expr> path);
+    // codesys_chart.cpp
+    void declare_codesys(std::size_t index, Chart& chart, const st::Network& network, const std::string& prefix);
+    Program::Body codesys_chart(Chart& chart, const st::Network& network);
+    void reset(const Chart& chart, const st::Network& network, Program::Body& body);
+    void execute_steps(const Chart& chart, const st::Network& network, Program::Body& body);
+    Id<Type> codesys_step_type(bool initial);
+    std::optional<Found> step_of_chart(Id<st::Expr> path);
+    std::uint32_t control_cell(const ChartAction& action, std::string_view name);
+    void control_codesys(std::size_t action, const std::vector<Id<st::Word>>& steps, const Chart& chart,
+                         Program::Body& body);
+    void execute_actions(const Chart& chart, Program::Body& body);
+    void evaluate_transitions(const Chart& chart, const st::Network& network, Program::Body& body);
+    void execute_action(Id<st::Expr> path, Program::Body& body);
+    std::optional<Found> flag_of(std::string_view name, bool stated, bool used, Span where);
+
     Program::Body chart(std::size_t index);
     void evolve(const st::Network& network, const Chart& chart, Program::Body& body);
-    void control(const ChartAction& action, Program::Body& body);
+    void control(const Chart& chart, std::size_t action, Program::Body& body);
     void execute(const ChartAction& action, Program::Body& body);
     Id<Node> read(std::uint32_t cell, Id<Type> type, Span where);
     Id<Node> flag(Id<st::Word> step, Span where) { return read(cell_of(step), bool_, where); }
@@ -96,13 +135,23 @@ private:
     void store(std::uint32_t cell, Id<Type> type, Id<Node> value, Span where, Program::Body& body);
     void add_if(std::vector<Program::Arm> arms, Span where, Program::Body& body);
     std::uint32_t cell_of(Id<st::Word> step) const;
+    void check(Id<Node> fault, Span where, Program::Body& body);
+    void check_transitions(const st::Network& network, const Chart& chart, const std::vector<std::uint32_t>& steps,
+                           Program::Body& body);
+    void check_durations(const Chart& chart, std::size_t action, const std::vector<Id<Node>>& active,
+                         Program::Body& body);
     std::array<MaybeTyped, 2> compared(const std::vector<Id<st::Expr>>& sides);
     void limit_step_time(const Found& read);
 
     // Defined in expressions.cpp:
     MaybeTyped expression(Id<st::Expr> id);
     MaybeTyped leaf(Id<st::Expr> id);
+    MaybeTyped as_bits(const Typed& value, Span where);
+    MaybeTyped value_at(const Found& found, Span where);
     MaybeTyped junction(Id<st::Expr> id);
+    MaybeTyped shift(Id<st::Expr> id, Program::Op op);
+    MaybeTyped time_arithmetic(const st::Expr& from, Program::Op op, std::vector<Typed> operands);
+    std::optional<Id<Node>> condition_of(Id<st::Expr> root);
     MaybeTyped comparison(Id<st::Expr> id);
     MaybeTyped arithmetic(Id<st::Expr> id);
     MaybeTyped call(Id<st::Expr> id);
@@ -115,6 +164,12 @@ private:
     std::optional<Id<Node>> converted(const Typed& value, Id<Type> type, Span where, std::string_view what);
     std::optional<Found> variable(Id<st::Expr> path);
     std::optional<Found> named(Id<st::Word> word, Span where);
+    std::optional<Found> element(Id<st::Expr> path);
+    std::optional<Found> member(Id<st::Expr> path);
+    std::optional<std::optional<Found>> qualified(Id<st::Expr> path);
+    Found found_in(Id<Unit> unit, std::uint32_t index);
+    Program::Place main_place(std::uint32_t offset) const;
+    bool is_main(Id<st::Word> word) const;
     Id<Node> add(Program::Op op, Id<Type> type, std::vector<Id<Node>> operands, Span where);
     Id<Node> number(std::int64_t value, Id<Type> type, Span where);
     std::optional<std::int64_t> value_of(Id<Node> node) const;
@@ -128,6 +183,19 @@ private:
     void assign(const Found& target, const Typed& value, Span where, Program::Body& body);
     std::optional<Found> target(Id<st::Expr> path);
     void invoke(Id<st::Expr> call, Program::Body& body);
+    std::optional<Callee> callee(Id<st::Expr> path);
+    std::optional<Callee> action(Id<st::Expr> path);
+    bool is_composite(Id<Type> type) const;
+    bool is_elementary(Id<Type> type) const;
+    void copy(const Found& to, const Found& from, Span where, Program::Body& body);
+    void copy_cells(Program::Place to, Program::Place from, Id<Type> type, Span where, Program::Body& body);
+    std::optional<Found> pass_in_out(const Found& formal, Id<st::Expr> actual, Program::Body& before,
+                                     Program::Body& after);
+    bool is_open() const { return any_member_ || file_->dialect == st::Dialect::Codesys; }
+    static Program::Place shifted(Program::Place place, std::uint32_t offset) {
+        place.offset += offset;
+        return place;
+    }
     void if_statement(const st::Statement& from, Program::Body& body);
     void case_statement(const st::Statement& from, Program::Body& body);
     void label(Id<st::Expr> expr, Id<Type> type, Program::Arm& arm);
@@ -143,14 +211,20 @@ private:
     std::vector<Id<Unit>> declared_ = {};                        ///< unit of the program per unit of the file
     std::vector<State> states_ = {};
     std::unordered_map<std::uint32_t, Id<Type>> types_ = {};                  ///< word -> type
-    std::map<std::uint32_t, std::pair<Id<Type>, std::int64_t>> values_ = {};  ///< values of enumerations, by word
-    std::vector<Scope> scopes_ = {};                                          ///< scope of each unit of the program
-    std::vector<std::vector<std::uint32_t>> calls_ = {};                      ///< functions that each unit calls
-    Id<Unit> unit_ = {};                                                      ///< the current unit
-    bool any_member_ = false;  ///< true if local variables of instances can be read
+    std::map<std::uint32_t, std::pair<Id<Type>, std::int64_t>> values_ = {};  ///< of enumerations, by word
+    std::vector<Scope> scopes_ = {};                                          ///< per unit of the program
+    std::vector<std::vector<std::uint32_t>> calls_ = {};                      ///< per unit: the functions that it calls
+    Id<Unit> unit_ = {};                                                      ///< the current one
+    Id<Unit> body_ = {};       ///< the unit whose body is read: the current one, or one of its actions
+    bool any_member_ = false;  ///< local variables of instances can be read
     int loops_ = 0;
-    std::vector<Chart> charts_;                       ///< chart of each unit of the file
-    std::array<Id<Type>, 2> step_types_ = {};         ///< type of steps, type of initial steps
+    /// In the transitions of a chart of CODESYS: its steps, with their index in the variables of the unit.
+    const std::vector<std::pair<Id<st::Word>, std::uint32_t>>* transitions_ = nullptr;
+    std::vector<UnitCharts> charts_;                  ///< per unit of the file
+    std::array<Id<Type>, 2> step_types_ = {};         ///< of steps, of initial steps
+    std::array<Id<Type>, 2> codesys_steps_ = {};      ///< the same for charts of CODESYS
+    std::set<std::string, std::less<>> warned_ = {};  ///< what was reported once
+    std::optional<std::size_t> main_block_ = {};      ///< the function block that is executed as a program
     std::set<std::uint32_t> chart_units_ = {};        ///< units of steps and action controls
     bool action_ = false;                             ///< true within the body of an action
     std::optional<std::int64_t> compared_time_ = {};  ///< duration with which the current operand is compared

@@ -29,6 +29,17 @@ void Reader::statement(Id<st::Statement> id, Program::Body& body) {
     switch (from.kind) {
     case st::StatementKind::Assign: {
         const auto cell = target(from.target);
+        if (cell && program.types[cell->type].kind == Type::Kind::Unsupported) {
+            const st::Op op = file_->exprs[from.value].op;  // a variable that nothing can read
+            if (op != st::Op::Other)
+                reject(from.where, "a variable of the type `" + program.types[cell->type].name + "`",
+                       "use BOOL, TIME or an integer of at most 32 bits");
+            return;
+        }
+        if (cell && is_composite(cell->type)) {
+            if (const auto whole = variable(from.value)) copy(*cell, *whole, from.where, body);
+            return;
+        }
         const auto value = expression(from.value);
         if (cell && value) assign(*cell, *value, from.where, body);
         return;
@@ -69,24 +80,85 @@ std::optional<Reader::Found> Reader::target(Id<st::Expr> path) {
     const Span where = file_->exprs[path].where;
     const auto found = variable(path);
     if (!found) return {};
-    if (program.types[found->type].kind == Type::Kind::Block)
+    if (file_->dialect == st::Dialect::Codesys && st::capitals(found->variable->name) == "SFCINIT")
+        return reject(where, "an assignment to `SFCInit`", "use `SFCReset`"), std::nullopt;
+    const Type& type = program.types[found->type];
+    if (type.kind == Type::Kind::Block && !is_composite(found->type))
         return reject(where, "an assignment to an instance", "assign its inputs"), std::nullopt;
-    if (found->variable->constant)
+    if (found->constant)
         return reject(where, "an assignment to a constant", "declare it without CONSTANT"), std::nullopt;
-    if (found->inside && chart_units_.contains(program.types[found->instance->type].unit.index))
+    if (found->inside && chart_units_.contains(found->block.index))
         return reject(where, "an assignment to a step or to the control of an action",
                       "write transitions or action blocks"),
                std::nullopt;
-    if (found->inside && found->variable->section != Variable::Section::Input)
+    if (found->locked)
         return reject(where, "an assignment to an output of an instance", "assign its inputs"), std::nullopt;
     return found;
 }
 
+/// True if a variable has several cells that can be assigned together: of an array or a structure without instances.
+bool Reader::is_composite(Id<Type> id) const {
+    const Type& type = program.types[id];
+    if (type.kind == Type::Kind::Array) return is_composite(type.element) || is_elementary(type.element);
+    if (type.kind != Type::Kind::Block || program.units[type.unit].kind != Unit::Kind::Structure) return false;
+    return std::ranges::all_of(program.units[type.unit].variables, [&](const Variable& member) {
+        return is_elementary(member.type) || is_composite(member.type);
+    });
+}
+
+bool Reader::is_elementary(Id<Type> id) const {
+    const Type::Kind kind = program.types[id].kind;
+    return kind != Type::Kind::Block && kind != Type::Kind::Array && kind != Type::Kind::Unsupported;
+}
+
+/// Assigns all cells of a variable to those of another one.
+void Reader::copy(const Found& to, const Found& from, Span where, Program::Body& body) {
+    if (to.type != from.type) {
+        diagnostics->add(messages::program_type_mismatch(where, "the value", "`" + program.types[to.type].name + "`",
+                                                         "of type `" + program.types[from.type].name + "`"));
+        return;
+    }
+    if (from.constant) return reject(where, "a constant as a complete value", "assign its parts");
+    copy_cells(to.place, from.place, to.type, where, body);
+}
+
+void Reader::copy_cells(Program::Place to, Program::Place from, Id<Type> of, Span where, Program::Body& body) {
+    const Type type = program.types[of];
+    if (type.kind == Type::Kind::Array) {
+        const std::uint32_t stride = size_of(program, type.element);
+        for (std::int64_t index = type.low; index <= type.high; ++index) {
+            copy_cells(to, from, type.element, where, body);
+            to.offset += stride;
+            from.offset += stride;
+        }
+        return;
+    }
+    if (type.kind == Type::Kind::Block) {
+        for (std::size_t i = 0; i < program.units[type.unit].variables.size(); ++i) {
+            const Variable& member = program.units[type.unit].variables[i];
+            copy_cells(shifted(to, member.offset), shifted(from, member.offset), member.type, where, body);
+        }
+        return;
+    }
+    const Id<Node> node = add(Program::Op::Read, of, {}, where);
+    program.nodes[node].place = std::move(from);
+    Statement made;
+    made.kind = Kind::Assign;
+    made.place = std::move(to);
+    made.type = of;
+    made.value = node;
+    made.origin = where;
+    body.push_back(program.statements.add(std::move(made)));
+}
+
 void Reader::assign(const Found& cell, const Typed& value, Span where, Program::Body& body) {
+    const std::string_view name = cell.variable->name;
+    if (file_->dialect == st::Dialect::Codesys && st::capitals(name) == "SFCINIT")
+        return reject(where, "an assignment to `SFCInit`", "use `SFCReset`");
     const auto node = converted(value, cell.type, where, "the value");
     if (!node) return;
     if (cell.instance) {  // the preset time of a timer bounds the time that it counts
-        const Unit& block = program.units[program.types[cell.instance->type].unit];
+        const Unit& block = program.units[cell.block];
         if (block.elapsed && cell.variable->name == "PT") {
             const auto known = value_of(*node);
             cell.instance->longest = std::max(cell.instance->longest, known.value_or(program.types[time_].high));
@@ -99,74 +171,6 @@ void Reader::assign(const Found& cell, const Typed& value, Span where, Program::
     made.value = *node;
     made.origin = where;
     body.push_back(program.statements.add(std::move(made)));
-}
-
-void Reader::invoke(Id<st::Expr> call, Program::Body& body) {
-    const st::Expr from = file_->exprs[call];
-    const st::Expr callee = file_->exprs[from.first];
-    if (callee.op != st::Op::Name) return reject(callee.where, "this call", "call an instance of this unit");
-    if (const auto unit = units_.find(callee.word.index);
-        unit != units_.end() && !scopes_[unit_.index].variables.contains(callee.word.index)) {
-        const bool function = file_->units[unit->second].kind == st::UnitKind::Function;
-        return reject(callee.where, function ? "a function call as a statement" : "a call of a type",
-                      function ? "assign its value" : "declare an instance and call it");
-    }
-    if (scopes_[unit_.index].members.contains({callee.word.index, file_->intern("A").index}))
-        return reject(callee.where, "a call of an action", "associate the action with a step");
-    const auto found = named(callee.word, callee.where);
-    if (!found) return;
-    const Type& type = program.types[found->type];
-    if (type.kind != Type::Kind::Block) {
-        diagnostics->add(messages::program_type_mismatch(callee.where, "the callee", "an instance of a function block",
-                                                         "`" + type.name + "`"));
-        return;
-    }
-    const Id<Unit> block = type.unit;
-    const std::vector<Id<st::Expr>> parts = st::operands(*file_, call);
-    Program::Body results;
-    std::vector<std::size_t> inputs;
-    for (std::size_t i = 0; i < program.units[block].variables.size(); ++i)
-        if (program.units[block].variables[i].section == Variable::Section::Input) inputs.push_back(i);
-    std::vector<std::uint32_t> assigned;
-    for (std::size_t i = 1; i < parts.size(); ++i) {
-        const st::Expr part = file_->exprs[parts[i]];
-        const bool named_one = part.op == st::Op::Argument || part.op == st::Op::Result;
-        std::optional<std::size_t> index;
-        if (named_one) {
-            const auto known = scopes_[block.index].variables.find(part.word.index);
-            if (known != scopes_[block.index].variables.end()) index = known->second;
-        } else if (i - 1 < inputs.size()) index = inputs[i - 1];
-        const auto wanted = part.op == st::Op::Result ? Variable::Section::Output : Variable::Section::Input;
-        if (!index || program.units[block].variables[*index].section != wanted) {
-            if (named_one && !index) diagnostics->add(messages::unknown(part.where, "variable", text(part.word), ""));
-            else reject(part.where, "this argument", "name an input with `:=` or an output with `=>`");
-            continue;
-        }
-        Variable& formal = program.units[block].variables[*index];
-        const Found cell{
-            {found->place.global, found->place.offset + formal.offset}, formal.type, &formal, found->variable, true};
-        if (part.op == st::Op::Result) {
-            const auto to = target(part.first);
-            const Id<Node> read = add(Program::Op::Read, cell.type, {}, part.where);
-            program.nodes[read].place = cell.place;
-            if (to) assign(*to, {read, false}, part.where, results);
-            continue;
-        }
-        if (std::ranges::find(assigned, formal.offset) != assigned.end()) {
-            reject(part.where, "a second value of this input", "give each input once");
-            continue;
-        }
-        assigned.push_back(formal.offset);
-        const auto value = expression(named_one ? part.first : parts[i]);
-        if (value) assign(cell, *value, part.where, body);
-    }
-    Statement made;
-    made.kind = Kind::Invoke;
-    made.place = found->place;
-    made.unit = block;
-    made.origin = from.where;
-    body.push_back(program.statements.add(std::move(made)));
-    body.insert(body.end(), results.begin(), results.end());
 }
 
 void Reader::if_statement(const st::Statement& from, Program::Body& body) {
@@ -242,6 +246,9 @@ void Reader::for_statement(const st::Statement& from, Program::Body& body) {
     made.kind = Kind::For;
     made.origin = from.where;
     const auto cell = target(from.target);
+    if (cell && (program.types[cell->type].element.valid() || !cell->place.indices.empty()))
+        return reject(file_->exprs[from.target].where, "a subrange or array element as the variable of FOR",
+                      "use a variable of an integer type");
     if (cell && program.types[cell->type].kind != Type::Kind::Integer) {
         diagnostics->add(messages::program_type_mismatch(file_->exprs[from.target].where, "the variable of FOR",
                                                          "an integer", "`" + program.types[cell->type].name + "`"));

@@ -36,8 +36,10 @@ tree::Op op_of(st::Op op) {
     case st::Op::Times: return tree::Op::Times;
     case st::Op::Divide: return tree::Op::Divide;
     case st::Op::Modulo: return tree::Op::Modulo;
-    case st::Op::And: return tree::Op::And;
-    case st::Op::Or: return tree::Op::Or;
+    case st::Op::And:
+    case st::Op::AndThen: return tree::Op::And;
+    case st::Op::Or:
+    case st::Op::OrElse: return tree::Op::Or;
     default: return tree::Op::Not;
     }
 }
@@ -130,7 +132,8 @@ SfcTerm comparison(Sfc& sfc, const SfcScope& scope, const st::Expr& node) {
     if (auto time = step_time(sfc, scope, node)) return *time;
     const auto hint_of = [&](Id<st::Expr> other) {
         const st::Op op = sfc.file.exprs[other].op;
-        return op == st::Op::True || op == st::Op::False || op == st::Op::Not || op == st::Op::And || op == st::Op::Or
+        return op == st::Op::True || op == st::Op::False || op == st::Op::Not || op == st::Op::And ||
+                       op == st::Op::Or || op == st::Op::AndThen || op == st::Op::OrElse
                    ? SfcKind::Boolean
                    : SfcKind::Integer;
     };
@@ -220,6 +223,8 @@ SfcTerm term_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> id, SfcKind expect
     }
     case st::Op::And:
     case st::Op::Or:
+    case st::Op::AndThen:
+    case st::Op::OrElse:
     case st::Op::Xor: return junction(sfc, scope, id, node);
     case st::Op::Less:
     case st::Op::LessEqual:

@@ -2,6 +2,7 @@
 #include "run/program/interpreter.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace grafverif {
 
@@ -31,7 +32,8 @@ void ProgramRun::invoke(Id<Program::Unit> id, std::size_t frame) {
     const Program::Unit& unit = program_->units[id];
     for (const Program::Variable& variable : unit.variables)
         if (variable.section == Program::Variable::Section::Temporary)
-            memory_[frame + variable.offset] = variable.initial;
+            std::ranges::copy(initial_cells(*program_, variable),
+                              memory_.begin() + static_cast<std::ptrdiff_t>(frame + variable.offset));
     execute(unit.body, frame);
 }
 
@@ -49,12 +51,15 @@ ProgramRun::Flow ProgramRun::execute(const Program::Statement& statement, std::s
     switch (statement.kind) {
     case Kind::Assign: {
         const std::int64_t value = evaluate(statement.value, frame);
-        cell(statement.place, frame) = value;
+        const std::size_t target = address(statement.place, frame, statement.origin);
+        if (!fault_) memory_[target] = value;
         return Flow::Next;
     }
-    case Kind::Invoke:
-        invoke(statement.unit, statement.place.global ? statement.place.offset : frame + statement.place.offset);
+    case Kind::Invoke: {
+        const std::size_t target = address(statement.place, frame, statement.origin);
+        if (!fault_) invoke(statement.unit, target);
         return Flow::Next;
+    }
     case Kind::If:
     case Kind::Case: {
         const Program::Arm* arm = chosen(statement, frame);
@@ -63,6 +68,9 @@ ProgramRun::Flow ProgramRun::execute(const Program::Statement& statement, std::s
     case Kind::For:
     case Kind::While:
     case Kind::Repeat: return loop(statement, frame);
+    case Kind::Check:
+        if (evaluate(statement.value, frame) != 0) fail(statement.origin, ProgramFault::Chart);
+        return Flow::Next;
     case Kind::Exit: return Flow::Exit;
     case Kind::Return: return Flow::Return;
     }
@@ -90,12 +98,12 @@ ProgramRun::Flow ProgramRun::loop(const Program::Statement& statement, std::size
     if (statement.kind == Kind::For) {
         const std::int64_t first = evaluate(statement.value, frame);
         last = evaluate(statement.last, frame);
-        cell(statement.place, frame) = first;
+        cell(statement.place, frame, statement.origin) = first;
     }
     while (!fault_) {
         if (statement.kind == Kind::While && evaluate(statement.value, frame) == 0) break;
         if (statement.kind == Kind::For) {
-            const std::int64_t now = cell(statement.place, frame);
+            const std::int64_t now = cell(statement.place, frame, statement.origin);
             if (statement.step > 0 ? now > last : now < last) break;
         }
         const Flow flow = execute(body, frame);
@@ -103,7 +111,7 @@ ProgramRun::Flow ProgramRun::loop(const Program::Statement& statement, std::size
         if (flow == Flow::Exit || fault_) break;
         if (statement.kind == Kind::Repeat && evaluate(statement.value, frame) != 0) break;
         if (statement.kind == Kind::For) {
-            std::int64_t& variable = cell(statement.place, frame);
+            std::int64_t& variable = cell(statement.place, frame, statement.origin);
             variable = wrapped(program_->types[statement.type], variable + statement.step);
         }
     }
@@ -112,14 +120,32 @@ ProgramRun::Flow ProgramRun::loop(const Program::Statement& statement, std::size
 
 // -- expressions ------------------------------------------------------------------------------------------------------
 
+/// The address of a cell; that of the first element after a fault.
+std::size_t ProgramRun::address(const Program::Place& place, std::size_t frame, Span origin) {
+    std::size_t found = place.global ? place.offset : frame + place.offset;
+    for (const Program::Index& index : place.indices) {
+        const std::int64_t value = evaluate(index.value, frame);
+        if (value < index.low || value > index.high) fail(origin, ProgramFault::ArrayBounds);
+        else found += static_cast<std::size_t>(value - index.low) * index.stride;
+    }
+    return found;
+}
+
 std::int64_t ProgramRun::evaluate(Id<Program::Node> id, std::size_t frame) {
     const Program::Node& node = program_->nodes[id];
     if (node.op == Op::Constant) return node.value;
-    if (node.op == Op::Read) return cell(node.place, frame);
+    if (node.op == Op::Read) return cell(node.place, frame, node.origin);
     if (node.op == Op::Call) return call(node, frame);
+    if (node.op == Op::AndThen || node.op == Op::OrElse) {
+        const bool first = evaluate(node.operands[0], frame) != 0;
+        if (fault_ || first == (node.op == Op::OrElse)) return first ? 1 : 0;
+        return evaluate(node.operands[1], frame);
+    }
     std::vector<std::int64_t> values;
     for (const Id<Program::Node> operand : node.operands) values.push_back(evaluate(operand, frame));
     const auto is_true = [](std::int64_t value) { return value != 0; };
+    if (program_->types[node.type].kind == Program::Type::Kind::Bits && node.op != Op::Select && node.op != Op::Convert)
+        return bitwise(node, values);
     switch (node.op) {
     case Op::And: return std::ranges::all_of(values, is_true) ? 1 : 0;
     case Op::Or: return std::ranges::any_of(values, is_true) ? 1 : 0;
@@ -130,6 +156,29 @@ std::int64_t ProgramRun::evaluate(Id<Program::Node> id, std::size_t frame) {
     case Op::Select: return values[0] != 0 ? values[2] : values[1];
     default: return calculated(node, values[0], values.size() > 1 ? values[1] : 0);
     }
+}
+
+/// The value of an operation on bit strings.
+std::int64_t ProgramRun::bitwise(const Program::Node& node, const std::vector<std::int64_t>& values) const {
+    const auto mask = static_cast<std::uint64_t>(program_->types[node.type].high);
+    const auto width = static_cast<std::uint64_t>(std::popcount(mask));
+    auto value = static_cast<std::uint64_t>(values[0]);
+    const std::uint64_t places = values.size() > 1 ? static_cast<std::uint64_t>(values[1]) : 0;
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        const auto other = static_cast<std::uint64_t>(values[i]);
+        if (node.op == Op::And) value &= other;
+        if (node.op == Op::Or) value |= other;
+        if (node.op == Op::Xor) value ^= other;
+    }
+    switch (node.op) {
+    case Op::Not: value = ~value; break;
+    case Op::ShiftLeft: value <<= places; break;
+    case Op::ShiftRight: value >>= places; break;
+    case Op::RotateLeft: value = (value << places) | (value >> (width - places)); break;
+    case Op::RotateRight: value = (value >> places) | (value << (width - places)); break;
+    default: break;
+    }
+    return static_cast<std::int64_t>(value & mask);
 }
 
 std::int64_t ProgramRun::calculated(const Program::Node& node, std::int64_t left, std::int64_t right) {
@@ -148,10 +197,13 @@ std::int64_t ProgramRun::calculated(const Program::Node& node, std::int64_t left
     case Op::Absolute: return in_range(node, left < 0 ? -left : left);
     case Op::IsNonzero: return left != 0 ? 1 : 0;
     case Op::Convert: return wrapped(program_->types[node.type], left);
+    case Op::Narrow:
+        if (wrapped(program_->types[node.type], left) != left) fail(node.origin, ProgramFault::Range);
+        return wrapped(program_->types[node.type], left);
     case Op::Divide:
     case Op::Modulo:
         if (right == 0) {
-            if (!fault_) fault_ = node.origin;
+            fail(node.origin, ProgramFault::DivisionByZero);
             return 0;
         }
         return in_range(node, node.op == Op::Divide ? left / right : left % right);
@@ -160,8 +212,10 @@ std::int64_t ProgramRun::calculated(const Program::Node& node, std::int64_t left
 }
 
 std::int64_t ProgramRun::in_range(const Program::Node& node, std::int64_t value) {
-    const std::int64_t kept = wrapped(program_->types[node.type], value);
-    overflowed_ = overflowed_ || kept != value;
+    const Program::Type& type = program_->types[node.type];
+    const std::int64_t kept = wrapped(type, value);
+    if (kept != value && type.kind == Program::Type::Kind::Time) fail(node.origin, ProgramFault::Range);
+    else overflowed_ = overflowed_ || kept != value;
     return kept;
 }
 

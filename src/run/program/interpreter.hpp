@@ -24,9 +24,13 @@ public:
     const ProgramLayout& layout() const { return layout_; }
     /// Returns the values of the cells of the layout.
     std::span<const std::int64_t> cells() const { return {memory_.data(), layout_.cells.size()}; }
-    /// Returns the position of the division by zero that ended the run. Its last scan is incomplete.
-    const std::optional<Span>& fault() const { return fault_; }
-    /// True if a result left the range of its type in the last scan and was wrapped around.
+    struct Fault {
+        Span where = {};
+        ProgramFault kind = ProgramFault::DivisionByZero;
+    };
+    /// The fault that ended the run; its last scan is incomplete.
+    const std::optional<Fault>& fault() const { return fault_; }
+    /// A result left the range of its type in the last scan, and was wrapped around.
     bool overflowed() const { return overflowed_; }
     /// Returns the value of an expression over the variables of `main`.
     std::int64_t value(Id<Program::Node> node) { return evaluate(node, layout_.main); }
@@ -43,14 +47,19 @@ private:
     Flow loop(const Program::Statement& statement, std::size_t frame);
     const Program::Arm* chosen(const Program::Statement& statement, std::size_t frame);
     void invoke(Id<Program::Unit> unit, std::size_t frame);
-    std::int64_t& cell(Program::Place place, std::size_t frame) {
-        return memory_[place.global ? place.offset : frame + place.offset];
+    std::size_t address(const Program::Place& place, std::size_t frame, Span origin);
+    std::int64_t& cell(const Program::Place& place, std::size_t frame, Span origin) {
+        return memory_[address(place, frame, origin)];
+    }
+    std::int64_t bitwise(const Program::Node& node, const std::vector<std::int64_t>& values) const;
+    void fail(Span where, ProgramFault kind) {
+        if (!fault_) fault_ = {where, kind};
     }
 
     const Program* program_;
     ProgramLayout layout_;
-    std::vector<std::int64_t> memory_ = {};  ///< the cells, followed by the frames of active functions
-    std::optional<Span> fault_ = {};
+    std::vector<std::int64_t> memory_ = {};  ///< the cells, then the frames of active functions
+    std::optional<Fault> fault_ = {};
     bool overflowed_ = false;
 };
 

@@ -36,23 +36,25 @@ public:
             main().symbols[symbol].kind =
                 System::StateSymbol{literal(exprs(), variable.type, variable.initial), copy(stored.next)};
         }
-        Id<Expr> valid = exprs().constant(true);  // true if no fault occurs until the end of the scan
+        Id<Expr> valid = exprs().constant(true);     // no fault until the end of the scan
+        Id<Expr> complete = exprs().constant(true);  // no fault in earlier scans
         if (!faults.empty()) {
             for (Id<Expr>& fault : faults) fault = copy(fault);
             const Id<Expr> fault = exprs().disjunction(faults);
             const Id<System::Symbol> before =
-                main().symbols.add({"division by zero", Type{}, System::StateSymbol{}, "", {}, {}});
+                main().symbols.add({"run-time fault", Type{}, System::StateSymbol{}, "", {}, {}});
             const Id<Expr> faulted = exprs().leaf(Op::Variable, before.index);
             main().symbols[before].kind =
                 System::StateSymbol{exprs().constant(false), exprs().disjunction(faulted, fault)};
             valid = exprs().negation(exprs().disjunction(faulted, fault));
-            made_.no_fault = made_.system.properties.add(property(
-                "no_division_by_zero", Pattern::Never, exprs().conjunction(exprs().negation(faulted), fault), {}));
+            complete = exprs().negation(faulted);
+            made_.no_fault = made_.system.properties.add(
+                property("no_fault", Pattern::Never, exprs().conjunction(exprs().negation(faulted), fault), {}));
         }
         for (const ScanProperty& one : properties_) {
             Id<Expr> condition = copy(one.condition);
             if (one.pattern == Pattern::Always) condition = exprs().disjunction(exprs().negation(valid), condition);
-            else condition = exprs().conjunction(valid, condition);
+            else condition = exprs().conjunction(one.about_fault ? complete : valid, condition);
             made_.system.properties.add(property(one.name, one.pattern, condition, one.origin));
         }
         made_.system.settled = exprs().constant(true);

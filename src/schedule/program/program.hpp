@@ -21,14 +21,14 @@ struct ScanProperty {
     Pattern pattern = Pattern::Always;  ///< Always, Never or Reachable
     Id<Expr> condition = {};            ///< condition over the equations of the scan
     Span origin = {};
+    bool about_fault = false;  ///< the condition is about the scan of the first fault, otherwise about scans before it
 };
 
 struct ProgramSystem {
     TransitionSystem system = {};
     /// Symbol of each variable of the equations; invalid if no property depends on it.
     std::vector<Id<TransitionSystem::Symbol>> symbols = {};
-    /// The property that no scan divides by zero; invalid if this is impossible. The other properties concern the scans
-    /// before the first division by zero.
+    /// The property that no scan has a fault; invalid if none can. The others are about scans until then.
     Id<Property> no_fault = {};
 };
 

@@ -33,10 +33,25 @@ Type Builder::enumeration(std::vector<Name> values) const {
 }
 
 void Builder::type(Name name, Type type, Id<Expr> initial, Span where) {
-    file_->types.push_back({name, std::move(type), initial, false, where});
+    file_->types.push_back({name, std::move(type), initial, false, where, {}});
 }
 
-void Builder::structure(Name name, Span where) { file_->types.push_back({name, {}, {}, true, where}); }
+void Builder::structure(Name name, std::vector<Variable> members, Span where) {
+    file_->types.push_back({name, {}, {}, true, where, std::move(members)});
+}
+
+/// A range that is not written as `LOW..HIGH` makes the dimension invalid.
+Type Builder::array(const std::vector<Id<Expr>>& ranges, Type element) const {
+    element.composite = true;
+    std::vector<std::array<Id<Expr>, 2>> dimensions;
+    for (const Id<Expr> range : ranges) {
+        const std::vector<Id<Expr>> ends = operands(*file_, range);
+        const bool complete = file_->exprs[range].op == Op::Range && ends.size() == 2;
+        dimensions.push_back(complete ? std::array{ends[0], ends[1]} : std::array<Id<Expr>, 2>{});
+    }
+    element.dimensions.insert(element.dimensions.begin(), dimensions.begin(), dimensions.end());
+    return element;
+}
 
 void Builder::task(Name name, std::vector<Id<Expr>> arguments, Span where) {
     file_->tasks.push_back({name, std::move(arguments), where});

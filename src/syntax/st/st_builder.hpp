@@ -29,7 +29,8 @@ public:
     void unit(UnitKind kind, Name name, Type result, Unit body, Span where);
     Type enumeration(std::vector<Name> values) const;
     void type(Name name, Type type, Id<Expr> initial, Span where);
-    void structure(Name name, Span where);
+    void structure(Name name, std::vector<Variable> members, Span where);
+    Type array(const std::vector<Id<Expr>>& ranges, Type element) const;
     void task(Name name, std::vector<Id<Expr>> arguments, Span where);
     void instance(Name name, Name task, Name type, std::vector<Id<Expr>> arguments, Span where);
 

@@ -110,8 +110,9 @@ std::string shown(Parser::symbol_kind_type symbol) {
 
 bool is_operator(Parser::symbol_kind_type symbol) {
     return (symbol >= Symbols::S_LESS && symbol <= Symbols::S_CARET) || symbol == Symbols::S_AND ||
-           symbol == Symbols::S_OR || symbol == Symbols::S_XOR || symbol == Symbols::S_MOD ||
-           symbol == Symbols::S_DOT || symbol == Symbols::S_OPEN;
+           symbol == Symbols::S_OR || symbol == Symbols::S_AND_THEN || symbol == Symbols::S_OR_ELSE ||
+           symbol == Symbols::S_XOR || symbol == Symbols::S_MOD || symbol == Symbols::S_DOT ||
+           symbol == Symbols::S_OPEN;
 }
 
 /// Describes the tokens that are allowed at a position, grouped by type.
@@ -242,15 +243,13 @@ Token Lexer::sign(Kind kind) {
     return {kind, here_};
 }
 
-Token Lexer::lazy_sign(Kind kind, std::string_view match) {
-    if (goal_ == Parser::token::PROGRAMS_FOLLOW)
-        diagnostics_->add(
-            messages::not_in_program(here_, "`" + std::string(match) + "`", "write nested IF statements"));
-    return sign(kind);
-}
-
 Token Lexer::c_sign(Kind kind, std::string_view match) {
-    return goal_ == Parser::token::PROPERTY_FOLLOWS ? sign(kind) : unexpected_character(match);
+    if (goal_ == Parser::token::PROPERTY_FOLLOWS) return sign(kind);
+    const bool comparison = kind == Parser::token::EQUAL || kind == Parser::token::NOT_EQUAL;
+    if (goal_ != Parser::token::PROGRAMS_FOLLOW || !comparison) return unexpected_character(match);
+    diagnostics_->add(
+        messages::not_standard(here_, "`" + std::string(match) + "`", kind == Parser::token::EQUAL ? "`=`" : "`<>`"));
+    return sign(kind);
 }
 
 Token Lexer::type_word(Kind kind, std::string_view match) {

@@ -48,9 +48,8 @@ public:
     void advance(std::size_t length);
     void comment(std::string_view match);
     Token sign(Kind kind);
-    /// Rejects AND_THEN and OR_ELSE, because programs do not evaluate lazily.
-    Token lazy_sign(Kind kind, std::string_view match);
-    /// Accepts operators of C, such as `&&`, only in properties.
+    /// AND_THEN, OR_ELSE: programs do not evaluate lazily.
+    /// Operators of C, such as `&&`, which only properties have.
     Token c_sign(Kind kind, std::string_view match);
     Token type_word(Kind kind, std::string_view match);
     Token configuration_word(Kind kind, std::string_view match);

@@ -60,6 +60,8 @@ enum class Op : std::uint8_t {
     And,
     Xor,
     Or,
+    AndThen,
+    OrElse,
 };
 
 struct Expr {
@@ -106,7 +108,20 @@ struct Type {
     Name name = {};
     Id<Expr> low = {}, high = {};
     bool composite = false;
-    std::vector<Name> values = {};  ///< values of an enumeration, whose name is that of its first value
+    std::vector<Name> values = {};  ///< of an enumeration; its name is that of the first value
+    /// First and last index of each dimension of an array, whose elements have the type `name`.
+    std::vector<std::array<Id<Expr>, 2>> dimensions = {};
+};
+
+struct Variable {
+    Section section = Section::Local;
+    bool constant = false;
+    Name name = {};
+    Type type = {};
+    Id<Expr> initial = {};
+    std::string address = {};  ///< `%IX0.0`, or empty
+    std::string comment = {};  ///< plain text
+    Span where = {};
 };
 
 /// One declaration in a TYPE section.
@@ -116,6 +131,7 @@ struct TypeDeclaration {
     Id<Expr> initial = {};
     bool structure = false;
     Span where = {};
+    std::vector<Variable> members = {};  ///< of a structure
 };
 
 struct Task {
@@ -131,23 +147,13 @@ struct Instance {
     Span where = {};
 };
 
-struct Variable {
-    Section section = Section::Local;
-    bool constant = false;
-    Name name = {};
-    Type type = {};
-    Id<Expr> initial = {};
-    std::string address = {};  ///< address such as `%IX0.0`; may be empty
-    std::string comment = {};  ///< plain text
-    Span where = {};
-};
-
 // -- Sequential Function Charts ---------------------------------------------------------------------------------------
 
 /// An action block: `NAME (QUALIFIER, TIME);` in a step.
 struct Association {
-    Name action = {};  ///< name of an action or a Boolean variable; invalid if `body` contains the statements
-    std::string qualifier = "N";  ///< qualifier in capital letters
+    Name action = {};             ///< an action or a Boolean variable; invalid if `body` contains the statements
+    Id<Expr> path = {};           ///< in CODESYS: the same as an expression, which may name an instance
+    std::string qualifier = "N";  ///< in capitals
     Id<Expr> time = {};
     Block body = {};
     Span where = {};
@@ -160,6 +166,8 @@ struct Step {
     std::vector<Association> actions = {};
     std::string comment = {};
     Span where = {};
+    /// In CODESYS: the actions at the activation, while the step is active, and after it, also of instances.
+    Id<Expr> entry = {}, active = {}, exit = {};
 };
 
 /// If several transitions leave one step, they are evaluated in the order of `priority`, then of position.
@@ -172,11 +180,11 @@ struct Transition {
     Span where = {};
 };
 
-struct Action {
-    Name name = {};
-    Block body = {};
-    bool opaque = false;  ///< true if its body is in another language
-    Span where = {};
+/// Variables in CODESYS that control a chart: each is valid if the settings of the chart use it.
+struct ChartFlags {
+    bool stated = false;  ///< the file contains the settings
+    bool init = false, reset = false, pause = false;
+    std::string others = {};  ///< the name of another flag in use, or empty
 };
 
 /// The steps and transitions of a chart, or of the expansion of a macro-step.
@@ -185,6 +193,15 @@ struct Network {
     std::vector<Step> steps = {};
     std::vector<Transition> transitions = {};
     Span where = {};
+    ChartFlags flags = {};
+};
+
+struct Action {
+    Name name = {};
+    Block body = {};
+    bool opaque = false;  ///< its body is in another language
+    Span where = {};
+    std::vector<Network> networks = {};  ///< a chart as the body
 };
 
 enum class UnitKind : std::uint8_t { Program, FunctionBlock, Function };
@@ -201,13 +218,18 @@ struct Unit {
     Span where = {};
 };
 
+/// The tool that determines the execution of charts and the visibility of variables.
+enum class Dialect : std::uint8_t { Standard, Codesys };
+
 struct File {
     Id<Source> source = {};
+    Dialect dialect = Dialect::Standard;
     Table<Word> words = {};
     std::unordered_map<std::string, Id<Word>> index = {};  ///< ids of words, indexed by their upper-case form
     Table<Expr> exprs = {};
     Table<Statement> statements = {};
     std::vector<Variable> globals = {};
+    std::vector<Name> global_lists = {};  ///< names of lists of `globals`, which can qualify them
     std::vector<Unit> units = {};
     std::vector<TypeDeclaration> types = {};
     std::vector<Task> tasks = {};

@@ -67,6 +67,19 @@ std::string ladder(const std::string& elements, const std::string& locals = "", 
     return project(locals, "<LD><leftPowerRail localId=\"0\"/>\n" + elements + "</LD>", more);
 }
 
+TEST(Diagram, SumsAndProductsHaveAnyNumberOfInputs) {
+    const auto text = [](const std::string& type) {
+        const std::string n = "<variable name=\"n\"><type><INT/></type></variable>";
+        return project(n,
+                       "<FBD>" + element("inVariable", 1, 0, "", "5") + element("inVariable", 2, 10, "", "n") +
+                           element("inVariable", 3, 20, "", "2") +
+                           block(4, 0, type, "", pin("IN1", "1") + pin("IN2", "2") + pin("IN3", "3"), pin("OUT", "")) +
+                           element("outVariable", 5, 0, "4", "n") + "</FBD>");
+    };
+    EXPECT_EQ(values(text("ADD"), "n", {{0, 0}, {0, 0}}), "7 14");
+    EXPECT_EQ(values(text("MUL"), "n", {{0, 0}, {0, 0}}), "0 0");
+}
+
 TEST(Diagram, ParallelContactsHoldACoil) {
     const std::string text =
         ladder(element("contact", 1, 0, "0", "a") + element("contact", 2, 10, "0", "q") +

@@ -96,10 +96,10 @@ TEST(ProgramChart, ReportsAllErrorsOfItsStructure) {
         "TRANSITION FROM S0 TO S9 := a; END_TRANSITION\n"
         "TRANSITION FROM (S2, S2) TO S0 := a; END_TRANSITION\n"
         "ACTION act: ; END_ACTION\nACTION act: ; END_ACTION\nEND_PROGRAM\n");
-    EXPECT_EQ(reading.codes(),
-              "2:1 not-in-program\n10:6 duplicate-name\n11:1 not-in-program\n12:23 unknown-step\n13:22 not-in-program\n"
-              "15:8 duplicate-name\n5:26 not-in-program\n6:2 not-in-program\n7:2 not-in-program\n8:10 not-in-program\n"
-              "9:2 not-in-program\n");
+    EXPECT_EQ(
+        reading.codes(),
+        "2:1 not-in-program\n10:6 duplicate-name\n11:1 not-in-program\n12:23 unknown-step\n13:22 not-in-program\n"
+        "15:8 duplicate-name\n5:26 not-in-program\n6:2 not-in-program\n7:2 not-in-program\n8:10 not-in-program\n");
     EXPECT_EQ(ReadProgram("PROGRAM p VAR v : BOOL; END_VAR\nSTEP S0: v(N); END_STEP\nEND_PROGRAM").codes(),
               "2:1 not-in-program\n");  // the chart has no initial step
 }
@@ -160,24 +160,97 @@ TEST(ProgramChart, RejectsStatementsThatChangeTheChart) {
     EXPECT_EQ(rejected("v := S0.Z;"), "5:6 unknown-variable\n");
 }
 
-TEST(ProgramChart, RejectsChartsWhoseStepsMayBeActivatedTwice) {
-    EXPECT_EQ(
-        ReadProgram("PROGRAM p VAR_INPUT a : BOOL; END_VAR\nINITIAL_STEP S0: END_STEP STEP S1: END_STEP\n"
-                    "STEP S2: END_STEP STEP S3: END_STEP\nTRANSITION FROM S0 TO (S1, S2) := a; END_TRANSITION\n"
-                    "TRANSITION FROM S1 TO S3 := a; END_TRANSITION\nTRANSITION FROM S2 TO S3 := a; END_TRANSITION\n"
-                    "END_PROGRAM")
-            .codes(),
-        "5:1 not-in-program\n6:1 not-in-program\n");
-    std::string steps, all, transitions;  // the chart has 2^15 situations
+/// The scan of the first fault of a chart, or 0.
+std::size_t fault(const std::string& program, const std::vector<std::vector<std::int64_t>>& inputs) {
+    const ReadProgram reading(program);
+    EXPECT_EQ(reading.codes(), "");
+    if (!reading.text) return 0;
+    ProgramRun run(reading.text->program());
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        run.scan(inputs[i], 10);
+        if (!run.fault()) continue;
+        EXPECT_EQ(run.fault()->kind, ProgramFault::Chart);
+        return i + 1;
+    }
+    return 0;
+}
+
+TEST(ProgramChart, ActivationOfAnActiveStepIsAFault) {
+    const std::string text =
+        "PROGRAM p VAR_INPUT a, b : BOOL; END_VAR\nINITIAL_STEP S0: END_STEP STEP S1: END_STEP\n"
+        "STEP S2: END_STEP STEP S3: END_STEP\nTRANSITION FROM S0 TO (S1, S2) := a; END_TRANSITION\n"
+        "TRANSITION FROM S1 TO S3 := a; END_TRANSITION\nTRANSITION FROM S2 TO S3 := b; END_TRANSITION\n"
+        "TRANSITION FROM S3 TO S0 := NOT a; END_TRANSITION\nEND_PROGRAM";
+    EXPECT_EQ(fault(text, {{0, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 1}}), 5U);  // S3 is active
+    EXPECT_EQ(fault(text, {{0, 0}, {1, 0}, {1, 1}}), 3U);                  // two transitions activate S3
+    EXPECT_EQ(fault(text, {{0, 0}, {1, 0}, {1, 0}, {0, 0}, {0, 1}}), 0U);
+    std::string steps, all, transitions;  // 2^15 situations
     for (int i = 0; i < 15; ++i) {
         steps += fmt::format("STEP A{0}: END_STEP STEP B{0}: END_STEP\n", i);
         all += fmt::format("{}A{}", i == 0 ? "" : ", ", i);
         transitions += fmt::format("TRANSITION FROM A{0} TO B{0} := a; END_TRANSITION\n", i);
     }
-    EXPECT_EQ(ReadProgram("PROGRAM p VAR_INPUT a : BOOL; END_VAR\nINITIAL_STEP S0: END_STEP\n" + steps +
-                          "TRANSITION FROM S0 TO (" + all + ") := a; END_TRANSITION\n" + transitions + "END_PROGRAM")
+    const std::string large = "PROGRAM p VAR_INPUT a : BOOL; END_VAR\nINITIAL_STEP S0: END_STEP\n" + steps +
+                              "TRANSITION FROM S0 TO (" + all + ") := a; END_TRANSITION\n" + transitions +
+                              "END_PROGRAM";
+    EXPECT_EQ(fault(large, {{0}, {1}, {1}, {1}}), 0U);
+}
+
+TEST(ProgramChart, AnActionCanHaveDifferentDurations) {
+    const auto text = [](const std::string& last) {
+        return "PROGRAM p VAR_INPUT a : BOOL; END_VAR VAR v : BOOL; END_VAR\n"
+               "INITIAL_STEP S0: v(L, T#15ms); END_STEP STEP S1: END_STEP STEP S2: v(L, T#25ms); END_STEP\n"
+               "TRANSITION FROM S0 TO S1 := a; END_TRANSITION\nTRANSITION FROM S1 TO " +
+               last + " := a; END_TRANSITION\nEND_PROGRAM";
+    };
+    EXPECT_EQ(values(text("S2"), "v", {{0}, {0}, {0}, {1}, {1}, {0}, {0}, {0}}), "1 1 0 0 1 1 1 0");
+    EXPECT_EQ(fault(text("(S0, S2)"), {{0}, {1}, {1}}), 3U);
+    EXPECT_EQ(ReadProgram("PROGRAM p VAR_INPUT a : BOOL; END_VAR VAR v : BOOL; END_VAR\n"
+                          "INITIAL_STEP S0: v(SL, T#15ms);\nv(SL, T#25ms); END_STEP\nEND_PROGRAM")
                   .codes(),
-              "2:1 not-in-program\n");
+              "3:1 not-in-program\n");
+}
+
+/// A chart of CODESYS with the steps S0 and S1; `attributes`: of S1, `use`: of the flag SFCReset.
+std::string codesys_chart(const std::string& attributes, const std::string& action, const std::string& use = "true") {
+    const std::string data = "<addData><data name=\"http://www.3s-software.com/plcopenxml/";
+    std::string text =
+        drawn_chart(action, data + "sfc/element\"><attributes>" + attributes + "</attributes></data></addData>");
+    const std::string settings = data +
+                                 "sfcsettings\"><SFCSettings><UseDefaults>false</UseDefaults><Flags><Reset Use=\"" +
+                                 use + "\"/><Tip Use=\"false\"/></Flags></SFCSettings></data></addData>";
+    return text.insert(text.find("</pou>"), settings);
+}
+
+TEST(ProgramChart, ChartsOfCodesysExecuteTheirActionsBeforeTransitions) {
+    const auto attribute = [](const std::string& guid, const std::string& action) {
+        return "<attribute guid=\"" + guid + "\">" + action + "</attribute>";
+    };
+    const std::string entry = attribute("a6b08bd8-b696-47e3-9cbf-7408b61c9ff8", "count"),
+                      exit = attribute("a2621e18-7de3-4ea6-ae6d-89e9e0b7befd", "count");
+    const std::vector<std::vector<std::int64_t>> inputs = {{1}, {1}, {1}, {0}, {0}};
+    const std::string variable = "qualifier=\"N\"><reference name=\"v\"/>";
+    EXPECT_EQ(values(codesys_chart(entry, variable), "r", inputs), "0 1 1 1 1");
+    EXPECT_EQ(values(codesys_chart(entry + exit, variable), "r", inputs), "0 1 1 1 2");
+    EXPECT_EQ(values(codesys_chart("", variable), "v", inputs), "0 1 1 1 0");
+    EXPECT_EQ(values(codesys_chart("", "qualifier=\"P0\"><reference name=\"count\"/>"), "r", inputs), "0 0 0 0 1");
+}
+
+TEST(ProgramChart, RejectsWhatChartsOfCodesysDoNotDefine) {
+    const std::string variable = "qualifier=\"N\"><reference name=\"v\"/>";
+    const auto codes = [&](const std::string& attributes, const std::string& action) {
+        return ReadProgram(codesys_chart(attributes, action)).codes();
+    };
+    EXPECT_EQ(codes("", "qualifier=\"SD\" duration=\"T#1s\"><reference name=\"v\"/>"), "7:2 not-in-program\n");
+    EXPECT_EQ(codes("", "qualifier=\"D\"><reference name=\"v\"/>"), "7:2 not-in-program\n");
+    EXPECT_EQ(codes("", "qualifier=\"P1\"><reference name=\"v\"/>"),
+              "1:433 undocumented-reading\n7:2 not-in-program\n");
+    EXPECT_NE(codes("<attribute guid=\"700a583f-b4d4-43e4-8c14-629c7cd3bec8\">none</attribute>", variable)
+                  .find("unknown-action"),
+              std::string::npos);
+    std::string other = codesys_chart("", variable);
+    other.replace(other.find("Tip Use=\"false\""), 15, "Tip Use=\"true\" ");
+    EXPECT_EQ(ReadProgram(other).codes(), "1:433 not-in-program\n");
 }
 
 }  // namespace

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Types: elementary types and those that a file declares. Equal array types are one type.
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "read/program/scope.hpp"
+#include "support/messages.hpp"
+#include "support/messages_program.hpp"
+
+namespace grafverif::program {
+
+namespace {
+
+constexpr std::int64_t most_elements = 100'000;
+
+}  // namespace
+
+// -- types ------------------------------------------------------------------------------------------------------------
+
+void Reader::declare_types() {
+    for (const st::TypeDeclaration& declaration : file_->types) {
+        const std::uint32_t word = declaration.name.word.index;
+        if (types_.contains(word)) {
+            diagnostics->add(messages::duplicate_name(declaration.name.where, "type", text(declaration.name.word),
+                                                      declaration.name.where));
+            continue;
+        }
+        if (declaration.structure) {
+            declare_structure(declaration);
+            continue;
+        }
+        if (declaration.initial.valid())
+            reject(file_->exprs[declaration.initial].where, "an initial value of a type", "write it at the variables");
+        const auto type = declaration.type.values.empty()
+                              ? type_of(declaration.type, declaration.where)
+                              : enumeration(text(declaration.name.word), declaration.type, declaration.where);
+        if (type) types_[word] = *type;
+    }
+}
+
+std::optional<Id<Type>> Reader::enumeration(std::string_view name, const st::Type& type, Span /*where*/) {
+    Type made{
+        Type::Kind::Enumeration, std::string(name), 0, static_cast<std::int64_t>(type.values.size()) - 1, {}, {}, {}};
+    const Id<Type> id{static_cast<std::uint32_t>(program.types.size())};
+    for (const st::Name value : type.values) {
+        const auto [place, fresh] =
+            values_.try_emplace(value.word.index, id, static_cast<std::int64_t>(made.values.size()));
+        if (!fresh) diagnostics->add(messages::duplicate_name(value.where, "value", text(value.word), value.where));
+        made.values.push_back(text(value.word));
+    }
+    return program.types.add(std::move(made));
+}
+
+std::optional<Id<Type>> Reader::type_of(const st::Type& type, Span where) {
+    if (!type.values.empty()) return enumeration("enumeration", type, where);
+    if (!type.dimensions.empty()) return array(type, where);
+    if (type.composite) return reject(where, "a pointer or qualified type", "use elementary types"), std::nullopt;
+    if (type.low.valid()) return subrange(type, where);
+    if (const auto known = types_.find(type.name.word.index); known != types_.end()) return known->second;
+    if (const auto unit = units_.find(type.name.word.index); unit != units_.end()) {
+        if (file_->units[unit->second].kind != st::UnitKind::FunctionBlock)
+            return reject(type.name.where, "an instance of " + quoted(text(type.name.word)),
+                          "instantiate function blocks only"),
+                   std::nullopt;
+        declare(unit->second);
+        if (states_[unit->second] == State::Open) {
+            diagnostics->add(messages::recursive_unit(type.name.where, text(type.name.word)));
+            return {};
+        }
+        const Id<Type> id =
+            program.types.add({Type::Kind::Block, text(type.name.word), 0, 0, {}, declared_[unit->second], {}});
+        types_[type.name.word.index] = id;
+        return id;
+    }
+    static constexpr std::array known_elsewhere = {"REAL",  "LREAL",       "STRING",       "WSTRING", "LINT",
+                                                   "ULINT", "LWORD",       "LTIME",        "DATE",    "TOD",
+                                                   "DT",    "TIME_OF_DAY", "DATE_AND_TIME"};
+    const std::string name = capitals(type.name.word);
+    if (std::ranges::find(known_elsewhere, name) != known_elsewhere.end()) {  // can be declared, but not used
+        const Id<Type> id = program.types.add({Type::Kind::Unsupported, name, 0, 0, {}, {}, {}});
+        types_[type.name.word.index] = id;
+        return id;
+    }
+    diagnostics->add(messages::unknown(type.name.where, "type", text(type.name.word), ""));
+    return {};
+}
+
+/// A structure is a block without a body.
+void Reader::declare_structure(const st::TypeDeclaration& declaration) {
+    Unit unit;
+    unit.kind = Unit::Kind::Structure;
+    unit.name = text(declaration.name.word);
+    unit.origin = declaration.name.where;
+    const Id<Unit> id = program.units.add(std::move(unit));
+    scopes_.emplace_back();
+    calls_.emplace_back();
+    declare_variables(id, declaration.members, false);
+    if (program.units[id].size == 0) reject(declaration.name.where, "a structure without members", "declare a member");
+    types_[declaration.name.word.index] =
+        program.types.add({Type::Kind::Block, text(declaration.name.word), 0, 0, {}, id, {}});
+}
+
+std::optional<Id<Type>> Reader::array(const st::Type& type, Span where) {
+    st::Type inner = type;
+    inner.dimensions.clear();
+    inner.composite = false;
+    auto element = type_of(inner, where);
+    if (!element) return {};
+    for (std::size_t i = type.dimensions.size(); i-- > 0;) {
+        std::array<std::int64_t, 2> bounds = {};
+        for (std::size_t side = 0; side < 2; ++side) {
+            const Id<st::Expr> bound = type.dimensions[i][side];
+            if (!bound.valid()) return reject(where, "this array", "write its bounds as `1..10`"), std::nullopt;
+            const auto known = constant(bound, dint_);
+            if (!known) return {};
+            bounds[side] = *known;
+        }
+        const std::int64_t count = bounds[1] - bounds[0] + 1;
+        if (count < 1) return reject(where, "an array without elements", "write the smaller bound first"), std::nullopt;
+        if (count * std::max<std::int64_t>(size_of(program, *element), 1) > most_elements) {
+            diagnostics->add(messages::program_too_large(where, "elements of an array", most_elements));
+            return {};
+        }
+        Type made{Type::Kind::Array, {}, bounds[0], bounds[1], {}, {}, *element};
+        made.name = "ARRAY[" + std::to_string(made.low) + ".." + std::to_string(made.high) + "] OF " +
+                    program.types[*element].name;
+        std::optional<Id<Type>> same;
+        for (const Id<Type> id : program.types.ids())
+            if (program.types[id] == made) same = id;
+        element = same ? *same : program.types.add(std::move(made));
+    }
+    return element;
+}
+
+std::optional<Id<Type>> Reader::subrange(const st::Type& type, Span where) {
+    st::Type whole = type;
+    whole.low = whole.high = {};
+    const auto base = type_of(whole, where);
+    if (!base) return {};
+    if (program.types[*base].kind != Type::Kind::Integer || program.types[*base].element.valid())
+        return reject(where, "a subrange of this type", "use an integer type"), std::nullopt;
+    const auto low = constant(type.low, *base), high = constant(type.high, *base);
+    if (!low || !high) return {};
+    if (*low > *high) return reject(where, "an empty subrange", "write the smaller bound first"), std::nullopt;
+    Type made{Type::Kind::Integer, {}, *low, *high, {}, {}, *base};
+    made.name = program.types[*base].name + "(" + std::to_string(*low) + ".." + std::to_string(*high) + ")";
+    return program.types.add(std::move(made));
+}
+
+}  // namespace grafverif::program
