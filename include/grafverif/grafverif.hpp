@@ -133,7 +133,7 @@ struct Limits {
 };
 
 struct CheckOptions {
-    /// Names to check; empty: all. For one that expands, `S` selects each `S.X7`.
+    /// Names of the properties to check; all if empty. If property `S` expands, `S` selects each `S.X7`.
     std::vector<std::string> properties = {};
     bool witnesses = true;    ///< also return runs of properties that hold (`reachable`)
     bool every_move = false;  ///< include the internal moves of the translation in the rows of a run
@@ -163,10 +163,10 @@ std::optional<Analysis> analysis_of(const Model& model, Id<Chart> chart, std::op
 
 struct CompareOptions {
     std::optional<ExecutionMode> mode = {};
-    /// Unit of time between scans. Empty: a divisor of all durations, chosen such that the number of scans within a
-    /// duration is at least the number of timers, as far as whole milliseconds allow.
+    /// Unit of time between scans. If empty, a divisor of all durations is chosen. The number of scans within a
+    /// duration is then at least the number of timers, as far as whole milliseconds allow.
     std::optional<std::int64_t> resolution_ms = {};
-    /// Situations that replace the initial steps of the charts; empty: not replaced. Either both or neither is given.
+    /// Situations that replace the initial steps of the charts; not replaced if empty. Either both or neither is given.
     std::array<std::vector<Id<Chart::Step>>, 2> from = {};
     bool shortest = true;  ///< search for a shortest distinguishing sequence
     Limits limits = {};
@@ -240,9 +240,9 @@ public:
     std::vector<Choice> choices() const;
     /// The complete run since power-on.
     const ChartRun& run() const;
-    /// Returns the first row that is not part of a run of the model because a step was forced; empty: none.
+    /// Returns the first row that is not part of a run of the model because a step was forced, or nothing.
     std::optional<std::size_t> what_if_row() const;
-    /// Returns the difference between the run, up to a forced step, and IEC 60848: an internal error; empty: none.
+    /// Returns a contradiction between the run, up to a forced step, and IEC 60848 (internal error), or nothing.
     std::string disagreement() const;
 
 private:

@@ -19,7 +19,7 @@ struct EvolutionRequirement {
     bool fault = false;             ///< a value must be undefined or out of range
     bool endless = false;           ///< the instant must never end
     bool settles = false;           ///< the instant must end without being aborted
-    bool ends = true;               ///< print the instant to its end; false: only to the end of the path
+    bool ends = true;               ///< print the instant to its end; if false, print only to the end of the path
 };
 
 struct WitnessTrace {

@@ -66,7 +66,7 @@ struct Options {
     ScheduleOptions untimed = {};             ///< options of untimed models; `mode` above replaces its mode
     std::optional<PlantApproach> plant = {};  ///< plant of untimed models, as requested
     Target target = Target::Both;
-    std::optional<bool> binary = {};  ///< option of `aiger`; empty: depends on the name of the output
+    std::optional<bool> binary = {};  ///< option of `aiger`; if empty, it depends on the name of the output
     Clock clock = Clock::Simulated;
     Format format = Format::Text;  ///< format; Csv only for `testgen`
     TestCover cover = TestCover::Transitions;
@@ -86,7 +86,7 @@ struct Options {
     bool why = false;  ///< option of `check`
     bool help = false;
 
-    std::vector<std::string> properties = {};       ///< option of `check`: names of properties; empty: all
+    std::vector<std::string> properties = {};       ///< option of `check`: names of properties; all if empty
     std::optional<std::string> property_file = {};  ///< option of `check`: if present, the operands are PLC programs
     std::string marked = {};                        ///< option of `supervise`: a term
     Held held = Held::Both;                         ///< option of `supervise`: the elements that get conditions
@@ -111,9 +111,10 @@ struct Options {
     std::uint64_t seed = 1;  ///< option of `mutate`
     std::string date = {};   ///< option of `report`: the displayed date
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
-    EventRange events = {};                    ///< events of the trace in the timing diagram
-    std::string against = {};                  ///< option of `test`: the command that runs the controller under test
-    std::optional<std::string> sequence = {};  ///< option of `test`: the table to run; empty: generated from the chart
+    EventRange events = {};    ///< events of the trace in the timing diagram
+    std::string against = {};  ///< option of `test`: the command that runs the controller under test
+    /// Option of `test`: the table to run; generated from the chart if empty.
+    std::optional<std::string> sequence = {};
     std::optional<std::uint64_t> response_timeout_ms =
         {};                                            ///< `test`: limit for one response; `serve`: limit for one check
     bool stop_on_failure = false, keep_going = false;  ///< options of `test`
@@ -123,9 +124,9 @@ struct Options {
     std::optional<std::uint64_t> random_seed = {};
     std::uint64_t steps = 100;   ///< number of steps of a random walk
     std::string situation = {};  ///< option of `draw`: names of steps, separated by commas
-    std::uint64_t columns = 0;   ///< option of `draw`; 0: as many as fit on a page
+    std::uint64_t columns = 0;   ///< option of `draw`; 0 means as many as fit on a page
     Notation notation = Notation::Iec;
-    std::uint64_t port = 0;  ///< option of `serve`; 0: any free port
+    std::uint64_t port = 0;  ///< option of `serve`; 0 means any free port
     bool open = false;       ///< option of `serve`: open a browser
     bool stdio = false;      ///< option of `lsp` without effect: the server always uses standard input and output
 };

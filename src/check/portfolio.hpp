@@ -24,7 +24,7 @@ struct PortfolioProgress {
 };
 
 struct PortfolioOptions {
-    std::vector<std::string> properties = {};            ///< names of the properties to check; empty: all
+    std::vector<std::string> properties = {};            ///< names of the properties to check; all if empty
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< memory limit of all engines together, in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;                      ///< cancellation flag: return the results so far
@@ -33,9 +33,9 @@ struct PortfolioOptions {
     bool whole = false;                                           ///< the symbolic engine does not decompose the system
     bool equal_latches = false;                                   ///< see PdrOptions
     /// Number of steps of operations on decision diagrams after which the other engines start. They start at the latest
-    /// after a quarter of the time; 0: immediately.
+    /// after a quarter of the time, or immediately if 0.
     std::uint64_t alone = 0;
-    unsigned jobs = 0;  ///< 1: no threads are started
+    unsigned jobs = 0;  ///< number of threads; no threads are started if 1
     /// Inexpensive proofs before the solvers start. Returns verdicts without runs for the properties that it decides.
     /// Ends when `stop` is set.
     std::function<std::vector<Verdict>(const std::atomic<bool>* stop)> first = {};

@@ -18,7 +18,7 @@ using Scope = Sentence::Scope;
 /// A condition that must occur in a scope. If it does not, the property holds vacuously in that scope.
 struct Premise {
     Id<Expr> term = {};
-    std::string never = {};  ///< text if the condition never occurs; empty: every state satisfies the condition
+    std::string never = {};  ///< text if the condition never occurs; empty if every state satisfies the condition
 };
 
 Premise premise_of(Exprs& exprs, const Sentence& sentence, const std::vector<Id<Expr>>& operands) {

@@ -34,7 +34,7 @@ struct Causes {
         bool operator==(const Pair&) const = default;
     };
     std::vector<Pair> pairs = {};  ///< ordered by state, then as in the property
-    /// false: a state has too many terms, some of them repeated, so that the rule of the paper was used.
+    /// false if a state has too many terms, some of them repeated, so that the rule of the paper was used
     bool exact = true;
 
     bool operator==(const Causes&) const = default;

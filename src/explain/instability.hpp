@@ -11,7 +11,7 @@
 namespace grafverif {
 
 /// True if `run`, which violates `property`, ends at power-on: none of its states is quiescent, and no time passes in
-/// it. Only for a property of single states that is checked in all states; false for any other property.
+/// it. Returns false for a property that is not about single states or is not checked in all states.
 bool is_violated_at_power_on(const Network& network, const Property& property, const Run& run);
 
 /// Returns the explanation for such a property. `at_stable` is the verdict on the same property, checked only in

@@ -21,7 +21,7 @@ struct Standstill {
     };
     std::vector<Blocker> blockers = {};  ///< none of their edges is enabled at the end of the run
     std::vector<Id<Network::Process>> repeating =
-        {};                  ///< processes whose edges repeat forever; empty: no edge is enabled
+        {};                  ///< processes whose edges repeat forever; empty if no edge is enabled
     bool continued = false;  ///< true if the run was continued by edges without delay up to this end
 };
 

@@ -162,7 +162,7 @@ private:
     const ChartRun& run_;
     std::vector<Entry> entries_;
     std::vector<std::string> terms_ = {};  ///< operands in quotation marks
-    bool fails_ = false;                   ///< false: a required event never occurs
+    bool fails_ = false;                   ///< false if a required event never occurs
     bool closed_ = false;                  ///< true if the steps include the end of the scope
     std::size_t bad_ = 0, opening_ = 0;    ///< indices of entries
     SentenceViolation made_ = {};

@@ -15,7 +15,8 @@ namespace grafverif {
 
 struct SentenceViolation {
     struct Step {
-        /// Event of the run; the step concerns the state after it; empty: not a single state.
+        /// Index of an event of the run. The step concerns the state after this event. Empty if the step is not about a
+        /// single state.
         std::optional<std::size_t> moment = {};
         std::string words = {};
 

@@ -22,7 +22,7 @@ struct FlatSystem {
     struct Variable {
         std::string name = {};  ///< `START`; `station.X_2` for a variable of an instance
         Type type = {};
-        bool choice = false;  ///< true: chosen freely in each step and not part of the state
+        bool choice = false;  ///< true if chosen freely in each step; not part of the state then
         std::optional<Id<Expr>> initial = {};
         std::optional<Id<Expr>> next = {};
         Span origin = {};

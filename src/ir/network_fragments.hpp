@@ -54,7 +54,7 @@ struct LocalAblations {
 /// processes to kept variables. An urgent edge that reads free variables stops time only if all their values enable it.
 /// `race` concerns only kept variables.
 struct LocalNetwork {
-    bool made = true;  ///< false: an edge reads too many free values, and the network must not be used
+    bool made = true;  ///< false if an edge reads too many free values; the network must not be used then
     Network network = {};
     std::vector<std::uint32_t> borders = {};  ///< other fragments that kept processes read, except for flags of a PLC
     std::vector<std::uint32_t> tied = {};     ///< all other fragments that are read

@@ -31,7 +31,7 @@ struct Task {
     enum class What { Models, Proofs };
     std::shared_ptr<const Root> root = {};
     What what = What::Models;
-    std::string only = {};  ///< name of the loop or chart to check; empty: all
+    std::string only = {};  ///< name of the loop or chart to check; all if empty
 };
 
 /// The result of a task, or of a part of it.

@@ -43,7 +43,7 @@ enum class DeclarationKind {
 struct Declaration {
     DeclarationKind kind = DeclarationKind::Chart;
     std::string name = {}, key = {};
-    std::string owner = {};  ///< key of the element that contains it; empty: the file
+    std::string owner = {};  ///< key of the element that contains it; empty for an element of the file
     const Parsed* file = nullptr;
     Span where = {};  ///< position of its name
     Span whole = {};  ///< position of its declaration

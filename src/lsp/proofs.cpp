@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checks of a session. They are started after a save and on demand, and shown as code lenses of loops and properties.
+// Background checks of a session. They are started after a save and on demand, and shown as code lenses of loops and
+// properties.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 

@@ -23,15 +23,16 @@ struct ServerEnvironment {
     std::vector<std::string> include_folders = {};
     /// True if the client's process exists; called periodically.
     std::function<bool(std::int64_t process)> is_alive = {};
-    /// Time limit for the check of a loop or the analysis of a chart; empty: unlimited.
+    /// Time limit for the check of a loop or the analysis of a chart; unlimited if empty.
     std::optional<std::chrono::milliseconds> patience = {};
     /// Returns the address of a page that draws and simulates the file. The page is created if necessary, which may
-    /// throw std::system_error. Empty: pages are not available.
+    /// throw std::system_error. The function is empty if pages are not available.
     std::function<std::string(const std::string& path)> simulator = {};
-    /// Stores a text temporarily under this name for another program, and returns its path. Empty: not available.
+    /// Stores a text temporarily under this name for another program, and returns its path. The function is empty if
+    /// this is not available.
     std::function<std::string(const std::string& name, const std::string& text)> keep = {};
-    /// Reserves memory for the report of the next failed allocation. It is called between messages. Empty: no memory is
-    /// reserved.
+    /// Reserves memory for the report of the next failed allocation. It is called between messages. If the function is
+    /// empty, no memory is reserved.
     std::function<void()> keep_memory_back = {};
     /// Ends a waiting `Receive` if the client has disappeared without closing the stream.
     std::function<void()> hang_up = {};

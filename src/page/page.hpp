@@ -45,7 +45,7 @@ struct PageContent {
     const Sources& sources;
     std::string file = {}, version = {};
     std::string date = {};                          ///< date as text; if empty, no date is shown
-    std::vector<std::string> requested = {};        ///< names of the selected properties; empty: all
+    std::vector<std::string> requested = {};        ///< names of the selected properties; all if empty
     Id<ClosedLoop> loop = {};                       ///< invalid if the page is about a chart without a loop
     std::vector<ChartContent> charts = {};          ///< charts of the controllers, in order
     std::vector<ComponentContent> components = {};  ///< components of the plant, each once

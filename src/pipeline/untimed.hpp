@@ -15,7 +15,7 @@ struct Abstraction {
     enum class Preservation {
         ToEveryPlant,  ///< no plant: a property that holds for all runs also holds with every plant, in grain atomic
         ToTimedLoop,   ///< plant automata that move at any time in any order: verdicts also apply to the timed loop
-        ExactInIntegerTime,  ///< same states as in the timed engine
+        ExactInIntegerTime,  ///< the states are the same as in the timed engine
         Nowhere,             ///< restricted order of events: verdicts apply only to the model
     };
     std::string words = {};  ///< description such as `no plant` or `plant automata, interleaved`

@@ -109,8 +109,8 @@ public:
         std::uint64_t states = 0;
         for (const PropertyResult& answer : report.answers) {
             states = std::max<std::uint64_t>(states, std::stoull("0" + answer.verdict.states));
-            // In most cases localization decides these properties again. Therefore the complete network is searched
-            // only briefly before.
+            // In most cases localization decides these properties again. Therefore the preceding search of the complete
+            // network is short.
             if (answer.verdict.scope.cells) cells_.whole = std::uint64_t{1} << 12U;
         }
         most_states_ = std::max<std::uint64_t>(8 * states, 100'000);

@@ -25,7 +25,7 @@ struct TextOptions {
     /// Print only unexpected violations and undecided properties; nothing if there are none.
     bool failures_only = false;
     Colour colour = Colour::Plain;
-    std::size_t columns = 0;  ///< columns of the terminal, which limit the width of the final table; 0: unlimited
+    std::size_t columns = 0;  ///< columns of the terminal, which limit the width of the final table; 0 means unlimited
 };
 
 /// Returns the error at the end of a finite counterexample, or an empty string if its last state shows the violation.

@@ -18,7 +18,7 @@ void lower(std::optional<std::int64_t>& least, std::int64_t value) { least = lea
 /// Returns the greatest value of a clock that the constraint admits; clocks are integers.
 std::int64_t greatest(Op relation, std::int64_t bound) { return relation == Op::Less ? bound - 1 : bound; }
 
-/// Returns the time until the invariant of the current location blocks delay; empty: never.
+/// Returns the time until the invariant of the current location blocks delay, or nothing if it never does.
 std::optional<std::int64_t> patience(const Network& network, const NetworkState& state, Id<Network::Process> id) {
     const Network::Process& process = network.processes[id];
     std::optional<std::int64_t> limit;
@@ -40,7 +40,8 @@ bool guard_holds(const Network& network, const NetworkState& state, const Networ
     return evaluate(network.exprs, guard, meaning).value_or(0) != 0;
 }
 
-/// Returns the number of time units until the clock constraint of `edge` first holds; empty: never again.
+/// Returns the number of time units until the clock constraint of `edge` first holds, or nothing if it never holds
+/// again.
 std::optional<std::int64_t> wait(const Network& network, const NetworkState& state, Id<Network::Process> id,
                                  const Network::Edge& edge) {
     std::int64_t from = 0;

@@ -16,8 +16,8 @@ namespace grafverif {
 /// Delays that are possible from a state without taking an edge, in time units.
 struct Leeway {
     bool may_pass = false;
-    std::optional<std::int64_t> limit = {};   ///< time until an invariant blocks delay; empty: unbounded
-    std::optional<std::int64_t> change = {};  ///< time until a disabled edge becomes enabled; empty: never
+    std::optional<std::int64_t> limit = {};   ///< time until an invariant blocks delay; empty if none does
+    std::optional<std::int64_t> change = {};  ///< time until a disabled edge becomes enabled; empty if none ever does
     bool operator==(const Leeway&) const = default;
 };
 

@@ -35,7 +35,7 @@ std::optional<Disagreement> disagreement(const ChartRun& run, std::span<const Ch
 /// Contradictory actions in one evolution.
 struct ContradictoryActions {
     std::string controller = {};
-    /// The variable to which two stored actions assign different values; empty: contradictory forcing orders.
+    /// The variable to which two stored actions assign different values; empty if forcing orders contradict each other.
     std::string variable = {};
 };
 /// Returns the contradiction at the end of a run that ends in a race, or nothing if the rules find none.

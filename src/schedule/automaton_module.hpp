@@ -69,9 +69,9 @@ struct AutomatonModule {
     Id<Symbol> location = {};  ///< location; invalid if there is only one
     std::vector<Held> owned = {};
     std::vector<Held> within = {};  ///< definitions: firing conditions that exist only within a step
-    Id<Symbol> may_wait = {};       ///< definition: its clocks permit a time unit to pass; invalid: always true
+    Id<Symbol> may_wait = {};       ///< definition: its clocks permit a time unit to pass; always true if invalid
     std::vector<Effect> effects = {};
-    Id<Symbol> can_move = {};      ///< definition: an edge can be taken; only if clocks are counted
+    Id<Symbol> can_move = {};      ///< definition: an edge can be taken; exists only if clocks are counted
     Id<Symbol> must_move = {};     ///< definition: an urgent edge can be taken
     Id<Symbol> stays = {};         ///< definition: this step takes no edge
     Id<Symbol> out_of_range = {};  ///< invalid if no assignment can leave its range

@@ -55,8 +55,8 @@ struct ChooseCommand {
 struct BackCommand {
     bool operator==(const BackCommand&) const = default;
 };
-/// An `expect` command. `response_timeout_ms` is its time limit; 0: the expectation must hold now; empty: it may become
-/// true for as long as spontaneous events occur.
+/// An `expect` command. `response_timeout_ms` is its time limit. If it is 0, the expectation must hold now. If it is
+/// empty, the expectation may become true for as long as spontaneous events occur.
 struct ExpectCommand {
     Expectation claim = {};
     std::optional<std::int64_t> response_timeout_ms = 0;

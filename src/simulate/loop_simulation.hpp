@@ -61,7 +61,7 @@ public:
     std::string force(std::string_view step, bool active);
     /// Returns the first row that is not part of a run of the network because a step was forced.
     std::optional<std::size_t> what_if_row() const { return what_if_row_; }
-    /// Returns the time until the next spontaneous or possible event; empty: unbounded.
+    /// Returns the time until the next spontaneous or possible event, or nothing if there is none.
     std::optional<std::int64_t> soonest_ms() const;
     /// Returns the location of the instance after an event of the recorded run, or nothing if there is no such
     /// instance.

@@ -58,8 +58,8 @@ struct Chart {
 
     struct Transition {
         std::string name = {};
-        std::vector<Id<Step>> from = {};  ///< empty: a source transition
-        std::vector<Id<Step>> to = {};    ///< empty: a sink transition
+        std::vector<Id<Step>> from = {};  ///< empty if this is a source transition
+        std::vector<Id<Step>> to = {};    ///< empty if this is a sink transition
         Id<Expr> condition = {};
         Id<PartialChart> chart = {};
         Span origin = {};
@@ -81,8 +81,8 @@ struct Chart {
         Id<Step> step = {};
         Id<Variable> output = {};
         Id<Expr> condition = {};    ///< assignation condition; default: the constant true
-        std::int64_t delay_ms = 0;  ///< delayed action: `after`; 0: none
-        std::int64_t limit_ms = 0;  ///< time-limited action: `for`; 0: none
+        std::int64_t delay_ms = 0;  ///< time of a delayed action (`after`); 0 if there is none
+        std::int64_t limit_ms = 0;  ///< time of a time-limited action (`for`); 0 if there is none
         Span origin = {};
         bool operator==(const ContinuousAction&) const = default;
     };
@@ -122,7 +122,7 @@ struct Chart {
     /// `accept CODE SUBJECT "reason"` accepts a finding about the chart.
     struct Acceptance {
         std::string code = {};     ///< see ir/finding.hpp
-        std::string subject = {};  ///< `X4`, `t3`, `LOCK`; empty: any subject
+        std::string subject = {};  ///< `X4`, `t3`, `LOCK`; any subject if empty
         std::string reason = {};
         Span origin = {};
         bool operator==(const Acceptance&) const = default;

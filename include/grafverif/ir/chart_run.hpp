@@ -70,7 +70,7 @@ struct ChartRun {
         std::vector<Id<Step>> steps = {};
         std::vector<Id<Transition>> transitions = {};
         std::vector<Id<Signal>> inputs = {}, outputs = {}, internals = {};
-        std::vector<Id<Signal>> images = {};  ///< per output; invalid: it has none, or it is not visible
+        std::vector<Id<Signal>> images = {};  ///< for each output; invalid if it has no visible image
         std::vector<Id<Timer>> timers = {};
         std::vector<std::optional<std::size_t>> conditions = {};  ///< timer per time condition, if any
         bool operator==(const Controller&) const = default;
@@ -160,7 +160,7 @@ struct ChartRun {
     Table<Signal> signals = {};
     Table<Instance> instances = {};
     std::vector<Event> moments = {};
-    std::optional<std::size_t> loop = {};  ///< the events from this index on repeat forever; empty: the run is finite
+    std::optional<std::size_t> loop = {};  ///< the events from this index on repeat forever; empty if the run is finite
     std::optional<std::size_t> broken_at = {};  ///< the first move that failed; later moves are missing
     std::vector<Row> rows = {};
     std::optional<std::size_t> loop_from = {};  ///< index of the first row of `loop`

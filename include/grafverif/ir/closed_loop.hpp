@@ -135,7 +135,7 @@ struct ClosedLoop {
 
     std::string name = {};
     Grain grain = Grain::Phased;
-    std::optional<std::int64_t> time_unit_ms = {};  ///< declared time unit; empty: the gcd of all durations
+    std::optional<std::int64_t> time_unit_ms = {};  ///< declared time unit; the gcd of all durations if empty
     std::vector<NamedConstant> constants = {};
     Table<Controller> controllers = {};
     Table<Shared> shared = {};
@@ -145,7 +145,7 @@ struct ClosedLoop {
     Table<Property> properties = {};
     Table<Constraint> constraints = {};
     Table<Observer> observers = {};
-    std::optional<Schedule> schedule = {};  ///< declared schedule; empty: interleaved
+    std::optional<Schedule> schedule = {};  ///< declared schedule; interleaved if empty
     Span time_unit_origin = {};
     Span origin = {};
 

@@ -54,8 +54,8 @@ struct Comparison {
 
     std::array<std::string, 2> charts = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    std::array<std::string, 2> from = {};  ///< selected initial situations; empty: those of the charts
-    std::int64_t resolution_ms = 0;        ///< time between scans is a multiple of it; 0: no dependence on time
+    std::array<std::string, 2> from = {};  ///< selected initial situations; those of the charts if empty
+    std::int64_t resolution_ms = 0;        ///< time between scans is a multiple of it; 0 if nothing depends on time
     bool constrained = false;              ///< true if the constraints of both charts are assumed
     std::vector<Variable> inputs = {}, outputs = {};
     Outcome outcome = Outcome::Unknown;

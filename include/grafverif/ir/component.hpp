@@ -103,7 +103,7 @@ struct Component {
     Table<Clock> clocks = {};
     Table<Location> locations = {};
     Table<Edge> edges = {};
-    Id<Location> initial = {};  ///< invalid: every instance must specify `initially`
+    Id<Location> initial = {};  ///< if invalid, every instance must specify `initially`
     std::vector<Constraint> constraints = {};
     Span origin = {};
 

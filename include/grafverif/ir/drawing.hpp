@@ -29,7 +29,7 @@ struct Drawing {
         Point at = {};  ///< upper left corner
         Size size = {};
         int cut = 0;          ///< length that is cut off at each corner
-        bool filled = false;  ///< a bar or mark; false: only its outline is drawn
+        bool filled = false;  ///< filled as a bar or mark; if false, only its outline is drawn
         bool operator==(const Box&) const = default;
     };
     /// Horizontal and vertical segments.
@@ -78,7 +78,7 @@ enum class Notation { Iec, Text };
 struct DrawOptions {
     Notation notation = Notation::Iec;
     std::vector<Id<Chart::Step>> situation = {};  ///< steps to be marked as active
-    int columns = 0;  ///< number of columns into which a long chart is folded; 0: chosen according to the page shape
+    int columns = 0;  ///< number of columns into which a long chart is folded; chosen according to the page shape if 0
     std::string prefix = {};  ///< prefix of all ids, for several charts on one page
 };
 

@@ -146,7 +146,7 @@ struct Equations {
     std::vector<Previous> previous = {};
     std::vector<ObservedTerm> watches = {};
     std::vector<Timer> timers = {};
-    std::vector<Id<Timer>> conditions = {};  ///< timer per time condition; invalid: not read
+    std::vector<Id<Timer>> conditions = {};  ///< timer per time condition; invalid if it is not read
     std::vector<Output> outputs = {};
     std::vector<Assumption> assumptions = {};
     /// True if one more cycle with the same inputs would change nothing: no firing condition holds, no stored variable
@@ -163,7 +163,7 @@ std::vector<std::string> verify(const Equations& equations);
 struct Kept {
     Id<Equations::Variable> variable = {};
     Id<Expr> next = {};
-    Id<Expr> first = {};  ///< value after the first evolution; invalid: as at power-on
+    Id<Expr> first = {};  ///< value after the first evolution; the value at power-on if invalid
     bool after = false;   ///< both are over values after the cycle; otherwise over values before it
 };
 /// Returns stored variables (`next`), previous values, step activities and observed levels, in this order.

@@ -42,7 +42,7 @@ struct Finding {
 
     std::string code = {};  ///< code such as `step-never-active`
     Level level = Level::Warning;
-    std::string subject = {};  ///< subject that `accept` can name: `X4`, `t3`, `LOCK`; empty: the complete chart
+    std::string subject = {};  ///< subject that `accept` can name: `X4`, `t3`, `LOCK`; the complete chart if empty
     std::string message = {};  ///< text as in a diagnostic
     Span origin = {};
     std::vector<Related> related = {};
@@ -69,7 +69,7 @@ struct OpenQuestion {
     std::string code = {};  ///< code of the potential finding
     std::string subject = {};
     std::size_t instants = 0;     ///< no evidence exists within this number of input changes
-    std::int64_t evolutions = 0;  ///< number of evolutions without evidence, for a counter; 0: unknown
+    std::int64_t evolutions = 0;  ///< number of evolutions without evidence, for a counter; 0 if unknown
 
     bool operator==(const OpenQuestion&) const = default;
 };

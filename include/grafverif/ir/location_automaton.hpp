@@ -60,7 +60,7 @@ struct LocationAutomaton {
     struct Input {
         std::string name = {};
         Type type = {};
-        Id<Step> timed = {};                    ///< valid: a timer of this step
+        Id<Step> timed = {};                    ///< valid if this is a timer of the step
         Id<Stored> watched = {};                ///< a timer of this level. If neither is valid: an input of the chart
         std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2 of `t1/v/t2`; not both 0 for a timer
         Span origin = {};
@@ -114,7 +114,7 @@ struct LocationAutomaton {
     Id<Location> init = {};
     std::vector<Evolution> evolutions = {};
     std::vector<Instability> instabilities = {};
-    bool complete = true;       ///< false: there may be further locations and evolutions
+    bool complete = true;       ///< if false, there may be further locations and evolutions
     std::size_t looked_at = 0;  ///< number of locations, counted from the first, whose evolutions are all known
     Id<Expr> assumed = {};
     Span origin = {};

@@ -49,7 +49,7 @@ struct MealyMachine {
         Id<State> from = {}, to = {};
         Id<Expr> condition = {};  ///< condition on the inputs
         Id<OutputWord> answer = {};
-        std::int64_t wait_ms = 0;  ///< time for which the inputs are kept; 0: they are applied
+        std::int64_t wait_ms = 0;  ///< time for which the inputs are kept; 0 while they are applied
         bool operator==(const Transition&) const = default;
     };
     /// Inputs for which the machine enters total instability and never responds again.
@@ -74,7 +74,7 @@ struct MealyMachine {
     Id<State> initial = {};
     std::vector<Transition> transitions = {};
     std::vector<Unstable> unstable = {};
-    std::vector<Activation> activation = {};  ///< empty: the first cycle is an ordinary one
+    std::vector<Activation> activation = {};  ///< empty if the first cycle is an ordinary one
     Id<Expr> assumed = {};
     std::optional<std::uint64_t> combinations = 1;    ///< of inputs, as assumed; empty beyond 64 bits
     std::optional<std::uint64_t> unstable_pairs = 0;  ///< state-input pairs without a stable situation

@@ -57,7 +57,7 @@ struct Network {
         std::int64_t initial = 0;
         bool scratch = false;
         Span origin = {};
-        std::string told = {};  ///< name in properties and traces, `Gate.X`; empty: `name` is used
+        std::string told = {};  ///< name in properties and traces, `Gate.X`; `name` if empty
 
         const std::string& display_name() const { return told.empty() ? name : told; }
         bool operator==(const Variable&) const = default;
@@ -151,7 +151,7 @@ struct Network {
         Id<Variable> stable = {};
         std::vector<Timer> timers = {};            ///< timers in the order of `words`
         std::vector<Id<Variable>> variables = {};  ///< for each variable of its equations: the shared variable
-        std::vector<Id<Variable>> images = {};     ///< storage per output until it is written; invalid: none
+        std::vector<Id<Variable>> images = {};     ///< storage of each output until it is written, or invalid
         Id<Procedure> start = {};  ///< procedure executed before the first cycle; invalid if it would have no effect
         Id<Procedure> fire = {}, evolve = {}, write = {};
         bool operator==(const Controller&) const = default;

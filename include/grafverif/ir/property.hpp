@@ -62,8 +62,8 @@ struct Property {
     Pattern pattern = Pattern::Always;
     std::vector<Id<Expr>> operands = {};
     std::string raw = {};
-    Sentence watch = {};     ///< for Pattern::Watched
-    bool at_stable = false;  ///< true: evaluated in quiescent states only
+    Sentence watch = {};     ///< used only by Pattern::Watched
+    bool at_stable = false;  ///< evaluated only in quiescent states
     bool expected_violated = false;
     Span origin = {};
 

@@ -45,7 +45,7 @@ struct StateProfile {
 
     /// A single duration that determines the time unit: without it the unit would be coarser.
     struct Finest {
-        std::int64_t duration_ms = 0;  ///< 0: the time unit that the loop declares
+        std::int64_t duration_ms = 0;  ///< 0 means the time unit that the loop declares
         std::int64_t unit_ms = 0;      ///< current unit
         std::int64_t coarser_ms = 0;   ///< unit without this duration
         Factor factor = {};  ///< reduction factor if clock values that are equal in the coarser unit are merged

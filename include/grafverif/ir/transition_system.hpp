@@ -105,10 +105,10 @@ struct TransitionSystem {
     struct Controller {
         ControllerWords<Symbol> words =
             {};  ///< transitions; one is cleared by a step that `evolves` if its condition held before that step
-        Id<Expr> starts = {};   ///< the step is the first evolution; invalid: the first evolution has no visible effect
-        Id<Expr> samples = {};  ///< inputs and timer outputs are sampled; invalid: whenever it evolves
-        Id<Expr> evolves = {};  ///< the step is one evolution; invalid: every step is
-        Id<Expr> writes = {};   ///< outputs are written; invalid: in evolutions, as the mode requires
+        Id<Expr> starts = {};   ///< true in the first evolution; invalid if the first evolution has no visible effect
+        Id<Expr> samples = {};  ///< true if inputs and timer outputs are sampled; if invalid, equal to `evolves`
+        Id<Expr> evolves = {};  ///< true if the step is one evolution; invalid if every step is one
+        Id<Expr> writes = {};   ///< true if outputs are written; if invalid, evolutions write them as the mode requires
         bool operator==(const Controller&) const = default;
     };
     /// A component that moves in addition to the controllers: an instance of the loop or a timer.
@@ -135,7 +135,7 @@ struct TransitionSystem {
     };
     /// Independent subsystems, of which at most one moves in a step. All terms are over symbols of main.
     struct Subsystems {
-        std::vector<Subsystem> each = {};       ///< the subsystems; empty: the system cannot be decomposed
+        std::vector<Subsystem> each = {};       ///< the subsystems; empty if the system cannot be decomposed
         Id<Expr> waits = {};                    ///< condition of a step: none moves; if clocks are counted, time passes
         Id<Expr> can_move = {}, can_wait = {};  ///< if clocks are counted: some instance can move; time can pass
         bool operator==(const Subsystems&) const = default;
@@ -157,7 +157,7 @@ struct TransitionSystem {
     std::vector<Controller> controllers = {};
     std::vector<Component> components = {};
     Subsystems parts = {};
-    Id<Expr> ticks = {};  ///< time passes by `tick_ms`, over symbols of main; invalid: untimed
+    Id<Expr> ticks = {};  ///< time passes by `tick_ms`, over symbols of main; invalid if untimed
     std::int64_t tick_ms = 0;
 
     bool operator==(const TransitionSystem&) const = default;

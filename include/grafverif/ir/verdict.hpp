@@ -56,8 +56,9 @@ enum class UnknownReason {
 
 /// The part of the network that was explored for a verdict, if not the complete network.
 struct SearchScope {
-    std::vector<std::string> searched = {};  ///< names of the explored parts; empty: the complete network
-    std::vector<std::string> left_out = {};  ///< the others; empty: all parts were explored separately
+    /// Names of the explored parts; empty if the complete network was explored.
+    std::vector<std::string> searched = {};
+    std::vector<std::string> left_out = {};  ///< the other parts; empty if all parts were explored separately
     std::string because = {};                ///< reason why the omitted parts cannot affect the verdict
     bool cells = false;                      ///< true: parts are fragments, not independent subsystems
     bool operator==(const SearchScope&) const = default;
@@ -79,9 +80,9 @@ struct Verdict {
     std::string reason = {};  ///< reason for an unknown verdict, as text
     bool vacuous = false;     ///< true: the property holds vacuously; a note states why
     std::vector<std::string> notes = {};
-    bool declared = true;  ///< false: the model does not declare the property (`no timelock`)
+    bool declared = true;  ///< false if the model does not declare the property (`no timelock`)
     bool expected_violated = false;
-    std::string states = {};  ///< number of explored states, in decimal, of any size; empty: unknown
+    std::string states = {};  ///< number of explored states, in decimal, of any size; empty if unknown
     std::optional<std::uint64_t> transitions = {};
     double seconds = 0;
     SearchScope scope = {};

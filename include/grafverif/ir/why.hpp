@@ -17,9 +17,9 @@ struct ProofExplanation {
         /// For a state property: instances and timers without which it fails, if all other behaviour of plant and
         /// timers is arbitrary. The clocks of those in `timings` are also necessary.
         std::vector<std::string> parts = {}, timings = {};
-        bool about_states = false;           ///< false: parts were not examined
+        bool about_states = false;           ///< false if parts were not examined
         std::vector<std::string> open = {};  ///< parts for which the result is unknown
-        bool vacuous = false;                ///< true: its premise is never true
+        bool vacuous = false;                ///< true if its premise is never true
         bool operator==(const ProofCore&) const = default;
     };
 

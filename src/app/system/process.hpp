@@ -19,7 +19,7 @@ struct ProgramLimits {
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;           ///< cancellation flag, which ends the program
     std::size_t max_output = std::size_t{256} << 20U;  ///< limit in bytes for standard output and for standard error
-    std::filesystem::path folder = {};                 ///< the program's current folder; empty: that of this process
+    std::filesystem::path folder = {};                 ///< the program's current folder; that of this process if empty
 };
 
 /// Returns the absolute path of the executable file called `name` in the first folder of the PATH that contains one. A

@@ -11,7 +11,7 @@ struct Screen {
     bool terminal = false;
     bool rewrites = false;  ///< true for a terminal on which a line can be overwritten
     bool colours = false;
-    std::size_t columns = 0;  ///< number of columns; 0: unlimited
+    std::size_t columns = 0;  ///< number of columns; 0 means unlimited
 };
 
 /// Returns the default colour choice. `NO_COLOR` (no-color.org) disables colours; `CLICOLOR_FORCE`

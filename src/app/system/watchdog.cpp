@@ -44,7 +44,7 @@ constexpr std::size_t kept_to_land = std::size_t{1} << 20U;  ///< reserve for al
 constexpr auto program_timeout = 3s, reader_timeout = 3s;
 constexpr auto grace = 400ms, longest_grace = 60'000ms, poll_interval = 25ms;
 
-std::atomic<std::int64_t> telling = 0;        ///< time on the steady clock since which results are printed; 0: not yet
+std::atomic<std::int64_t> telling = 0;  ///< time on the steady clock since which results are printed; 0 if not yet
 std::atomic<std::int64_t> reporting_cpu = 0;  ///< processor time used until then, in nanoseconds
 std::atomic<void*> reserve = nullptr, landing = nullptr;
 thread_local bool keeping_back = false;

@@ -29,7 +29,7 @@ struct ExternalQuery {
 };
 
 struct ExternalOptions {
-    std::vector<std::string> properties = {};  ///< names of the properties to check; empty: all
+    std::vector<std::string> properties = {};  ///< names of the properties to check; all if empty
     /// Runs the program on the model and the given formula.
     std::function<ProgramResult(const std::string& formula)> run = {};
 };

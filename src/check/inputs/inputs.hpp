@@ -32,7 +32,7 @@ struct InputLimits {
     std::uint64_t coarse_states = std::uint64_t{1} << 22U;
     std::size_t followed = 200'000;        ///< maximum number of states of one guided search
     std::size_t followed_coarse = 20'000;  ///< maximum while instances that read the loop are abstracted
-    /// States of the complete loop that are searched before the abstractions; 0: none.
+    /// Number of states of the complete loop that are searched before the abstractions; may be 0.
     std::uint64_t explored = std::uint64_t{1} << 20U;
     std::size_t rounds = 8;  ///< maximum number of searches for one property
     /// Maximum number of searches before these, with instances that read the loop abstracted.

@@ -43,12 +43,12 @@ struct PdrOptions {
     Method method = Method::Pdr;
     std::chrono::steady_clock::duration first_step_of = std::chrono::milliseconds(250);
     std::optional<std::size_t> max_steps =
-        {};  ///< for BMC: length of the searched runs; empty: only time and memory limit the search
+        {};  ///< for BMC: length of the searched runs; if empty, only time and memory limit the search
     /// Searches in place of PDR, as pdr::reach does. The results are validated.
     std::function<pdr::PdrAnswer(const Circuit& circuit, pdr::Literal bad, pdr::LimitMonitor& watch)> reach = {};
     bool equal_latches =
         false;  ///< first tries the invariant that latches are equal, for the product of two similar systems
-    std::vector<std::string> properties = {};            ///< names of the properties to check; empty: all
+    std::vector<std::string> properties = {};            ///< names of the properties to check; all if empty
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< memory limit in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;                ///< cancellation flag: return the results so far

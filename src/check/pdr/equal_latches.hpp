@@ -33,7 +33,7 @@ private:
 
     const Circuit& circuit_;
     LimitMonitor& watch_;
-    std::vector<std::size_t> class_of_;  ///< class of each latch; 0: equal to the constant false
+    std::vector<std::size_t> class_of_;  ///< class of each latch; 0 if it equals the constant false
     std::optional<Solver> solver_ = {};
     bool split_by_runs_ = false;
     std::optional<std::vector<Cube>> cubes_ = {};

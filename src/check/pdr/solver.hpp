@@ -41,7 +41,7 @@ public:
     void share(std::size_t parts);
     /// Limits the following work to this time, within the remaining time.
     void limit(std::chrono::steady_clock::duration time);
-    /// Also ends the following work if this flag is set; null: no flag.
+    /// Also ends the following work if this flag is set; null means no flag.
     void end_with(const std::atomic<bool>* moot) { moot_ = moot; }
     std::optional<std::chrono::steady_clock::time_point> deadline() const { return share_; }
     /// True if a limit of the complete work is exceeded, not only the limit of a share.
@@ -125,7 +125,7 @@ private:
 
     const Circuit& circuit_;
     SatSolver solver_;
-    std::vector<int> variable_;   ///< variable of each node; 0: none yet
+    std::vector<int> variable_;   ///< variable of each node; 0 if it has none yet
     std::vector<bool> is_latch_;  ///< true if the node is a latch
     std::vector<int> latches_ = {};
     int variables_ = 0;

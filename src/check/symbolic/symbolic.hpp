@@ -36,7 +36,7 @@ struct SymbolicProgress {
 };
 
 struct SymbolicOptions {
-    std::vector<std::string> properties = {};            ///< names of the properties to check; empty: all
+    std::vector<std::string> properties = {};            ///< names of the properties to check; all if empty
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< memory limit of decision diagrams, in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;                     ///< cancellation flag: return the results so far

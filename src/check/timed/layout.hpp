@@ -33,7 +33,7 @@ using Word = std::uint64_t;
 struct Field {
     std::uint16_t word = 0;
     std::uint8_t shift = 0;
-    std::uint8_t width = 0;  ///< number of bits; 0: the value is always `low`
+    std::uint8_t width = 0;  ///< number of bits; 0 if the value is always `low`
     std::int64_t low = 0;    ///< value that the raw bits 0 represent
 
     /// Returns a mask of all bits of the field, without shift.

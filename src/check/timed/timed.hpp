@@ -42,16 +42,16 @@ struct TimedProgress {
 };
 
 struct TimedOptions {
-    std::vector<std::string> properties = {};  ///< names of the properties to check; empty: all. See `timelock`
+    std::vector<std::string> properties = {};  ///< names of the properties to check; all if empty. See `timelock`
     std::uint64_t max_states = 500'000'000;
     std::uint64_t max_memory = std::uint64_t{4} << 30U;  ///< bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;  ///< cancellation flag: return the results so far
     unsigned jobs = 1;                        ///< threads; 0 selects one per core. The results do not depend on it
     unsigned slice = 64;  ///< states per unit of work; with far fewer states, one thread does all the work
-    /// false: uses less memory, and several times the work for liveness. Links are kept only if needed.
+    /// If false, the engine uses less memory, but several times the work for liveness. Links are kept only if needed.
     bool keep_links = true;
-    bool timelock = true;                   ///< false: `no timelock` is decided only if a property requires it
+    bool timelock = true;                   ///< if false, `no timelock` is decided only if a property requires it
     bool premises = false;                  ///< compute TimedResult::premises
     std::vector<InputChoice> choices = {};  ///< choices of an input abstraction
     bool until_decided = false;             ///< end the search when the deciding state of each property is found
@@ -88,7 +88,7 @@ struct TimedResult {
     double seconds = 0;
     bool complete = true;      ///< true if every reachable state was expanded
     bool time_passes = false;  ///< true if time passes in some reachable state
-    bool settles = true;       ///< false: a quiescent state was searched for and not found
+    bool settles = true;       ///< false if a quiescent state was searched for and not found
     /// Computed if it was requested, if the search was stopped, or if it found `many_states`. Empty if there is not
     /// enough memory.
     std::optional<StateProfile> profile = {};

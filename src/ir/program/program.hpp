@@ -171,7 +171,8 @@ struct Program {
     Table<Node> nodes = {};
     Table<Statement> statements = {};
     Id<Unit> globals = {}, main = {};
-    std::optional<std::int64_t> interval_ms = {};  ///< interval of the task; empty: any time may pass between two scans
+    /// Interval of the task; if empty, any time may pass between two scans.
+    std::optional<std::int64_t> interval_ms = {};
 
     bool operator==(const Program&) const = default;
 };

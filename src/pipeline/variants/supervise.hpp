@@ -14,10 +14,10 @@
 namespace grafverif {
 
 struct SuperviseRequest {
-    /// Names of the properties to enforce; empty: all properties of single states, except those expected to be
-    /// violated.
+    /// Names of the properties to enforce. If empty, these are all properties of single states, except those expected
+    /// to be violated.
     std::vector<std::string> properties = {};
-    std::string marked = {};  ///< term of the loop that marked states satisfy; empty: the initial situation
+    std::string marked = {};  ///< term of the loop that marked states satisfy; the initial situation if empty
     bool transitions = true, outputs = true;  ///< elements to which conditions may be added
     std::optional<ExecutionMode> mode = {};
     ReadOptions read = {};  ///< options with which the model was read
@@ -42,7 +42,7 @@ struct Supervised {
     };
     std::vector<std::string> kept = {};  ///< names of the enforced properties
     std::vector<Ignored> ignored = {};
-    std::string marked = {};  ///< term as given; empty: the initial situation
+    std::string marked = {};  ///< the term as given; the initial situation if empty
     Supervisor::Outcome outcome = Supervisor::Outcome::Unknown;
     std::string reason = {};  ///< reason for an unknown outcome
     Supervisor::Permissiveness claim = Supervisor::Permissiveness::Least;
