@@ -7,6 +7,7 @@
 
 #include "app/engines.hpp"
 #include "app/stop_text.hpp"
+#include "check/shares.hpp"
 #include "pipeline/models.hpp"
 #include "pipeline/why.hpp"
 #include "report/profile.hpp"
@@ -110,6 +111,9 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
             print_profile(profile, text);
             bounds.print(std::move(text).str());
         };
+    // Half of the time is for the dependencies of the proofs.
+    CheckOptions of_check = options;
+    if (job.options.why) of_check.limits.deadline = share_of(options.limits.deadline, 2);
     Decided decided;
     std::optional<Report> found;
     const bool timed = job.options.engine == Engine::Timed || job.options.engine == Engine::Verifyta;
@@ -126,7 +130,7 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
     } else if (const auto loop = chosen_loop(model, job)) {
         decided.loop = *loop;
         decided.timed = !job.options.check_untimed;
-        found = decided.timed ? timed_report(model, *loop, job, options) : untimed_report(model, *loop, job, options);
+        found = decided.timed ? timed_report(model, *loop, job, of_check) : untimed_report(model, *loop, job, of_check);
     }
     if (!found) return {};
     if (!keep_requested(job.options.properties, *found, job.diagnostics)) return {};

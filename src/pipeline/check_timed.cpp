@@ -24,6 +24,7 @@
 #include "pipeline/check.hpp"
 #include "pipeline/explain.hpp"
 #include "pipeline/models.hpp"
+#include "pipeline/staged_search.hpp"
 #include "pipeline/watched.hpp"
 #include "plant/time_unit.hpp"
 #include "report/report.hpp"
@@ -33,111 +34,8 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the number with thousands separators: `1,234,567`.
-std::string grouped(std::uint64_t number) {
-    std::string text = std::to_string(number);
-    for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
-    return text;
-}
-
-std::string progress_text(const TimedProgress& now) {
-    const double rate = now.seconds > 0 ? static_cast<double>(now.states) / now.seconds / 1e6 : 0;
-    return fmt::format("{} states, {:.2f} million/s, {} open, {} MiB, {:.0f} s", grouped(now.states), rate,
-                       grouped(now.queue), now.bytes >> 20U, now.seconds);
-}
-
-TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options) {
-    TimedOptions timed;
-    timed.finest = loop.finest;
-    timed.properties = options.properties;
-    timed.max_states = options.limits.states.value_or(timed.max_states);
-    set_limits(timed, options.limits);
-    if (options.limits.progress)
-        timed.progress = [&options](const TimedProgress& now) {
-            options.limits.progress({[&now] { return progress_text(now); }});
-        };
-    timed.jobs = options.jobs;
-    timed.profile = options.profile;
-    timed.many = options.many;
-    return timed;
-}
-
-bool is_open(const Verdict& verdict) {
-    return verdict.obstacle == UnknownReason::Bound || verdict.obstacle == UnknownReason::Stopped;
-}
-
-/// A search in steps, so that several searches under one limit can alternate. The steps are: a bounded search of the
-/// complete loop with localization, rounds of input abstraction, and the search of the complete loop for the properties
-/// that remain open.
-class StagedSearch {
-public:
-    /// `observe` builds `network` from the loop by adding the observer of the only property, or it changes nothing.
-    /// Localization does not apply to an observer, which reads the complete loop. All references must outlive the
-    /// search.
-    StagedSearch(const LoopToCheck& loop, const Observe& observe, const Network& network, const CheckOptions& options)
-        : is_watched_(&network != &loop.network),
-          in_steps_(!options.whole),
-          loop_(loop),
-          observe_(observe),
-          network_(network),
-          options_(timed_options(loop, options)) {
-        if (is_watched_) options_.timelock = false;  // decided in the loop without the observer
-    }
-
-    /// Performs the first step. `is_large` is true if the complete loop exceeds the bound of this step.
-    void begin(const Deadline& deadline, bool is_large) {
-        LocalizationLimits limits;
-        if (options_.max_states <= limits.whole || loop_.disabled_corrections) in_steps_ = in_steps_ && !is_watched_;
-        options_.deadline = deadline;
-        if (!in_steps_) return void(result_ = check_timed(network_, options_));
-        if (is_large) limits.whole >>= 3U;
-        if (is_watched_) limits.local = 0;
-        const WholeSearch whole = is_watched_ ? WholeSearch(check_timed) : WholeSearch(check_timed_by_parts);
-        complete_.emplace(expand(network_), options_, limits, LocalAblations{}, whole);
-        complete_->begin();
-        if (options_.max_states <= limits.whole || loop_.disabled_corrections || !needs_whole()) return;
-        expanded_ = expand(loop_.network);
-        abstract_ = options_;
-        abstract_.max_states = TimedOptions{}.max_states;
-        inputs_.emplace(expanded_, observe_, abstract_, complete_->found());
-    }
-
-    /// Performs one round of input abstraction. Returns false if no further round is possible.
-    bool refine(std::uint64_t states, const Deadline& deadline) { return inputs_ && inputs_->run(states, deadline); }
-
-    /// True if requested verdicts are open that the last step may decide.
-    bool needs_whole() {
-        return complete_ && complete_->needs_whole() &&
-               std::ranges::any_of(complete_->found().verdicts, [&](const Verdict& verdict) {
-                   return is_open(verdict) && !(verdict.about.valid() && is_probe(network_.properties[verdict.about]));
-               });
-    }
-
-    /// Searches the complete loop.
-    void search_complete(const Deadline& deadline) {
-        options_.deadline = deadline;
-        complete_->search_complete();
-    }
-
-    std::uint64_t states() { return complete_ ? complete_->found().states : result_.states; }
-    bool is_large() { return complete_ && std::ranges::any_of(complete_->found().verdicts, is_open); }
-    TimedResult result() { return complete_ ? complete_->result() : std::move(result_); }
-
-private:
-    const bool is_watched_;
-    bool in_steps_;
-    const LoopToCheck& loop_;
-    const Observe& observe_;
-    const Network& network_;
-    TimedOptions options_, abstract_ = {};
-    Network expanded_ = {};
-    std::optional<CellSearch> complete_ = {};
-    std::optional<InputSearch> inputs_ = {};
-    TimedResult result_ = {};
-};
-
-/// Performs all steps of several searches. Returns, per search, the number of states that the others explored before
-/// its last step. The first search is that of the loop without observers.
+/// Runs all steps of several searches; returns per search the number of states that the others explored before its last
+/// step. The first search is that of the loop without observers.
 std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Limits& limits) {
     const Deadline& deadline = limits.deadline;
     std::vector<std::uint64_t> earlier(searches.size(), 0);
@@ -150,7 +48,9 @@ std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Limits&
     const Deadline abstract = most_of(deadline);
     for (std::size_t i = 0; i < searches.size(); ++i)
         step(i, [&](StagedSearch& search) {
-            search.begin(share_of(abstract, searches.size() - i), i > 0 && searches.front()->is_large());
+            LocalizationLimits bounds;
+            if (i > 0 && searches.front()->is_large()) bounds.whole >>= 3U;
+            search.begin(share_of(abstract, searches.size() - i), bounds);
         });
     std::vector<std::size_t> open(searches.size());
     std::iota(open.begin(), open.end(), std::size_t{0});
@@ -184,8 +84,10 @@ TimedResult search(const LoopToCheck& loop, const CheckOptions& options) {
 /// Converts the results of the engine to a report. If a run does not replay, it is a failure and is not reported.
 class Reporter {
 public:
-    Reporter(const LoopToCheck& loop, const CheckOptions& options)
-        : loop_(loop),
+    /// `explains`: also searches for the causes of violations and of unreachable steps.
+    Reporter(const LoopToCheck& loop, const CheckOptions& options, bool explains = true)
+        : explains_(explains),
+          loop_(loop),
           network_(loop.network),
           options_(options),
           detail_(options.every_move ? Detail::Everything : Detail::Chart) {}
@@ -208,7 +110,7 @@ public:
                 violations.push_back({report.answers.size(), *verdict.run});
             report.answers.push_back(result_of(network_, std::move(verdict), detail_));
         }
-        if (!loop_.disabled_corrections && !is_watched()) {
+        if (!loop_.disabled_corrections && !is_watched() && explains_) {
             explain(network_, violations, again(result, options_.limits), options_.limits, report);
             Limits limits = options_.limits;
             limits.states = std::min(limits.states.value_or(many_states), many_states);
@@ -256,6 +158,7 @@ private:
         return !found;
     }
 
+    const bool explains_;
     const LoopToCheck loop_;
     const Network& network_;
     const CheckOptions& options_;
@@ -343,11 +246,9 @@ void put_in_order(const Network& network, std::vector<PropertyResult>& answers) 
     std::ranges::stable_sort(answers, {}, [](const PropertyResult& answer) { return answer.verdict.about.index; });
 }
 
-}  // namespace
-
-Report check(const LoopToCheck& loop, const CheckOptions& options) {
+Report checked(const LoopToCheck& loop, const CheckOptions& options, bool explains) {
     const std::vector<Id<Property>> by_observers = watched(loop.network);
-    if (by_observers.empty()) return Reporter(loop, options).report(search(loop, options));
+    if (by_observers.empty()) return Reporter(loop, options, explains).report(search(loop, options));
 
     const auto is_requested = [&](Id<Property> id) {
         const std::string& name = loop.network.properties[id].name;
@@ -375,11 +276,19 @@ Report check(const LoopToCheck& loop, const CheckOptions& options) {
     const std::vector<std::uint64_t> earlier = run(searches, options.limits);
     Report report{alone.name, settings_of(alone, "timed")};
     for (std::size_t i = 0; i < checks.size(); ++i) take(checks[i].report(), earlier[i + 1], report);
-    Report made = Reporter(unwatched, rest).report(search.result());
+    Report made = Reporter(unwatched, rest, explains).report(search.result());
     report.profile = std::move(made.profile);
     take(std::move(made), earlier[0], report);
     put_in_order(loop.network, report.answers);
     return report;
+}
+
+}  // namespace
+
+Report check(const LoopToCheck& loop, const CheckOptions& options) { return checked(loop, options, true); }
+
+Report check_without_causes(const LoopToCheck& loop, const CheckOptions& options) {
+    return checked(loop, options, false);
 }
 
 std::optional<Report> check(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,

@@ -75,7 +75,8 @@ void explain_run(const Network& network, const Run& run, const Limits& limits, P
     const ShortestChange change = shortest_change(network, property, run, most_moves, stopped_by(limits));
     if (change.found)
         for (const std::size_t move : change.found->left_out) answer.trace->left_out.push_back(move + 1);
-    if (change.exhausted) answer.verdict.notes.push_back(gave_up(change.free_moves, "free moves", change.tried));
+    if (change.exhausted && change.tried > 0)
+        answer.verdict.notes.push_back(gave_up(change.free_moves, "free moves", change.tried));
 }
 
 /// Explains a violated `no timelock`: the reason why time cannot pass at the end of `run`.
@@ -93,7 +94,7 @@ void explain_inputs(const TransitionSystem& system, const Property& property, co
                     const Limits& limits, PropertyResult& answer) {
     const InputChange change = fewest_input_changes(system, property, run, most_steps, stopped_by(limits));
     if (change.left_out) mark(system, *change.left_out, *answer.trace);
-    if (change.exhausted)
+    if (change.exhausted && change.tried > 0)
         answer.verdict.notes.push_back(gave_up(change.events.size(), "input changes and timer expiries", change.tried));
 }
 
@@ -108,7 +109,8 @@ void explain_moves(const Network& timed, const TransitionSystem& system, const P
     const ShortestChange change =
         shortest_change(played, timed, *requested, moves->run, most_moves, stopped_by(limits));
     if (change.found) mark(*moves, change.found->left_out, *answer.trace);
-    if (change.exhausted) answer.verdict.notes.push_back(gave_up(change.free_moves, "free moves", change.tried));
+    if (change.exhausted && change.tried > 0)
+        answer.verdict.notes.push_back(gave_up(change.free_moves, "free moves", change.tried));
 }
 
 /// Explains a violated `no timelock` in discrete time, which is `always possible` a tick.
@@ -258,7 +260,8 @@ void explain(const Chart& chart, ExecutionMode mode, const Limits& limits, Prope
     if (!answer.trace) return;
     InstantChange change = fewest_changes(chart, mode, *answer.trace, most_steps, stopped_by(limits));
     if (change.left_out) answer.trace->counterfactual_values = std::move(*change.left_out);
-    if (change.exhausted) answer.verdict.notes.push_back(gave_up(change.events, "input changes", change.tried));
+    if (change.exhausted && change.tried > 0)
+        answer.verdict.notes.push_back(gave_up(change.events, "input changes", change.tried));
 }
 
 }  // namespace grafverif

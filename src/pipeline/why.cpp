@@ -2,9 +2,7 @@
 #include "pipeline/why.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -13,9 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "check/localization/localization.hpp"
-#include "check/timed/timed.hpp"
-#include "compose/observe.hpp"
 #include "explain/ablation.hpp"
 #include "ir/patterns.hpp"
 #include "pipeline/models.hpp"
@@ -92,29 +87,11 @@ std::string edge_name(const Component& component, Id<Component::Edge> id) {
     return ways + (guard.empty() ? "" : " when " + guard);
 }
 
-/// Returns `network` with the observer of `property`, which is then its only property.
-Network with_observer(const Network& network, Id<Property> property) {
-    Network made = observed(network, {property});
-    const Property decided = element_of(made.properties, network.properties[property].name, &Property::name);
-    made.properties = {};
-    made.properties.add(decided);
-    return made;
-}
-
 class ProofCoreSearch {
 public:
     ProofCoreSearch(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how, const CheckOptions& options,
-                    const Report& report)
-        : model_(model), loop_(loop), how_(how), options_(options) {
-        std::uint64_t states = 0;
-        for (const PropertyResult& answer : report.answers) {
-            states = std::max<std::uint64_t>(states, std::stoull("0" + answer.verdict.states));
-            // In most cases localization decides these properties again. Therefore the preceding search of the complete
-            // network is short.
-            if (answer.verdict.scope.cells) cells_.whole = std::uint64_t{1} << 12U;
-        }
-        most_states_ = std::max<std::uint64_t>(8 * states, 100'000);
-    }
+                    const Report& report, const VariantBounds& bounds)
+        : model_(model), loop_(loop), how_(how), options_(options), search_(options, report, bounds) {}
 
     ProofExplanation why(const Report& report) {
         Diagnostics diagnostics;
@@ -128,47 +105,88 @@ public:
                     {.property = property.name, .about_states = is_about_all_states(property.pattern)});
         if (why_.grounds.empty()) return std::move(why_);
         query_premises(*network);
-        leave_out_transitions();
-        leave_out_parts(expand(*network));
-        leave_out_actions();
-        leave_out_terms();
-        leave_out_guards(*network);
-        leave_out_edges(*network);
-        number_namesakes();
+        collect_transitions();
+        collect_parts(expand(*network));
+        collect_actions();
+        collect_terms();
+        const std::size_t of_charts = trials_.size();
+        const std::size_t passes = search_.efforts().size();
+        for (std::size_t pass = 0; pass < passes; ++pass) {
+            effort_ = search_.efforts()[pass];
+            is_last_ = pass + 1 == passes;
+            pass_end_ = share_of(options_.limits.deadline, passes - pass);
+            units_ = open_units() + (pass == 0 ? count_edges() : 0);
+            for (std::size_t k = 0; k < of_charts; ++k) leave_out(trials_[k]);
+            for (PartsOf& parts : parts_) leave_out_parts(parts);
+            if (pass == 0) {
+                collect_guards(*network);
+                collect_edges(*network);
+            }
+            for (std::size_t k = of_charts; k < trials_.size(); ++k) leave_out(trials_[k]);
+        }
+        conclude();
         return std::move(why_);
     }
 
 private:
-    std::vector<Verdict> search(const Network& network, const std::vector<std::string>& names) {
-        TimedOptions timed;
-        timed.properties = names;
-        timed.max_states = options_.limits.states.value_or(most_states_);
-        set_limits(timed, options_.limits);
-        timed.jobs = options_.jobs;
-        timed.timelock = false;
-        std::vector<Id<Property>> by_observers = watched(network);
-        std::erase_if(by_observers,
-                      [&](Id<Property> id) { return std::erase(timed.properties, network.properties[id].name) == 0; });
-        std::vector<Verdict> found;
-        const auto add = [&](TimedResult result) { std::ranges::move(result.verdicts, std::back_inserter(found)); };
-        if (!timed.properties.empty() && !stopped()) {
-            ++why_.searches;
-            add(options_.whole ? check_timed(network, timed) : check_timed_by_cells(network, timed, cells_));
-        }
-        for (const Id<Property> id : by_observers) {
-            if (stopped()) break;
-            ++why_.searches;
-            timed.properties = {network.properties[id].name};
-            add(check_timed(with_observer(network, id), timed));
-        }
-        return found;
-    }
+    /// A change to the model, with the properties that are still open for it.
+    struct Trial {
+        ModelElement thing = {};
+        Names names = {}, open = {};
+        std::function<void(Model&)> change = {};
+        const Network* original = nullptr;  ///< for a change to the plant: the network of the unchanged model
+    };
+    /// The search for the elements of plant and timers on which one property of all states depends.
+    struct PartsOf {
+        std::size_t ground = 0;
+        Network open = {};                             ///< without the elements that are not needed
+        std::vector<Id<Network::Process>> order = {};  ///< undecided
+    };
 
     bool stopped() {
-        const bool over = options_.limits.deadline && std::chrono::steady_clock::now() >= *options_.limits.deadline;
-        const bool requested = options_.limits.stop != nullptr && *options_.limits.stop;
-        if (over || requested) why_.ended = over ? "time limit reached" : "stopped";
-        return over || requested;
+        const bool over = search_.stopped();
+        if (over) why_.ended = search_.reason();
+        return over;
+    }
+
+    /// The end of the next search: an equal share of the time of this pass for each element that is open.
+    Deadline next_end() {
+        const std::size_t left = std::max<std::size_t>(units_, 1);
+        if (units_ > 0) --units_;
+        return share_of(pass_end_, left);
+    }
+
+    std::vector<Verdict> search(const Network& network, const Names& names, const Deadline& deadline) {
+        return search_(network, names, effort_, deadline);
+    }
+
+    std::size_t open_units() const {
+        std::size_t count = 0;
+        for (const Trial& trial : trials_) count += trial.open.empty() ? 0U : 1U;
+        for (const PartsOf& parts : parts_) count += parts.order.size();
+        return count;
+    }
+    /// The number of trials of guards and edges, at most.
+    std::size_t count_edges() const {
+        std::size_t count = 0;
+        for_each_edge([&](Id<ClosedLoop::Instance>, Id<Component::Edge>, const ModelElement&) { count += 2; });
+        return count;
+    }
+
+    void conclude() {
+        for (Trial& trial : trials_) {
+            Names needed_by;
+            for (const std::string& name : trial.names)
+                if (std::ranges::find(trial.thing.needed_by, name) != trial.thing.needed_by.end())
+                    needed_by.push_back(name);
+            trial.thing.needed_by = std::move(needed_by);
+            trial.thing.open = std::move(trial.open);
+            if (!trial.thing.open.empty()) (void)stopped();
+            why_.things.push_back(std::move(trial.thing));
+        }
+        conclude_parts();
+        number_namesakes();
+        why_.searches = search_.searches();
     }
 
     void query_premises(Network network) {
@@ -185,7 +203,8 @@ private:
             names.push_back(questions.back().name);
         }
         for (Property& question : questions) network.properties.add(std::move(question));
-        const std::vector<Verdict> found = names.empty() ? std::vector<Verdict>{} : search(network, names);
+        const std::vector<Verdict> found =
+            names.empty() ? std::vector<Verdict>{} : search(network, names, share_of(options_.limits.deadline, 10));
         for (ProofCore& ground : why_.grounds)
             ground.vacuous = outcome_of(found, ground.property + " premise") == Outcome::Violated;
     }
@@ -202,38 +221,38 @@ private:
         return names_of([](const ProofCore&) { return true; });
     }
 
-    /// Checks the properties called `names` of the model after `change`. For a change to the plant, `original` is the
-    /// network of the unchanged model.
-    void leave_out(ModelElement thing, const Names& names, const std::function<void(Model&)>& change,
-                   const Network* original = nullptr) {
-        std::optional<Network> network;
-        std::vector<Verdict> found;
-        Names timeless;  // properties that read a timer that is also removed
-        if (!names.empty() && !stopped()) {
-            Model without = model_;
-            change(without);
-            Table<Property> kept;
-            for (const Property& property : without.loops[loop_].properties) {
-                if (has_its_timers(without.loops[loop_], property, without)) kept.add(property);
-                else timeless.push_back(property.name);
-            }
-            without.loops[loop_].properties = std::move(kept);
-            Diagnostics diagnostics;
-            network = network_of(without, loop_, how_, diagnostics);
-            if (network && original != nullptr) network = with_ranges_of(*original, *network);
-            if (network) found = search(*network, names);
+    void add(ModelElement thing, Names names, std::function<void(Model&)> change, const Network* original = nullptr) {
+        trials_.push_back({std::move(thing), names, names, std::move(change), original});
+    }
+
+    /// Checks the open properties of the model with the change in it.
+    void leave_out(Trial& trial) {
+        if (trial.open.empty() || stopped()) return;
+        const Deadline end = next_end();
+        Names timeless;  // they read a timer that is removed too
+        Model without = model_;
+        trial.change(without);
+        Table<Property> kept;
+        for (const Property& property : without.loops[loop_].properties) {
+            if (has_its_timers(without.loops[loop_], property, without)) kept.add(property);
+            else timeless.push_back(property.name);
         }
-        for (const std::string& name : names) {
-            // The change may remove an implicit property of the model: if stored actions can no longer race, there is
-            // no property that they do not.
+        without.loops[loop_].properties = std::move(kept);
+        Diagnostics diagnostics;
+        std::optional<Network> network = network_of(without, loop_, how_, diagnostics);
+        if (network && trial.original != nullptr) network = with_ranges_of(*trial.original, *network);
+        if (!network) return;
+        const std::vector<Verdict> found = search(*network, trial.open, end);
+        std::erase_if(trial.open, [&](const std::string& name) {
+            // The change may remove an implicit property of the model: that no stored actions race, if no two can any
+            // more.
             const auto asks = [&](const Property& property) { return property.name == name; };
-            const bool gone = network && std::ranges::none_of(network->properties, asks) &&
-                              std::ranges::find(timeless, name) == timeless.end();
+            const bool gone =
+                std::ranges::none_of(network->properties, asks) && std::ranges::find(timeless, name) == timeless.end();
             const Outcome outcome = gone ? Outcome::Holds : outcome_of(found, name);
-            if (outcome == Outcome::Violated) thing.needed_by.push_back(name);
-            if (outcome == Outcome::Unknown) thing.open.push_back(name);
-        }
-        why_.things.push_back(std::move(thing));
+            if (outcome == Outcome::Violated) trial.thing.needed_by.push_back(name);
+            return outcome != Outcome::Unknown;
+        });
     }
 
     /// Visits each chart once, with the prefix of its names.
@@ -246,36 +265,35 @@ private:
                       loop.controllers.size() > 1 ? model_.charts[controller.chart].name + "." : std::string());
     }
 
-    void leave_out_transitions() {
+    void collect_transitions() {
         for_each_chart([&](Id<Chart> id, const std::string& prefix) {
             const Chart& chart = model_.charts[id];
             for (const Id<Chart::Transition> transition : chart.transitions.ids())
-                leave_out(
-                    {.kind = ProofExplanation::Kind::Transition, .name = prefix + chart.transitions[transition].name},
-                    all(), [&](Model& without) { drop_transition(without.charts[id], transition); });
+                add({.kind = ProofExplanation::Kind::Transition, .name = prefix + chart.transitions[transition].name},
+                    all(), [id, transition](Model& without) { drop_transition(without.charts[id], transition); });
         });
     }
 
-    void leave_out_actions() {
+    void collect_actions() {
         for_each_chart([&](Id<Chart> id, const std::string& prefix) {
             const Chart& chart = model_.charts[id];
             for (const Id<Chart::Step> step : chart.steps.ids()) {
                 Chart idle = chart;
                 if (drop_actions(idle, step))
-                    leave_out({.kind = ProofExplanation::Kind::Step, .name = prefix + name_of(chart, step).text()},
-                              all(), [&](Model& without) { without.charts[id] = idle; });
+                    add({.kind = ProofExplanation::Kind::Step, .name = prefix + name_of(chart, step).text()}, all(),
+                        [id, step](Model& without) { (void)drop_actions(without.charts[id], step); });
             }
         });
     }
 
-    void leave_out_terms() {
+    void collect_terms() {
         for_each_chart([&](Id<Chart> id, const std::string& prefix) {
             const Chart& chart = model_.charts[id];
             for (const TermPlace& place : terms_of(chart))
-                leave_out({.kind = ProofExplanation::Kind::Term,
-                           .name = term_text(chart, term_at(chart, place)),
-                           .of = prefix + owner_of(chart, place)},
-                          all(), [&](Model& without) { remove_term(without.charts[id], place); });
+                add({.kind = ProofExplanation::Kind::Term,
+                     .name = term_text(chart, term_at(chart, place)),
+                     .of = prefix + owner_of(chart, place)},
+                    all(), [id, place](Model& without) { remove_term(without.charts[id], place); });
         });
     }
 
@@ -289,33 +307,32 @@ private:
         }
     }
 
-    /// A property that holds for any behaviour of an instance also holds for any value of its guards, so that no search
-    /// is necessary. However, if the edge has assignments, a model error may be possible without the guard.
-    void leave_out_guards(const Network& original) {
+    /// A property that holds for any behaviour of an instance also holds for any value of its guards, without a search.
+    /// But if the edge has assignments, a model error may be possible without the guard.
+    void collect_guards(const Network& original) {
         for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement thing) {
             const Component& component = model_.components[model_.loops[loop_].instances[id].component];
             if (!is_guarded(component, edge) || std::ranges::none_of(why_.grounds, &ProofCore::about_states)) return;
             const bool assigns = !component.edges[edge].assignments.empty();
             const auto requested = [&](const ProofCore& ground) {
                 const auto names = [&](const Names& list) { return std::ranges::find(list, thing.of) != list.end(); };
-                return ground.about_states &&
-                       (assigns || names(ground.parts) || names(ground.open) || !why_.ended.empty());
+                return ground.about_states && (assigns || names(ground.parts) || is_undecided(ground, thing.of));
             };
             thing.kind = ProofExplanation::Kind::Guard;
-            leave_out(
-                thing, names_of(requested), [&](Model& without) { drop_guard(without, loop_, id, edge); }, &original);
+            add(
+                thing, names_of(requested), [this, id, edge](Model& without) { drop_guard(without, loop_, id, edge); },
+                &original);
         });
     }
 
-    /// If an edge is not urgent and no invariant forces it, the loop without it has no new behaviour. Therefore a
-    /// property of all states still holds.
-    void leave_out_edges(const Network& original) {
+    /// If an edge is not forced, the loop without it has no new behaviour, so a property of all states still holds.
+    void collect_edges(const Network& original) {
         for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement thing) {
             const bool forced = is_forced(model_.components[model_.loops[loop_].instances[id].component], edge);
             thing.kind = ProofExplanation::Kind::Edge;
-            leave_out(
+            add(
                 thing, names_of([&](const ProofCore& ground) { return forced || !ground.about_states; }),
-                [&](Model& without) { drop_edge(without, loop_, id, edge); }, &original);
+                [this, id, edge](Model& without) { drop_edge(without, loop_, id, edge); }, &original);
         });
     }
 
@@ -326,20 +343,31 @@ private:
 
     // -- the plant and the timers ------------------------------------------------------------------------------------
 
-    void leave_out_parts(const Network& network) {
+    void collect_parts(const Network& network) {
         told_ = display_names(network);
-        const std::vector<Id<Network::Process>> order = in_order(network);
+        order_ = in_order(network);
+        for (std::size_t k = 0; k < why_.grounds.size(); ++k)
+            if (why_.grounds[k].about_states) parts_.push_back({k, network, order_});
+    }
+
+    /// True if the search for the property is still open on whether it depends on the instance or timer.
+    bool is_undecided(const ProofCore& ground, const std::string& part) const {
+        return std::ranges::any_of(parts_, [&](const PartsOf& parts) {
+            return why_.grounds[parts.ground].property == ground.property &&
+                   std::ranges::any_of(parts.order, [&](Id<Network::Process> id) { return told_[id.index] == part; });
+        });
+    }
+
+    void conclude_parts() {
         std::set<std::string> needed;
-        bool requested = false;
-        for (ProofCore& ground : why_.grounds) {
-            if (!ground.about_states) continue;
-            requested = true;
-            leave_out_parts(network, order, ground);
+        for (const PartsOf& parts : parts_) {
+            ProofCore& ground = why_.grounds[parts.ground];
+            for (const Id<Network::Process> id : parts.order) ground.open.push_back(told_[id.index]);
+            if (!ground.open.empty()) (void)stopped();
             for (const auto* names : {&ground.parts, &ground.open}) needed.insert(names->begin(), names->end());
         }
-        for (const Id<Network::Process> id : order)
-            if (requested && why_.ended.empty() && !needed.contains(told_[id.index]))
-                why_.unneeded_parts.push_back(told_[id.index]);
+        for (const Id<Network::Process> id : order_)
+            if (!parts_.empty() && !needed.contains(told_[id.index])) why_.unneeded_parts.push_back(told_[id.index]);
     }
 
     /// Returns the processes in the order of removal. Processes that write inputs of controllers come first: after they
@@ -363,22 +391,18 @@ private:
         return order;
     }
 
-    /// Removes parts. Parts for which no result was found are tried again with the others removed, first all together
-    /// and then one by one.
-    void leave_out_parts(const Network& network, std::vector<Id<Network::Process>> order, ProofCore& ground) {
-        Network open = network;
+    /// Elements that could not be decided are tried again with the others removed: all together, and in the last pass
+    /// one by one. The next pass tries them with more states.
+    void leave_out_parts(PartsOf& parts) {
+        ProofCore& ground = why_.grounds[parts.ground];
         for (const bool again : {false, true}) {
-            std::vector<Id<Network::Process>> undecided;
-            for (const Id<Network::Process> id : order) {
-                if (stopped()) break;
-                if (leave_out(id, open, ground) != Outcome::Unknown) continue;
-                undecided.push_back(id);
-                if (again) ground.open.push_back(told_[id.index]);
-            }
-            order = std::move(undecided);
-            if (!again && order.size() > 1 && leave_out_all(order, open, ground)) break;
+            if (again && (!is_last_ || parts.order.empty())) break;
+            std::erase_if(parts.order, [&](Id<Network::Process> id) {
+                return !stopped() && leave_out(id, parts.open, ground, next_end()) != Outcome::Unknown;
+            });
+            if (!again && parts.order.size() > 1 && !stopped() && leave_out_all(parts.order, parts.open, ground))
+                parts.order.clear();
         }
-        if (!why_.ended.empty()) ground.open.emplace_back("all other parts");
     }
 
     bool leave_out_all(const std::vector<Id<Network::Process>>& processes, Network& open, const ProofCore& ground) {
@@ -387,19 +411,18 @@ private:
         for (const Id<Network::Process> id : processes)
             if (open.processes[id].kind == Network::ProcessKind::Timer) drop_timing(less, id);
             else if (!drop_instance(less, id, roams(open, property))) return false;
-        if (outcome_of(search(less, {ground.property}), ground.property) != Outcome::Holds) return false;
+        if (outcome_of(search(less, {ground.property}, next_end()), ground.property) != Outcome::Holds) return false;
         open = std::move(less);
         return true;
     }
 
-    /// Removes as much as possible of a process from `open`. Returns Holds if everything was removed, and Unknown if
-    /// there was no result.
-    Outcome leave_out(Id<Network::Process> id, Network& open, ProofCore& ground) {
+    /// Removes as much as possible of a process from `open`. Holds: everything; Unknown: no result.
+    Outcome leave_out(Id<Network::Process> id, Network& open, ProofCore& ground, const Deadline& end) {
         const std::string& name = told_[id.index];
         const Property& property = element_of(open.properties, ground.property, &Property::name);
         const bool timer = open.processes[id].kind == Network::ProcessKind::Timer;
         const auto without = [&](Network less) {
-            const Outcome outcome = outcome_of(search(less, {ground.property}), ground.property);
+            const Outcome outcome = outcome_of(search(less, {ground.property}, end), ground.property);
             if (outcome == Outcome::Holds) open = std::move(less);
             return outcome;
         };
@@ -430,17 +453,23 @@ private:
     Id<ClosedLoop> loop_;
     const ModelOptions& how_;
     const CheckOptions& options_;
-    std::uint64_t most_states_ = 0;
-    LocalizationLimits cells_ = {};
-    std::vector<std::string> told_ = {};  // displayed name of each process
+    VariantSearch search_;
+    SearchEffort effort_ = {};
+    bool is_last_ = false;
+    Deadline pass_end_ = {};
+    std::size_t units_ = 0;  // elements that share the time left in this pass
+    std::vector<Trial> trials_ = {};
+    std::vector<PartsOf> parts_ = {};
+    std::vector<Id<Network::Process>> order_ = {};
+    std::vector<std::string> told_ = {};  // per process of the network
     ProofExplanation why_ = {};
 };
 
 }  // namespace
 
 ProofExplanation why_it_holds(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
-                              const CheckOptions& options, const Report& report) {
-    return ProofCoreSearch(model, loop, how, options, report).why(report);
+                              const CheckOptions& options, const Report& report, const VariantBounds& bounds) {
+    return ProofCoreSearch(model, loop, how, options, report, bounds).why(report);
 }
 
 }  // namespace grafverif

@@ -4,13 +4,14 @@
 
 #include "grafverif/grafverif.hpp"
 #include "grafverif/ir/why.hpp"
+#include "pipeline/variants/variant_search.hpp"
 
 namespace grafverif {
 
-/// Analyses the declared properties in `report` that hold in all states; see ProofExplanation. Each search explores at
-/// most eight times the states of the first one, but at least 100 000, or the number that `options` allow. Elements
-/// that are undecided at the deadline or after cancellation remain open.
+/// Analyses the properties in `report` that hold and are declared; see ProofExplanation. Each search explores at most
+/// eight times the states of the first one, but at least 100 000, or the number that `options` allow; see
+/// VariantSearch. Elements that are undecided at the deadline or when it is stopped stay open.
 ProofExplanation why_it_holds(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
-                              const CheckOptions& options, const Report& report);
+                              const CheckOptions& options, const Report& report, const VariantBounds& bounds = {});
 
 }  // namespace grafverif

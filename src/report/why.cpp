@@ -174,7 +174,9 @@ std::string proof_core_text(const ProofExplanation& why, const ProofExplanation:
     if (ground.about_states && ground.open.empty()) said.push_back(parts_text(ground));
     if (!ground.open.empty() && !ground.parts.empty())
         said.push_back("depends, among other elements of the plant and the timers, on " + listed(ground.parts));
-    charts.open.insert(charts.open.end(), ground.open.begin(), ground.open.end());
+    if (ground.open.size() > most_open)
+        charts.open.push_back(fmt::format("{} instances and timers", ground.open.size()));
+    else charts.open.insert(charts.open.end(), ground.open.begin(), ground.open.end());
     if (!charts.open.empty()) said.push_back("undecided: " + listed(charts.open));
     if (ground.vacuous) said.emplace_back("vacuous: the premise is never true");
     return listed(said, "; ", "; ");

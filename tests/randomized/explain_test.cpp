@@ -524,7 +524,10 @@ TEST(RandomizedExplain, ReportedProofCoresAgreeWithTheReferenceSemantics) {
         Diagnostics diagnostics;
         const auto report = check(model, {0}, how, options, diagnostics);
         ASSERT_TRUE(report);
-        const ProofExplanation why = why_it_holds(model, {0}, how, options, *report);
+        // Odd seeds: in passes, with abstractions of the variants.
+        const VariantBounds in_passes{.few_states = 0, .brief = 8};
+        const ProofExplanation why =
+            why_it_holds(model, {0}, how, options, *report, seed % 2 == 1 ? in_passes : VariantBounds{});
         if (why.grounds.empty()) continue;
         const auto one_by_one = left_out_one_by_one(model);
         const bool states = std::ranges::any_of(why.grounds, &ProofExplanation::ProofCore::about_states);

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/staged_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ir/probes.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// `1,234,567`
+std::string grouped(std::uint64_t number) {
+    std::string text = std::to_string(number);
+    for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
+    return text;
+}
+
+std::string progress_text(const TimedProgress& now) {
+    const double rate = now.seconds > 0 ? static_cast<double>(now.states) / now.seconds / 1e6 : 0;
+    return fmt::format("{} states, {:.2f} million/s, {} open, {} MiB, {:.0f} s", grouped(now.states), rate,
+                       grouped(now.queue), now.bytes >> 20U, now.seconds);
+}
+
+bool is_limited(const Verdict& verdict) {
+    return verdict.obstacle == UnknownReason::Bound || verdict.obstacle == UnknownReason::Stopped;
+}
+
+}  // namespace
+
+TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options) {
+    TimedOptions timed;
+    timed.finest = loop.finest;
+    timed.properties = options.properties;
+    timed.max_states = options.limits.states.value_or(timed.max_states);
+    set_limits(timed, options.limits);
+    if (options.limits.progress)
+        timed.progress = [&options](const TimedProgress& now) {
+            options.limits.progress({[&now] { return progress_text(now); }});
+        };
+    timed.jobs = options.jobs;
+    timed.profile = options.profile;
+    timed.many = options.many;
+    return timed;
+}
+
+StagedSearch::StagedSearch(const LoopToCheck& loop, const Observe& observe, const Network& network,
+                           const CheckOptions& options, bool timelock)
+    : is_watched_(&network != &loop.network),
+      in_steps_(!options.whole),
+      loop_(loop),
+      observe_(observe),
+      network_(network),
+      options_(timed_options(loop, options)) {
+    options_.timelock = timelock && !is_watched_;
+}
+
+void StagedSearch::begin(const Deadline& deadline, LocalizationLimits limits) {
+    if (options_.max_states <= LocalizationLimits{}.whole || loop_.disabled_corrections)
+        in_steps_ = in_steps_ && !is_watched_;
+    options_.deadline = deadline;
+    if (!in_steps_) return void(result_ = check_timed(network_, options_));
+    if (is_watched_) limits.local = 0;
+    const WholeSearch search = is_watched_ ? WholeSearch(check_timed) : WholeSearch(check_timed_by_parts);
+    complete_.emplace(expand(network_), options_, limits, LocalAblations{}, search);
+    complete_->begin();
+    if (options_.max_states <= limits.whole || loop_.disabled_corrections || !needs_whole()) return;
+    expanded_ = expand(loop_.network);
+    abstract_ = options_;
+    abstract_.max_states = TimedOptions{}.max_states;
+    inputs_.emplace(expanded_, observe_, abstract_, complete_->found());
+}
+
+bool StagedSearch::needs_whole() {
+    return complete_ && complete_->needs_whole() &&
+           std::ranges::any_of(complete_->found().verdicts, [&](const Verdict& verdict) {
+               return is_limited(verdict) && !(verdict.about.valid() && is_probe(network_.properties[verdict.about]));
+           });
+}
+
+void StagedSearch::search_complete(const Deadline& deadline) {
+    options_.deadline = deadline;
+    complete_->search_complete();
+}
+
+bool StagedSearch::is_large() { return complete_ && std::ranges::any_of(complete_->found().verdicts, is_limited); }
+
+}  // namespace grafverif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Staged search of the timed engine: the steps by which the properties of one network are decided.
+//
+//   begin            a bounded search of the complete loop, then localization
+//   refine           rounds of input abstraction, with growing bounds on states
+//   search_complete  the complete loop, for what is still open
+//
+// Callers interleave the steps of several searches that share a limit.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "check/inputs/inputs.hpp"
+#include "check/localization/localization.hpp"
+#include "check/shares.hpp"
+#include "check/timed/timed.hpp"
+#include "pipeline/check.hpp"
+
+namespace grafverif {
+
+/// The options of the engine for a check of `loop`. `options` must outlive the result.
+TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options);
+
+/// As `check` of pipeline/check.hpp, without the searches for causes of violations and of unreachable steps.
+Report check_without_causes(const LoopToCheck& loop, const CheckOptions& options);
+
+class StagedSearch {
+public:
+    /// `observe` adds the observer of the only property and makes `network` of the loop; or it changes nothing. An
+    /// observer reads the complete loop, so localization does not apply to it. All references outlive the search.
+    /// `timelock`: also decides an undeclared `no timelock`, except in a network with an observer.
+    StagedSearch(const LoopToCheck& loop, const Observe& observe, const Network& network, const CheckOptions& options,
+                 bool timelock = true);
+
+    /// The first step.
+    void begin(const Deadline& deadline, LocalizationLimits limits = {});
+
+    /// One round of input abstraction. False if no further round is possible.
+    bool refine(std::uint64_t states, const Deadline& deadline) { return inputs_ && inputs_->run(states, deadline); }
+
+    /// True if requested verdicts are open that the last step may decide.
+    bool needs_whole();
+
+    /// The search of the complete loop.
+    void search_complete(const Deadline& deadline);
+
+    std::uint64_t states() { return complete_ ? complete_->found().states : result_.states; }
+    /// True if the complete loop exceeds the bound of the first step.
+    bool is_large();
+    TimedResult result() { return complete_ ? complete_->result() : std::move(result_); }
+
+private:
+    const bool is_watched_;
+    bool in_steps_;
+    const LoopToCheck& loop_;
+    const Observe& observe_;
+    const Network& network_;
+    TimedOptions options_, abstract_ = {};
+    Network expanded_ = {};
+    std::optional<CellSearch> complete_ = {};
+    std::optional<InputSearch> inputs_ = {};
+    TimedResult result_ = {};
+};
+
+}  // namespace grafverif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Checks properties of variants of a closed loop whose check is known: the steps of that check, with bounds.
+//
+// A check that needs few states is repeated for each variant. Otherwise the variants are searched in passes with growing
+// bounds. So a variant that a small search decides does not wait for one that needs a large search.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "check/localization/localization.hpp"
+#include "check/shares.hpp"
+#include "grafverif/grafverif.hpp"
+
+namespace grafverif {
+
+/// Bounds of one pass.
+struct SearchEffort {
+    LocalizationLimits begin = {};                   ///< of the first search of the complete loop, and of localization
+    std::uint64_t rounds = std::uint64_t{1} << 24U;  ///< states of a search of an input abstraction
+    bool complete = true;                            ///< the complete loop is searched for what is still open
+};
+
+struct VariantBounds {
+    std::uint64_t few_states = std::uint64_t{1} << 14U;  ///< a check of more states is repeated in passes
+    /// States of a first search of the complete loop that most often decides nothing.
+    std::uint64_t brief = std::uint64_t{1} << 12U;
+};
+
+class VariantSearch {
+public:
+    /// `report`: of the original loop, by a check with `options`, which outlive the search.
+    VariantSearch(const CheckOptions& options, const Report& report, const VariantBounds& bounds = {});
+
+    /// The passes, in order. The last one uses the complete bounds.
+    const std::vector<SearchEffort>& efforts() const { return efforts_; }
+
+    /// Verdicts on the properties called `names`, each with an observer in a separate search.
+    std::vector<Verdict> operator()(const Network& network, std::vector<std::string> names, const SearchEffort& effort,
+                                    const Deadline& deadline);
+
+    std::size_t searches() const { return searches_; }
+    bool stopped() const { return is_over(options_.limits.deadline, options_.limits.stop); }
+    /// `time limit reached` or `stopped`.
+    std::string_view reason() const;
+
+private:
+    std::vector<Verdict> searched(const Network& network, const std::vector<std::string>& names,
+                                  const SearchEffort& effort, const Deadline& deadline,
+                                  std::optional<Id<Property>> watched);
+
+    const CheckOptions& options_;
+    std::vector<SearchEffort> efforts_ = {};
+    std::uint64_t most_states_ = 0;
+    std::size_t searches_ = 0;
+};
+
+}  // namespace grafverif
