@@ -226,8 +226,44 @@ Policy policy_of(const Supervisor& found) {
 }
 
 struct Counts {
-    int none = 0, unknown = 0, free = 0, least = 0, several = 0, cautious = 0, others = 0;
+    int none = 0, unknown = 0, free = 0, least = 0, several = 0, cautious = 0, others = 0, disabled = 0, lost = 0;
 };
+
+/// Elements that the conditions disable, observations that they make unreachable, and whether the plant alone violates.
+void expect_losses(const Toy& toy, const Supervisor& found, const Policy& policy, Counts& counts) {
+    const Closed ours = closed(toy, policy), free = closed(toy, {0xFF, 0xFF, 0xFF});
+    if (found.conditions.empty()) {
+        EXPECT_TRUE(free.safe);
+        return;
+    }
+    EXPECT_EQ(found.violated, std::vector<bool>{!free.safe});
+    for (std::size_t index = 0; index < 3; ++index) {
+        bool given = false, refused = false;
+        for (const auto& [state, evolved] : ours.evolutions) {
+            const unsigned from = state, here = chosen(toy, policy, state), bit = 1U << index;
+            const auto effect = [&](unsigned may) {
+                if (index == 2) return ((toy.after(from, true, false, may) >> Out) & 1U) != 0;
+                return toy.value(index == 0 ? toy.fires1 : toy.fires2, from, true, false, may);
+            };
+            given = given || effect(here);
+            refused = refused || (!effect(here) && effect(here | bit));
+        }
+        const bool disabled =
+            std::ranges::find(found.disabled, Supervisor::Selection{0, index}) != found.disabled.end();
+        EXPECT_EQ(disabled, refused && !given) << "permission " << index;
+        counts.disabled += disabled ? 1 : 0;
+    }
+    const Bit seen[] = {Input, Step1, Step2};
+    for (std::size_t index = 0; index < 3; ++index) {
+        const auto reaches = [&](const Closed& loop) {
+            return std::ranges::any_of(loop.evolutions,
+                                       [&](const auto& each) { return ((each.first >> seen[index]) & 1U) != 0; });
+        };
+        const bool lost = std::ranges::find(found.lost, Supervisor::Observation{0, index}) != found.lost.end();
+        EXPECT_EQ(lost, reaches(free) && !reaches(ours)) << "observation " << index;
+        counts.lost += lost ? 1 : 0;
+    }
+}
 
 void expect_claim(const Toy& toy, const Naive& naive, const Supervisor& found, const Policy& policy, Counts& counts) {
     for (const auto& [state, evolved] : closed(toy, policy).evolutions) {
@@ -299,6 +335,7 @@ TEST(RandomizedSupervise, ConditionsAreThoseOfANaiveGameAndNoOtherForbidsLess) {
             EXPECT_TRUE(ours.safe);
             EXPECT_TRUE(ours.returns);
             expect_claim(toy, naive, found, policy, counts);
+            expect_losses(toy, found, policy, counts);
             ++(found.conditions.empty()                             ? counts.free
                : found.claim == Supervisor::Permissiveness::Least   ? counts.least
                : found.claim == Supervisor::Permissiveness::Several ? counts.several
@@ -308,9 +345,12 @@ TEST(RandomizedSupervise, ConditionsAreThoseOfANaiveGameAndNoOtherForbidsLess) {
     }
     std::cout << counts.none << " cannot be helped, " << counts.unknown << " unknown, " << counts.free
               << " as they are, " << counts.least << " least, " << counts.several << " of several, " << counts.cautious
-              << " cautious, " << counts.others << " others tried\n";
+              << " cautious, " << counts.others << " others tried, " << counts.disabled << " disabled, " << counts.lost
+              << " lost\n";
     EXPECT_GT(std::min({counts.none, counts.least, counts.cautious}), 3);
     EXPECT_GT(counts.several, 0);
+    EXPECT_GT(counts.disabled, 3);
+    EXPECT_GT(counts.lost, 3);
 }
 
 TEST(RandomizedSupervise, ConditionsForRandomLoopsAreProvedByBothEngines) {

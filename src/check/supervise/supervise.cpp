@@ -62,7 +62,10 @@ public:
         if (!result_.reason.empty()) return std::move(result_);
         report_phase("computing the losing states");
         LosingRegion lost = game_->solve(bad_, marked_);
-        if (!(lost.all & model_->initial()).is_false()) return nothing(lost);
+        if (!(lost.all & model_->initial()).is_false()) {
+            find_violated(unrestricted());
+            return nothing(lost);
+        }
         while (!settled(lost)) {
             result_.claim = Supervisor::Permissiveness::Cautious;
             report_phase("recomputing the conditions");
@@ -71,6 +74,11 @@ public:
         }
         report_phase("simplifying the conditions");
         if (!write(lost)) return unknown("a condition has more than 64 terms");
+        if (!result_.conditions.empty()) {
+            const Bdd free = unrestricted();
+            find_violated(free);
+            find_lost(free);
+        }
         result_.outcome = Supervisor::Outcome::Found;
         return std::move(result_);
     }
@@ -99,14 +107,17 @@ private:
             const BddTerm& value = terms(term);
             return value.bits.front() & ~value.undefined;
         };
-        for (const Id<Expr> term : bad_terms_) bad_ |= terms(term).bits.front() | terms(term).undefined;
+        for (const Id<Expr> term : bad_terms_) {
+            bads_.push_back(terms(term).bits.front() | terms(term).undefined);
+            bad_ |= bads_.back();
+        }
         marked_ = bit(marked_term_);
         std::vector<Player> players;
         for (const Terms& each : terms_) {
             Player& player = players.emplace_back();
             player.evolves = bit(each.evolves);
             std::vector<Bdd>& effects = effects_.emplace_back();
-            std::vector<Bdd> seen;
+            std::vector<Bdd>& seen = observed_.emplace_back();
             for (const Id<Expr> term : each.may) player.may.push_back(bit(term));
             for (const Id<Expr> term : each.effects) effects.push_back(bit(term));
             std::vector<std::vector<Bdd>>& site_effects = site_effects_.emplace_back();
@@ -187,12 +198,24 @@ private:
         return made;
     }
 
-    /// Returns the states that are reachable from `states` under the policies without passing a losing state.
-    Bdd closed(Bdd states, const LosingRegion& lost) const {
+    std::vector<Policy> lenient() const {
+        std::vector<Policy> made;
+        for (std::size_t player = 0; player < game_->players(); ++player) made.push_back(lenient(player));
+        return made;
+    }
+
+    /// The states that the system without conditions reaches.
+    Bdd unrestricted() const {
+        report_phase("exploring the loop without conditions");
+        return closed(model_->initial(), {}, lenient());
+    }
+
+    /// The states reachable from `states` without losing states, under the policies.
+    Bdd closed(Bdd states, const LosingRegion& lost, const std::vector<Policy>& policies) const {
         for (Bdd latest = states; !latest.is_false(); states |= latest) {
             Bdd next = game_->moved(latest);
             for (std::size_t player = 0; player < game_->players(); ++player)
-                next |= game_->evolved(player, latest & game_->ready(player) & policies_[player].obeyed);
+                next |= game_->evolved(player, latest & game_->ready(player) & policies[player].obeyed);
             latest = next & ~lost.all & ~states;
         }
         return states;
@@ -200,11 +223,10 @@ private:
 
     /// Computes the policies. If no policies exist for these states, losing states are added and the result is false.
     bool settled(LosingRegion& lost) {
-        policies_.clear();
-        for (std::size_t player = 0; player < game_->players(); ++player) policies_.push_back(lenient(player));
+        policies_ = lenient();
         Bdd looked_at = model_->initial();
         for (;;) {
-            looked_at = closed(looked_at, lost);
+            looked_at = closed(looked_at, lost, policies_);
             Bdd fails, none_left;
             for (std::size_t player = 0; player < game_->players(); ++player)
                 fails |=
@@ -216,7 +238,7 @@ private:
             lost = game_->solve(none_left, marked_, std::move(lost));
             return false;
         }
-        under_ = closed(model_->initial(), lost);
+        under_ = closed(model_->initial(), lost, policies_);
         const Bdd circling = under_ & ~returning(lost);
         if (circling.is_false()) return true;
         lost = game_->solve(circling, marked_, std::move(lost));
@@ -261,6 +283,10 @@ private:
             std::vector<Bdd> matters;
             for (std::size_t index = 0; index < game_->may(player).size(); ++index) {
                 matters.push_back(relevant(player, index) & game_->ready(player));
+                const Bdd& may = game_->may(player)[index];
+                const Bdd effective = chosen & matters.back();
+                if ((effective & may).is_false() && !(effective & ~may).is_false())
+                    result_.disabled.push_back({player, index});
                 if (!write(player, index, chosen, matters.back())) return false;
             }
             claim(player, chosen, matters, game_->allowed(player, lost) & here);
@@ -330,6 +356,17 @@ private:
         }
     }
 
+    void find_violated(const Bdd& free) {
+        for (const Bdd& bad : bads_) result_.violated.push_back(!(free & bad).is_false());
+    }
+
+    void find_lost(const Bdd& free) {
+        for (std::size_t player = 0; player < observed_.size(); ++player)
+            for (std::size_t seen = 0; seen < observed_[player].size(); ++seen)
+                if (const Bdd& each = observed_[player][seen]; !(free & each).is_false() && (under_ & each).is_false())
+                    result_.lost.push_back({player, seen});
+    }
+
     // -- runs that cannot be prevented --------------------------------------------------------------------------------
 
     Supervisor nothing(const LosingRegion& lost) {
@@ -381,9 +418,11 @@ private:
     Id<Expr> marked_term_ = {};
     std::optional<StateSpace> model_ = {};
     std::optional<Game> game_ = {};
-    std::vector<ObservationMap> seen_ = {};                         ///< observations of each player
-    std::vector<std::vector<Bdd>> effects_ = {};                    ///< effect per player and permission
-    std::vector<std::vector<std::vector<Bdd>>> site_effects_ = {};  ///< effect per player, permission and site
+    std::vector<ObservationMap> seen_ = {};                         ///< per player
+    std::vector<std::vector<Bdd>> effects_ = {};                    ///< per player and permission
+    std::vector<std::vector<std::vector<Bdd>>> site_effects_ = {};  ///< per player, permission and site
+    std::vector<std::vector<Bdd>> observed_ = {};                   ///< per player
+    std::vector<Bdd> bads_ = {};                                    ///< per bad term
     Bdd bad_ = {}, marked_ = {};
     std::vector<Policy> policies_ = {};  ///< policy of each player
     Bdd under_ = {};                     ///< states that are reachable under the policies

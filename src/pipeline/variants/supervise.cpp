@@ -10,6 +10,8 @@
 #include "ir/patterns.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
+#include "pipeline/staged_search.hpp"
+#include "pipeline/variants/read_again.hpp"
 #include "pipeline/variants/supervise_model.hpp"
 #include "pipeline/variants/supervise_text.hpp"
 #include "report/trace_rows.hpp"
@@ -52,10 +54,7 @@ public:
         for (const Id<Property> id : *properties) made_.kept.push_back(system->properties[id].name);
         for (const Property& property : model_.loops[loop_].properties) {
             if (std::ranges::find(made_.kept, property.name) != made_.kept.end()) continue;
-            const bool about_states = is_about_all_states(property.pattern);
-            made_.ignored.push_back({property.name, !ask_.properties.empty() ? "not selected"
-                                                    : about_states           ? "expected violated"
-                                                                             : "not a property of all states"});
+            made_.ignored.push_back({property.name, reason_to_ignore(property)});
         }
         if (made_.kept.empty()) {
             made_.reason =
@@ -74,12 +73,59 @@ public:
         made_.blocked = found.blocked;
         for (const Supervisor::Selection& which : found.hidden) made_.hidden.push_back(subject(which));
         for (const Supervisor::Selection& which : found.traded) made_.traded.push_back(subject(which));
+        for (const Supervisor::Selection& which : found.disabled)
+            (held_[which.controller][which.permission].output ? made_.disabled_outputs : made_.disabled_transitions)
+                .push_back(shown(which.controller, subject(which)));
+        for (const auto& [player, seen] : found.lost)
+            if (seen >= sights_[player].first_step)
+                made_.lost_steps.push_back(shown(player, sights_[player].names[seen]));
         if (found.run) report_run(plain, found);
         if (found.outcome == Supervisor::Outcome::Found) write(found);
+        if (made_.outcome != Supervisor::Outcome::Unknown) check_timed_without(found.violated);
         return std::move(made_);
     }
 
 private:
+    std::string reason_to_ignore(const Property& property) const {
+        if (!ask_.properties.empty()) return "not selected";
+        if (is_about_all_states(property.pattern)) return "expected violated";
+        return property.watch.duration_ms > 0 ? "with a duration, which the untimed model omits"
+                                              : "not a property of all states";
+    }
+
+    /// Name of an element of the chart of the controller, prefixed by the chart if there are several.
+    std::string shown(std::size_t controller, const std::string& name) const {
+        const auto& controllers = model_.loops[loop_].controllers;
+        const Id<ClosedLoop::Controller> id{static_cast<std::uint32_t>(controller)};
+        return controllers.size() > 1 ? model_.charts[controllers[id].chart].name + "." + name : name;
+    }
+
+    /// Checks the properties that the untimed model violates without conditions in the timed loop without conditions.
+    void check_timed_without(const std::vector<bool>& violated) {
+        std::vector<std::string> names;
+        for (std::size_t index = 0; index < violated.size(); ++index)
+            if (violated[index]) names.push_back(made_.kept[index]);
+        Diagnostics diagnostics;
+        const auto network = network_of(model_, loop_, untimed(ask_), diagnostics);
+        if (!network || names.empty()) return;
+        std::erase_if(names, [known = property_names(*network)](const std::string& name) {
+            return std::ranges::find(known, name) == known.end();
+        });
+        if (names.empty()) return;
+        const Report report = check_without_causes(loop_to_check(model_, loop_, *network), in_timed_loop(names));
+        for (const std::string& name : names) {
+            const auto answer = std::ranges::find(report.answers, name,
+                                                  [](const PropertyResult& each) { return each.verdict.property; });
+            made_.timed.push_back({name, answer == report.answers.end() ? Outcome::Unknown : answer->verdict.outcome});
+        }
+    }
+
+    CheckOptions in_timed_loop(const std::vector<std::string>& names) const {
+        CheckOptions timed = options(names);
+        timed.limits.states = std::min(timed.limits.states.value_or(most_timed_states), most_timed_states);
+        return timed;
+    }
+
     const std::string& subject(const Supervisor::Selection& which) const {
         return held_[which.controller][which.permission].subject;
     }
@@ -262,14 +308,13 @@ private:
         std::vector<std::string> names = made_.kept;
         if (const auto network = network_of(model, loop, untimed(ask_), diagnostics)) {
             const std::vector<std::string> known = property_names(*network);
-            CheckOptions timed = options({});
+            CheckOptions timed = in_timed_loop({});
             for (const Property& property : network->properties)
                 if (property.pattern == Pattern::NoTimelock) timed.properties = {property.name};
             if (timed.properties.empty()) timed.properties = {"no_timelock"};
             for (const std::string& name : names)
                 if (std::ranges::find(known, name) != known.end()) timed.properties.push_back(name);
-            timed.limits.states = std::min(timed.limits.states.value_or(most_timed_states), most_timed_states);
-            const Report report = grafverif::check(loop_to_check(model, loop, *network), timed);
+            const Report report = check_without_causes(loop_to_check(model, loop, *network), timed);
             for (const PropertyResult& answer : report.answers)
                 if (answer.verdict.pattern == Pattern::NoTimelock) made_.timelock = answer.verdict.outcome;
             Report judged = report;

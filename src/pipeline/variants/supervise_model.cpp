@@ -104,6 +104,7 @@ ObservableVariables sight_of(System& system, const System::Controller& controlle
             add(input.name, input.variable);
     }
     for (const auto& internal : controller.words.internals) add(internal.name, internal.variable);
+    sight.first_step = sight.names.size();
     for (const auto& step : controller.words.steps) add(step.name.variable(), step.variable);
     return sight;
 }

@@ -35,6 +35,7 @@ std::vector<PermittedElement> add_permissions(Model& model, ClosedLoop& loop, Id
 struct ObservableVariables {
     std::vector<std::string> names = {};
     std::vector<Id<Expr>> terms = {};
+    std::size_t first_step = 0;  ///< the step variables begin here
 };
 
 ObservableVariables sight_of(TransitionSystem& system, const TransitionSystem::Controller& controller,

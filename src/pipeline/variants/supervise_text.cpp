@@ -4,10 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "pipeline/components.hpp"
-#include "pipeline/files.hpp"
 #include "read/formats.hpp"
-#include "read/text.hpp"
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/language/format.hpp"
@@ -148,21 +145,6 @@ std::optional<std::string> with_marked(Id<Source> source, Sources& sources, cons
         return text.insert(text.rfind('}', found->where.end - 1), question);
     }
     return {};
-}
-
-std::optional<Model> read_again(Id<Source> main, const std::map<std::string, std::string>& texts, const Sources& from,
-                                Sources& to, const ReadOptions& read, Diagnostics& diagnostics) {
-    std::map<std::string, std::string> known;
-    for (const Source& source : from) known.emplace(source.name, source.text);
-    for (const auto& [name, text] : texts) known[name] = text;
-    const Id<Source> file = to.add({from[main].name, known[from[main].name]});
-    const auto load = [&](const std::string& path, std::string& why) -> std::optional<std::string> {
-        if (const auto found = known.find(path); found != known.end()) return found->second;
-        return why = "it was not read before", std::nullopt;
-    };
-    ReadContext context{load, library(), read.lossy, identity_of_existing, read.include_folders, {}};
-    context.constants.insert(read.constants.begin(), read.constants.end());
-    return read_text(file, to, context, diagnostics);
 }
 
 }  // namespace grafverif

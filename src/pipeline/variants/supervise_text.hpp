@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inserts conditions into the text of charts, and parses modified texts as if they were the content of the files.
+// Inserts conditions into the text of charts.
 #pragma once
 
 #include <map>
@@ -30,9 +30,5 @@ std::string with_conditions(Id<Source> file, const Sources& sources, const std::
 /// after an error: the term is invalid.
 std::optional<std::string> with_marked(Id<Source> file, Sources& sources, const std::string& loop,
                                        const std::string& name, const std::string& term, Diagnostics& diagnostics);
-
-/// Parses `main` with its includes, with other texts in place of some files. The sources are added to `to`.
-std::optional<Model> read_again(Id<Source> main, const std::map<std::string, std::string>& texts, const Sources& from,
-                                Sources& to, const ReadOptions& read, Diagnostics& diagnostics);
 
 }  // namespace grafverif

@@ -119,6 +119,81 @@ TEST(Supervise, PropertiesThatItDoesNotConsiderAreNamed) {
     }
 }
 
+const std::string bridge = R"(// Traffic lights of a bridge with one lane. After each green phase, both directions are red for 5 s.
+grafcet lights {
+    output EAST, WEST;
+
+    initial step 0 { EAST; }
+    step 1;
+    step 2 { WEST; }
+    step 3;
+
+    transition t0: 0 -> 1 when 10s/X0;
+    transition t1: 1 -> 2 when 5s/X1;
+    transition t2: 2 -> 3 when 10s/X2;
+    transition t3: 3 -> 0 when 5s/X3;
+}
+
+// Cars of one direction: they enter while it is green, and cross in at most CROSS.
+component cars(input GREEN; output ON_BRIDGE; CROSS = 4s) {
+    clock t;
+
+    initial location none;
+    location crossing invariant t <= CROSS with ON_BRIDGE := true;
+
+    timed none -> crossing when GREEN do ON_BRIDGE := true, t := 0;
+    timed crossing -> none when true do ON_BRIDGE := false;
+}
+
+closed_loop bridge {
+    controller lights;
+
+    plant East = cars(GREEN = EAST, ON_BRIDGE = EAST_CAR);
+    plant West = cars(GREEN = WEST, ON_BRIDGE = WEST_CAR);
+
+    property alone "cars of one direction only are on the bridge": never EAST_CAR && WEST_CAR;
+    property lively "each direction gets green again": EAST at least every 30s;
+}
+)";
+
+TEST(Supervise, PropertyThatNeedsDurationsIsNamedInsteadOfADisablingCondition) {
+    const Folder folder;
+    const std::string file = folder.write("bridge.grafcet", bridge), safe = folder.file("safe.grafcet");
+    const Result made = grafverif({"supervise", file, "-o", safe});
+    EXPECT_EQ(made.code, ExitCode::Verdict) << made.out << made.err;
+    EXPECT_FALSE(says(made.out, "&& false")) << made.out;
+    EXPECT_TRUE(says(made.out, "disable parts of the chart")) << made.out;
+    EXPECT_TRUE(says(made.out, "alone holds without conditions: it depends on durations, which the untimed model omits"))
+        << made.out;
+    EXPECT_TRUE(says(made.out, "ignored, with a duration, which the untimed model omits: lively\n")) << made.out;
+    EXPECT_FALSE(fs::exists(safe));
+    const auto json = nlohmann::json::parse(grafverif({"supervise", file, "--format", "json"}).out);
+    EXPECT_EQ(json["outcome"], "disabling");
+    EXPECT_EQ(json["disabled_outputs"], (nlohmann::json{"EAST", "WEST"}));
+    EXPECT_EQ(json["timed"], nlohmann::json::array({{{"property", "alone"}, {"verdict", "holds"}}}));
+}
+
+TEST(Supervise, DisablingConditionsOfAPropertyThatFailsInTheTimedLoopAreReported) {
+    const Folder folder;
+    const Result made =
+        grafverif({"supervise", folder.write("bridge.grafcet", changed(bridge, "CROSS = 4s", "CROSS = 8s"))});
+    EXPECT_EQ(made.code, ExitCode::Verdict) << made.out << made.err;
+    EXPECT_TRUE(says(made.out, "disable parts of the chart")) << made.out;
+    EXPECT_TRUE(says(made.out, "alone is violated without conditions")) << made.out;
+    EXPECT_FALSE(says(made.out, "depends on durations")) << made.out;
+}
+
+TEST(Supervise, StepsThatTheConditionsMakeUnreachableAreNamed) {
+    const Folder folder;
+    std::string text = changed(crossing_text(), "transition return_1: 2 -> 0 when HOME_1;",
+                               "transition return_1: 2 -> 0 when HOME_1;\n"
+                               "        transition crash: 1 -> 9 when !HOME_1 && !HOME_2;");
+    text = changed(text, "step 2 { BACK_1; }", "step 2 { BACK_1; }\n        step 9;");
+    const Result made = grafverif({"supervise", folder.write("crash.grafcet", text)});
+    EXPECT_EQ(made.code, ExitCode::Done) << made.out << made.err;
+    EXPECT_TRUE(says(made.out, "never active that are active without them: first.X9")) << made.out;
+}
+
 TEST(Supervise, BadInputIsRejectedWithAdvice) {
     struct Case {
         std::vector<std::string> arguments = {};

@@ -65,6 +65,56 @@ std::string permissiveness_text(const Supervised& found) {
                        listed(found.hidden));
 }
 
+/// True if the conditions are valid, but only because they disable an element of a chart.
+bool is_disabling(const Supervised& found) {
+    return found.outcome == Supervisor::Outcome::Found &&
+           !(found.disabled_transitions.empty() && found.disabled_outputs.empty());
+}
+
+void print_disabled(const Supervised& found, std::ostream& out) {
+    out << (found.claim == Supervisor::Permissiveness::Least
+                ? "\n"
+                  "No useful conditions exist: all conditions that enforce the properties disable parts of the chart.\n"
+                : "\n"
+                  "No useful conditions were found: those that enforce the properties disable parts of the chart.\n");
+    const auto line = [&](std::string_view what, const std::vector<std::string>& names) {
+        if (!names.empty()) out << fmt::format("  {}: {}\n", what, listed(names));
+    };
+    line("never cleared", found.disabled_transitions);
+    line("never set", found.disabled_outputs);
+    line("never active", found.lost_steps);
+    if (found.claim != Supervisor::Permissiveness::Least) out << permissiveness_text(found) << '\n';
+}
+
+/// The verdicts in the timed loop without conditions, and the remedy if a property depends on durations.
+void print_timed(const Supervised& found, std::ostream& out) {
+    const auto with = [&](Outcome outcome) {
+        std::vector<std::string> names;
+        for (const Supervised::Timed& each : found.timed)
+            if (each.outcome == outcome) names.push_back(each.property);
+        return names;
+    };
+    const std::vector<std::string> holds = with(Outcome::Holds);
+    if (holds.empty() && found.outcome == Supervisor::Outcome::Found && !is_disabling(found)) return;
+    const bool one = holds.size() == 1;
+    if (!holds.empty()) {
+        out << fmt::format(
+            "In the timed loop (grain atomic), {} {} without conditions: {} {} on durations, which the "
+            "untimed model omits.\n",
+            listed(holds), one ? "holds" : "hold", one ? "it" : "they", one ? "depends" : "depend");
+        std::string rest;
+        for (const std::string& name : found.kept)
+            if (std::ranges::find(holds, name) == holds.end()) rest += " --property " + name;
+        if (!rest.empty()) out << fmt::format("To synthesize conditions for the others, use `{}`.\n", rest.substr(1));
+    }
+    if (const auto names = with(Outcome::Violated); !names.empty())
+        out << fmt::format("In the timed loop (grain atomic), {} {} violated without conditions.\n", listed(names),
+                           names.size() == 1 ? "is" : "are");
+    if (const auto names = with(Outcome::Unknown); !names.empty())
+        out << fmt::format("It is unknown whether {} in the timed loop without conditions; run `grafverif check`.\n",
+                           listed(names) + (names.size() == 1 ? " holds" : " hold"));
+}
+
 std::string timelock_text(Outcome timelock) {
     switch (timelock) {
     case Outcome::Holds: return "With them, time never stops in the timed loop (grain atomic).\n";
@@ -98,6 +148,9 @@ void print_conditions(const Supervised& found, std::ostream& out) {
     for (const ChartCondition& condition : found.conditions)
         out << fmt::format("  {}  && {}\n", padded(subject_text(condition, several), width),
                            condition.sum ? "(" + condition.term + ")" : condition.term);
+    if (!found.lost_steps.empty())
+        out << fmt::format("With them, some steps are never active that are active without them: {}.\n",
+                           listed(found.lost_steps));
     out << permissiveness_text(found) << '\n';
 }
 
@@ -107,7 +160,8 @@ void print(const Supervised& found, std::ostream& out) {
         "to enforce: {}\n"
         "to keep reachable: {}\n",
         found.loop, listed(found.kept), marked_text(found));
-    for (const std::string reason : {"not a property of all states", "expected violated"}) {
+    for (const std::string reason :
+         {"with a duration, which the untimed model omits", "not a property of all states", "expected violated"}) {
         std::vector<std::string> names;
         for (const Supervised::Ignored& ignored : found.ignored)
             if (ignored.reason == reason) names.push_back(ignored.property);
@@ -115,6 +169,10 @@ void print(const Supervised& found, std::ostream& out) {
     }
     switch (found.outcome) {
     case Supervisor::Outcome::Found:
+        if (is_disabling(found)) {
+            print_disabled(found, out);
+            break;
+        }
         print_conditions(found, out);
         out << "Verified after reading back: everything by the symbolic engine, the properties also by a second "
                "engine.\n"
@@ -136,6 +194,7 @@ void print(const Supervised& found, std::ostream& out) {
         break;
     case Supervisor::Outcome::Unknown: out << fmt::format("\nunknown: {}\n", found.reason);
     }
+    print_timed(found, out);
 }
 
 nlohmann::ordered_json json_of(const Supervised& found, const Sources& sources) {
@@ -153,7 +212,7 @@ nlohmann::ordered_json json_of(const Supervised& found, const Sources& sources) 
                                    {"kept", found.kept},
                                    {"ignored", std::move(ignored)},
                                    {"marked", text_or_null(found.marked)},
-                                   {"outcome", std::string(word(found.outcome))},
+                                   {"outcome", is_disabling(found) ? "disabling" : std::string(word(found.outcome))},
                                    {"reason", text_or_null(found.reason)}};
     const bool made = found.outcome == Supervisor::Outcome::Found;
     json["claim"] = made ? nlohmann::ordered_json(std::string(word(found.claim))) : nlohmann::ordered_json(nullptr);
@@ -162,6 +221,13 @@ nlohmann::ordered_json json_of(const Supervised& found, const Sources& sources) 
     json["conditions"] = std::move(conditions);
     json["no_timelock"] =
         made ? nlohmann::ordered_json(std::string(grafverif::word(found.timelock))) : nlohmann::ordered_json(nullptr);
+    nlohmann::ordered_json timed = nlohmann::ordered_json::array();
+    for (const auto& [property, outcome] : found.timed)
+        timed.push_back({{"property", property}, {"verdict", std::string(grafverif::word(outcome))}});
+    json["disabled_transitions"] = found.disabled_transitions;
+    json["disabled_outputs"] = found.disabled_outputs;
+    json["lost_steps"] = found.lost_steps;
+    json["timed"] = std::move(timed);
     json["blocked"] = found.blocked;
     json["trace"] = found.run ? trace_json(*found.run) : nlohmann::ordered_json(nullptr);
     return json;
@@ -169,7 +235,7 @@ nlohmann::ordered_json json_of(const Supervised& found, const Sources& sources) 
 
 /// Writes the text with the conditions. Returns false after an error.
 bool write_chart(const Supervised& found, CommandContext& job, const Streams& streams) {
-    if (!job.options.output || found.outcome != Supervisor::Outcome::Found) return true;
+    if (!job.options.output || found.outcome != Supervisor::Outcome::Found || is_disabling(found)) return true;
     if (found.file) return deliver(found.text, job, streams), true;
     streams.err
         << "grafverif: error: the conditions belong to charts in several files, but `-o` writes one file; omit `-o`\n";
@@ -203,7 +269,7 @@ ExitCode supervise(CommandContext& job, const Streams& streams) {
     if (job.options.format == Format::Json) streams.out << json_text(json_of(*found, job.sources)) << '\n';
     else print(*found, streams.out);
     if (found->outcome == Supervisor::Outcome::Unknown) return ExitCode::Unknown;
-    return found->outcome == Supervisor::Outcome::None ? ExitCode::Verdict : ExitCode::Done;
+    return found->outcome == Supervisor::Outcome::None || is_disabling(*found) ? ExitCode::Verdict : ExitCode::Done;
 }
 
 CliCommand supervise_usage() {
@@ -221,7 +287,10 @@ CliCommand supervise_usage() {
         "atomic. -o\n"
         "writes the file with these conditions, after two engines have proved it. If no such conditions exist, a trace "
         "shows\n"
-        "behaviour that no controller can prevent. docs/how-to/supervise.md states the guarantees.",
+        "behaviour that no controller can prevent. Conditions that disable a transition or an output completely are "
+        "not "
+        "written.\n"
+        "Exit code 1: no such conditions, or only disabling ones. docs/how-to/supervise.md states the guarantees.",
         {"grafverif supervise station.grafcet", "grafverif supervise station.grafcet --property P15 -o safe.grafcet",
          "grafverif supervise station.grafcet --marked 'X0 && V_IN' --format json"},
         {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Mode, OptionGroup::Supervision,
