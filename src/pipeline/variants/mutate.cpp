@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "pipeline/check.hpp"
+#include "pipeline/models.hpp"
+#include "pipeline/staged_search.hpp"
+#include "pipeline/variants/read_again.hpp"
 #include "run/replay_test.hpp"
 #include "syntax/language/format.hpp"
 #include "syntax/language/parse.hpp"
@@ -16,7 +20,24 @@ CheckOptions quiet_check(const std::vector<std::string>& properties, const Limit
     return {.properties = properties, .witnesses = false, .limits = limits, .jobs = 1};
 }
 
-/// Returns the code of the first error.
+/// The verdicts on a loop, without causes.
+std::optional<Report> quiet_report(const Model& model, Id<ClosedLoop> loop, std::optional<ExecutionMode> mode,
+                                   const std::vector<std::string>& properties, const Limits& limits,
+                                   Diagnostics& diagnostics) {
+    const auto network = network_of(model, loop, ModelOptions{.mode = mode}, diagnostics);
+    if (!network) return {};
+    // The change may remove an implicit property of the model.
+    const std::vector<std::string> known = property_names(*network);
+    std::vector<std::string> requested;
+    for (const std::string& name : properties)
+        if (const std::string whole = name.substr(0, name.find('.'));
+            std::ranges::find(known, whole) != known.end() && std::ranges::find(requested, whole) == requested.end())
+            requested.push_back(whole);
+    if (requested.empty() && !properties.empty()) return Report{};
+    return check_without_causes(loop_to_check(model, loop, *network), quiet_check(requested, limits));
+}
+
+/// The code of the first error.
 std::string first_code(const Diagnostics& diagnostics) {
     for (const Diagnostic& each : diagnostics.all())
         if (each.severity == Severity::Error) return each.code;
@@ -33,24 +54,34 @@ bool reads_back(const std::string& text) {
 
 }  // namespace
 
-MutantChecker::MutantChecker(const Model& model, Id<Chart> chart, std::string path, const ReadOptions& read,
-                             std::optional<ExecutionMode> mode)
-    : model_(model), chart_(chart), path_(std::move(path)), read_(read), mode_(mode) {}
+MutantChecker::MutantChecker(const Model& model, Id<Chart> chart, Id<Source> main, const Sources& sources,
+                             const ReadOptions& read, std::optional<ExecutionMode> mode)
+    : model_(model), chart_(chart), main_(main), sources_(sources), read_(read), mode_(mode) {}
+
+std::optional<Model> MutantChecker::model_of(const Mutant& mutant, Diagnostics& diagnostics) const {
+    const std::string& file = sources_[model_.charts[chart_].origin.source].name;
+    Sources read;
+    return read_again(main_, {{file, mutant.text}}, sources_, read, read_, diagnostics);
+}
 
 std::string MutantChecker::shown(const OriginalVerdicts& requested, const std::string& property) const {
     return requested_.size() < 2 ? property : model_.loops[requested.loop].name + "." + property;
 }
 
 bool MutantChecker::prepare(const Limits& limits) {
+    Limits of_original = limits;
+    of_original.deadline = share_of(limits.deadline, 4);
+    bool stopped = false;
     for (const Id<ClosedLoop> loop : model_.loops.ids()) {
         const auto& controllers = model_.loops[loop].controllers;
         if (std::ranges::none_of(controllers, [&](const auto& each) { return each.chart == chart_; })) continue;
         Diagnostics diagnostics;
-        const auto report = check(model_, loop, {.mode = mode_}, quiet_check({}, limits), diagnostics);
+        const auto report = quiet_report(model_, loop, mode_, {}, of_original, diagnostics);
         if (!report) continue;
         OriginalVerdicts requested{.loop = loop, .whole = report->error_traces.empty()};
         for (const PropertyResult& answer : report->answers) {
-            if (answer.verdict.obstacle == UnknownReason::Stopped) return false;
+            if (answer.verdict.outcome == Outcome::Unknown) requested.undecided.push_back(answer.verdict.property);
+            stopped = stopped || answer.verdict.obstacle == UnknownReason::Stopped;
             if (!as_expected(answer.verdict)) continue;
             requested.properties.push_back(answer.verdict.property);
             if (answer.verdict.vacuous) requested.vacuous.push_back(answer.verdict.property);
@@ -60,7 +91,9 @@ bool MutantChecker::prepare(const Limits& limits) {
     for (const OriginalVerdicts& requested : requested_) {
         for (const std::string& property : requested.properties) properties_.push_back(shown(requested, property));
         for (const std::string& property : requested.vacuous) vacuous_.push_back(shown(requested, property));
+        for (const std::string& property : requested.undecided) undecided_.push_back(shown(requested, property));
     }
+    if (stopped && properties_.empty()) return false;
     Diagnostics diagnostics;
     test_ = test_of(model_, chart_, {.mode = mode_, .limits = limits}, diagnostics);
     if (!test_) no_test_ = first_code(diagnostics);
@@ -76,7 +109,7 @@ void MutantChecker::ask(const Model& mutated, const OriginalVerdicts& requested,
     const auto loop = find_loop(mutated, model_.loops[requested.loop].name);
     Diagnostics diagnostics;
     const auto report =
-        loop ? check(mutated, *loop, {.mode = mode_}, quiet_check({}, limits), diagnostics) : std::nullopt;
+        loop ? quiet_report(mutated, *loop, mode_, requested.properties, limits, diagnostics) : std::nullopt;
     if (!report) {
         fate.reason = first_code(diagnostics);
         return;
@@ -98,20 +131,20 @@ MutantFate MutantChecker::fate_of(const Mutant& mutant, const Limits& limits) co
     MutantFate fate;
     if (!reads_back(mutant.text))
         fate.failures.push_back("a mutant differs from its text: " + mutant.kind + ", " + mutant.subject);
-    ParseResult reading = read_string(mutant.text, path_, read_);
-    const auto chart = reading.model ? find_chart(*reading.model, model_.charts[chart_].name) : std::nullopt;
-    if (!chart || !equations_of(*reading.model, *chart, reading.diagnostics))
-        return fate.kind = MutantFate::Kind::Refused, fate.reason = first_code(reading.diagnostics), fate;
     Diagnostics diagnostics;
+    const std::optional<Model> mutated = model_of(mutant, diagnostics);
+    const auto chart = mutated ? find_chart(*mutated, model_.charts[chart_].name) : std::nullopt;
+    if (!chart || !equations_of(*mutated, *chart, diagnostics))
+        return fate.kind = MutantFate::Kind::Refused, fate.reason = first_code(diagnostics), fate;
     const auto compared =
-        compare(model_, chart_, *reading.model, *chart,
+        compare(model_, chart_, *mutated, *chart,
                 {.mode = execution_mode(model_, chart_, mode_), .shortest = false, .limits = limits}, diagnostics);
     if (!compared) return fate.kind = MutantFate::Kind::Refused, fate.reason = first_code(diagnostics), fate;
     fate.failures = compared->failures;
     fate.scans = compared->scans.size();
     if (compared->outcome == Comparison::Outcome::Equal) return fate.kind = MutantFate::Kind::Equivalent, fate;
-    for (const OriginalVerdicts& requested : requested_) ask(*reading.model, requested, limits, fate);
-    if (test_) fate.caught = disagreement(reading.model->charts[*chart], *test_).has_value();
+    for (const OriginalVerdicts& requested : requested_) ask(*mutated, requested, limits, fate);
+    if (test_) fate.caught = disagreement(mutated->charts[*chart], *test_).has_value();
     const bool differs = compared->outcome == Comparison::Outcome::Different;
     if (!fate.noticed_by.empty()) fate.kind = MutantFate::Kind::Noticed;
     else if (differs && fate.undecided.empty() && fate.reason.empty()) fate.kind = MutantFate::Kind::Unnoticed;

@@ -14,41 +14,49 @@ namespace grafverif {
 /// Checks mutants of a chart against its properties and its test sequence. Thread-safe.
 class MutantChecker {
 public:
-    /// `path` is the path of the file; includes of a mutant are resolved like those of the original. All arguments must
-    /// outlive the object.
-    MutantChecker(const Model& model, Id<Chart> chart, std::string path, const ReadOptions& read,
+    /// `main`: the source that `model` was parsed from, with its includes in `sources`. All arguments must outlive the
+    /// checker.
+    MutantChecker(const Model& model, Id<Chart> chart, Id<Source> main, const Sources& sources, const ReadOptions& read,
                   std::optional<ExecutionMode> mode);
 
-    /// Decides the properties of the original, and generates its test sequence. Returns false if a limit was reached.
+    /// Decides the properties of the original in a quarter of the time at most, and generates its test sequence. False:
+    /// stopped at a limit before any property was decided.
     bool prepare(const Limits& limits);
     /// Returns the properties of the original with expected verdicts, qualified by their loops: `loop.P1`, or `P1` if
     /// there is a single loop.
     const std::vector<std::string>& properties() const { return properties_; }
     /// Returns those of them that hold vacuously.
     const std::vector<std::string>& vacuous() const { return vacuous_; }
-    /// Returns the number of steps of the test sequence, or nothing if there is none, for the reason in no_test().
+    /// Those that are unknown for the original: mutants are not checked for them.
+    const std::vector<std::string>& undecided() const { return undecided_; }
+    /// Steps of the test sequence; empty if there is none, for the reason in no_test().
     std::optional<std::size_t> test_steps() const;
     const std::string& no_test() const { return no_test_; }
 
     MutantFate fate_of(const Mutant& mutant, const Limits& limits) const;
+
+    /// The model with the mutant in place of the file that declares the chart; nothing after an error.
+    std::optional<Model> model_of(const Mutant& mutant, Diagnostics& diagnostics) const;
 
 private:
     struct OriginalVerdicts {
         Id<ClosedLoop> loop = {};
         std::vector<std::string> properties = {};  ///< properties with expected verdicts for the original
         std::vector<std::string> vacuous = {};     ///< those of them that hold vacuously
-        bool whole = true;                         ///< true if the original has no model error
+        std::vector<std::string> undecided = {};
+        bool whole = true;  ///< the original has no model error
     };
     std::string shown(const OriginalVerdicts& requested, const std::string& property) const;
     void ask(const Model& mutated, const OriginalVerdicts& requested, const Limits& limits, MutantFate& fate) const;
 
     const Model& model_;
     Id<Chart> chart_;
-    std::string path_;
+    Id<Source> main_ = {};
+    const Sources& sources_;
     const ReadOptions& read_;
     std::optional<ExecutionMode> mode_;
     std::vector<OriginalVerdicts> requested_ = {};
-    std::vector<std::string> properties_ = {}, vacuous_ = {};
+    std::vector<std::string> properties_ = {}, vacuous_ = {}, undecided_ = {};
     std::optional<TestSequence> test_ = {};
     std::string no_test_ = {};
 };

@@ -81,6 +81,10 @@ void print_scores(const Mutation& mutation, std::ostream& out) {
     for (const std::string& property : mutation.properties)
         out << fmt::format("  {} detects {}{}{}\n", printable(property), notices(mutation, property), yet,
                            is_vacuous(mutation, property) ? "; holds vacuously" : "");
+    std::string undecided;
+    for (const std::string& property : mutation.undecided)
+        undecided += (undecided.empty() ? "" : ", ") + printable(property);
+    if (!undecided.empty()) out << fmt::format("not considered, undecided for the original: {}\n", undecided);
 }
 
 void print_mutant(const Mutation& mutation, std::size_t index, const Sources& sources, std::ostream& out) {
@@ -131,7 +135,8 @@ nlohmann::ordered_json mutant_json(const Mutant& mutant, const std::optional<Mut
 }  // namespace
 
 void print_mutation(const Mutation& mutation, const Sources& sources, std::ostream& out) {
-    out << fmt::format("`{}`: {} mutants", printable(mutation.chart), mutation.mutants.size());
+    out << fmt::format("`{}`{}: {} mutants", printable(mutation.chart),
+                       mutation.file.empty() ? "" : " of " + printable(mutation.file), mutation.mutants.size());
     if (mutation.possible > mutation.mutants.size()) out << fmt::format(", of {} possible", mutation.possible);
     out << '\n';
     const auto counted = [&](Fate kind, const char* words) {
@@ -158,6 +163,7 @@ std::string mutation_json(const Mutation& mutation, const Sources& sources) {
         object["properties"].push_back({{"name", property},
                                         {"notices", notices(mutation, property)},
                                         {"vacuous", is_vacuous(mutation, property)}});
+    object["undecided_properties"] = mutation.undecided;
     object["test_steps"] = nullptr;
     if (mutation.test_steps) object["test_steps"] = *mutation.test_steps;
     object["no_test"] = text_or_null(mutation.no_test);

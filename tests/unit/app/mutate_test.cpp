@@ -50,6 +50,25 @@ TEST(Mutate, CreatesAndChecksEachKindOfMutant) {
     EXPECT_EQ(json["properties"].size(), 3U) << json["properties"];  // the third property is no_timelock
 }
 
+TEST(Mutate, IncludedChartIsMutatedInItsFile) {
+    const Folder folder;
+    const std::size_t loop = gate.find("closed_loop");
+    (void)folder.write("chart.grafcet", gate.substr(0, loop));
+    const std::string main = folder.write("loop.grafcet", "include \"chart.grafcet\";\n\n" + gate.substr(loop));
+    const Result made = grafverif({"mutate", main, "--format", "json", "--survivors", folder.file("left")});
+    EXPECT_EQ(made.code, ExitCode::Verdict) << made.err;
+    const auto json = nlohmann::json::parse(made.out, nullptr, false);
+    const auto alone = mutated(gate);
+    EXPECT_GT(json["possible"], 0);
+    EXPECT_EQ(json["counts"], alone["counts"]);
+    EXPECT_EQ(json["properties"], alone["properties"]);
+    for (const auto& mutant : json["mutants"])
+        EXPECT_TRUE(std::string(mutant["file"]).ends_with("chart.grafcet")) << mutant;
+    EXPECT_EQ(folder.read("left/original.grafcet"), gate.substr(0, loop));
+    const Result text = grafverif({"mutate", main, "--limit", "1"});
+    EXPECT_NE(text.out.find("chart.grafcet: 1 mutants"), std::string::npos) << text.out;
+}
+
 TEST(Mutate, ScoresOfARunThatWasStoppedAreThoseSoFar) {
     const Folder folder;
     const std::string file = folder.write("gate.grafcet", gate);

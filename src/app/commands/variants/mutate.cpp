@@ -24,6 +24,7 @@
 #include "app/stop_text.hpp"
 #include "app/system/watchdog.hpp"
 #include "app/system/write_files.hpp"
+#include "check/shares.hpp"
 #include "compare/mutants.hpp"
 #include "draw/changes.hpp"
 #include "pipeline/files.hpp"
@@ -193,21 +194,24 @@ public:
           question_(hash_of_query(job)),
           options_(job.options),
           limits_(limits),
-          state_(state) {}
+          state_(state),
+          left_(mutation.mutants.size()) {
+        // The properties considered depend on the time that was available.
+        for (const std::string& property : bench.properties()) question_ = hashed(question_, property);
+    }
 
+    /// With a time limit, a second run has what the first one left of the time for mutants that their share did not
+    /// decide.
     void run() {
         const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-        const unsigned jobs = options_.jobs == 0 ? cores : options_.jobs;
-        {
-            std::vector<std::jthread> threads;
-            try {
-                for (unsigned k = 0; k < std::min<std::size_t>(jobs, mutation_.mutants.size()); ++k)
-                    threads.emplace_back([this] { work(); });
-            } catch (const std::system_error&) {  // the threads that were started perform all the work
-                if (threads.empty()) work();
-            }
-        }
-        if (failure_) std::rethrow_exception(failure_);
+        jobs_ = options_.jobs == 0 ? cores : options_.jobs;
+        run_once();
+        is_last_ = true;
+        next_ = 0;
+        left_ = provisional_.size();
+        if (left_ > 0) run_once();
+        for (auto& [index, fate] : provisional_)
+            if (!mutation_.fates[index]) mutation_.fates[index] = std::move(fate);
     }
 
 private:
@@ -216,9 +220,23 @@ private:
                (limits_.deadline && std::chrono::steady_clock::now() >= *limits_.deadline);
     }
 
+    void run_once() {
+        {
+            std::vector<std::jthread> threads;
+            try {
+                for (unsigned k = 0; k < std::min<std::size_t>(jobs_, mutation_.mutants.size()); ++k)
+                    threads.emplace_back([this] { work(); });
+            } catch (const std::system_error&) {  // the threads that were started do all the work
+                if (threads.empty()) work();
+            }
+        }
+        if (failure_) std::rethrow_exception(failure_);
+    }
+
     void work() {
         try {
-            for (std::size_t k = next_++; k < mutation_.mutants.size() && !stopped(); k = next_++) judge(k);
+            for (std::size_t k = next_++; k < mutation_.mutants.size() && !stopped(); k = next_++)
+                if (!mutation_.fates[k]) judge(k);
         } catch (...) {
             const std::lock_guard lock(mutex_);
             failure_ = std::current_exception();
@@ -233,10 +251,16 @@ private:
             Limits limits = limits_;
             limits.progress = {};
             const auto end = std::chrono::steady_clock::now() + each_of(options_);
-            limits.deadline = limits.deadline ? std::min(*limits.deadline, end) : end;
+            const std::size_t left = left_ > 0 ? left_-- : 1;
+            const Deadline share = share_of(limits_.deadline, (left + jobs_ - 1) / jobs_);
+            limits.deadline = share ? std::min(*share, end) : end;
             fate = bench_.fate_of(mutation_.mutants[index], limits);
             if (fate->kind == Kind::Unknown && stopped()) return;
             const std::lock_guard lock(mutex_);
+            if (fate->kind == Kind::Unknown && share && *share < end) {
+                if (!is_last_) provisional_.emplace(index, std::move(*fate));
+                return;
+            }
             if (fate->failures.empty()) state_.add(key, *fate);
         }
         const std::lock_guard lock(mutex_);
@@ -255,14 +279,17 @@ private:
     StateFile& state_;
     std::mutex mutex_ = {};
     std::exception_ptr failure_ = {};
-    std::atomic<std::size_t> next_ = 0;
+    std::atomic<std::size_t> next_ = 0, left_ = 0;  ///< next mutant; number of those that share the remaining time
+    unsigned jobs_ = 1;
+    bool is_last_ = false;
+    std::map<std::size_t, MutantFate> provisional_ = {};  ///< undecided at the end of their share of the time
     std::size_t done_ = 0;
 };
 
-/// Writes text and drawing of the original and of each mutant that no property detects. Both drawings mark the elements
-/// that the other one does not contain.
-bool write_survivors(const Mutation& mutation, const Model& model, Id<Chart> chart, const std::string& original,
-                     const ReadOptions& read, CommandContext& job, const Streams& streams) {
+/// Writes text and drawing of the original and of each mutant that no property detects; both drawings mark the elements
+/// that the other one does not have.
+bool write_survivors(const Mutation& mutation, const MutantChecker& bench, const Model& model, Id<Chart> chart,
+                     const std::string& original, CommandContext& job, const Streams& streams) {
     if (!job.options.survivors) return true;
     const std::string folder = *job.options.survivors + "/";
     const Drawing drawn = drawing_of(model, chart);
@@ -270,11 +297,12 @@ bool write_survivors(const Mutation& mutation, const Model& model, Id<Chart> cha
     for (std::size_t k = 0; k < mutation.mutants.size(); ++k) {
         if (!mutation.fates[k] || mutation.fates[k]->kind != Kind::Unnoticed) continue;
         const std::string name = fmt::format("{}{:03}-{}", folder, k + 1, mutation.mutants[k].kind);
-        const ParseResult reading = read_string(mutation.mutants[k].text, job.options.operands[0], read);
-        const auto mutated = reading.model ? find_chart(*reading.model, mutation.chart) : std::nullopt;
+        Diagnostics none;  // it was read before
+        const std::optional<Model> reading = bench.model_of(mutation.mutants[k], none);
+        const auto mutated = reading ? find_chart(*reading, mutation.chart) : std::nullopt;
         files.push_back({name + ".grafcet", mutation.mutants[k].text});
         if (!mutated) continue;
-        Drawing before = drawn, after = drawing_of(*reading.model, *mutated);
+        Drawing before = drawn, after = drawing_of(*reading, *mutated);
         draw::mark_changes(before, after);
         draw::mark_changes(after, drawn);
         files.push_back({name + ".before.svg", svg_of(before)});
@@ -300,20 +328,21 @@ ExitCode mutate(CommandContext& job, const Streams& streams) {
     const auto model = read_model(path, job);
     const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
     if (!chart || !equations_of(*model, *chart, job)) return ExitCode::Input;
-    const Id<Source> source = *job.sources.ids().begin();
+    const Id<Source> main = *job.sources.ids().begin(), source = model->charts[*chart].origin.source;
     const FileFormat format = format_of(job.sources[source].text);
     const bool ours = format == FileFormat::Grafcet || format == FileFormat::Unknown;
     const tree::File file = ours ? parse_file(source, job.sources, job.diagnostics)
                                  : laid_out(read_any(source, job.sources, {job.options.lossy}, job.diagnostics));
     const std::string original = job.sources[source].text;
     Mutation mutation{.chart = model->charts[*chart].name};
+    if (source != main) mutation.file = job.sources[source].name;
     mutation.mutants = mutants(file, mutation.chart);
     mutation.possible = mutation.mutants.size();
     sample(mutation.mutants, job.options.limit.value_or(mutation.possible), job.options.seed);
     mutation.fates.resize(mutation.mutants.size());
     const ReadOptions read{
         .include_folders = job.options.include_folders, .lossy = job.options.lossy, .constants = job.options.constants};
-    MutantChecker bench(*model, *chart, path, read, job.options.mode);
+    MutantChecker bench(*model, *chart, main, job.sources, read, job.options.mode);
     StateFile state(job.options);
     if (!state.open(job.diagnostics)) return ExitCode::Input;
     const ResourceLimits bounds(job.options, streams);
@@ -322,6 +351,7 @@ ExitCode mutate(CommandContext& job, const Streams& streams) {
     stopped = stopped || bounds.interrupted();
     mutation.properties = bench.properties();
     mutation.vacuous = bench.vacuous();
+    mutation.undecided = bench.undecided();
     mutation.test_steps = bench.test_steps();
     mutation.no_test = bench.no_test();
     work_is_done();
@@ -330,7 +360,7 @@ ExitCode mutate(CommandContext& job, const Streams& streams) {
     } catch (const std::system_error& failure) {
         job.diagnostics.add(messages::io_error(failure.what()));  // the results are printed nevertheless
     }
-    if (!write_survivors(mutation, *model, *chart, original, read, job, streams)) return ExitCode::Input;
+    if (!write_survivors(mutation, bench, *model, *chart, original, job, streams)) return ExitCode::Input;
     std::ostringstream out;
     if (job.options.format == Format::Json) out << mutation_json(mutation, job.sources) << '\n';
     else print_mutation(mutation, job.sources, out);
