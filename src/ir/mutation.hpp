@@ -43,15 +43,16 @@ struct MutantFate {
 
 struct Mutation {
     std::string chart = {};
-    std::string file = {};                              ///< that declares the chart, if it is an included file
-    std::size_t possible = 0;                           ///< number of all possible mutants
-    std::vector<Mutant> mutants = {};                   ///< the selected ones
-    std::vector<std::optional<MutantFate>> fates = {};  ///< per mutant; empty if the run was stopped before
-    std::vector<std::string> properties = {};           ///< those with the expected verdict for the original
-    std::vector<std::string> vacuous = {};              ///< those that hold vacuously for the original
-    std::vector<std::string> undecided = {};            ///< those that are unknown for the original, and not considered
-    std::optional<std::size_t> test_steps = {};         ///< length of the test sequence
-    std::string no_test = {};                           ///< error code if no test sequence was generated
+    std::string file = {};             ///< that declares the chart, if it is an included file
+    std::size_t possible = 0;          ///< number of all possible mutants
+    std::vector<Mutant> mutants = {};  ///< the selected mutants
+    /// Result per mutant; empty if the run was stopped before its check.
+    std::vector<std::optional<MutantFate>> fates = {};
+    std::vector<std::string> properties = {};    ///< properties with the expected verdict for the original
+    std::vector<std::string> vacuous = {};       ///< properties that hold vacuously for the original
+    std::vector<std::string> undecided = {};     ///< properties that are unknown for the original, and not considered
+    std::optional<std::size_t> test_steps = {};  ///< length of the test sequence
+    std::string no_test = {};                    ///< error code if no test sequence was generated
 };
 
 /// Returns `refused`, `equivalent`, `noticed`, `unnoticed` or `unknown`.

@@ -34,8 +34,8 @@ namespace grafverif {
 
 namespace {
 
-/// Runs all steps of several searches; returns per search the number of states that the others explored before its last
-/// step. The first search is that of the loop without observers.
+/// Performs all steps of several searches. Returns, per search, the number of states that the others explored before
+/// its last step. The first search is that of the loop without observers.
 std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Limits& limits) {
     const Deadline& deadline = limits.deadline;
     std::vector<std::uint64_t> earlier(searches.size(), 0);

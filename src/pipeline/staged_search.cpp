@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// `1,234,567`
+/// Returns the number with thousands separators: `1,234,567`.
 std::string grouped(std::uint64_t number) {
     std::string text = std::to_string(number);
     for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
@@ -57,7 +57,7 @@ StagedSearch::StagedSearch(const LoopToCheck& loop, const Observe& observe, cons
     options_.timelock = timelock && !is_watched_;
 }
 
-void StagedSearch::begin(const Deadline& deadline, LocalizationLimits limits) {
+void StagedSearch::begin(const Deadline& deadline, LocalizationLimits limits, const InputLimits& inputs) {
     if (options_.max_states <= LocalizationLimits{}.whole || loop_.disabled_corrections)
         in_steps_ = in_steps_ && !is_watched_;
     options_.deadline = deadline;
@@ -70,7 +70,7 @@ void StagedSearch::begin(const Deadline& deadline, LocalizationLimits limits) {
     expanded_ = expand(loop_.network);
     abstract_ = options_;
     abstract_.max_states = TimedOptions{}.max_states;
-    inputs_.emplace(expanded_, observe_, abstract_, complete_->found());
+    inputs_.emplace(expanded_, observe_, abstract_, complete_->found(), inputs);
 }
 
 bool StagedSearch::needs_whole() {

@@ -28,22 +28,22 @@ Report check_without_causes(const LoopToCheck& loop, const CheckOptions& options
 
 class StagedSearch {
 public:
-    /// `observe` adds the observer of the only property and makes `network` of the loop; or it changes nothing. An
-    /// observer reads the complete loop, so localization does not apply to it. All references outlive the search.
+    /// `observe` builds `network` from the loop by adding the observer of the only property, or it changes nothing.
+    /// Localization does not apply to an observer, which reads the complete loop. All references must outlive the search.
     /// `timelock`: also decides an undeclared `no timelock`, except in a network with an observer.
     StagedSearch(const LoopToCheck& loop, const Observe& observe, const Network& network, const CheckOptions& options,
                  bool timelock = true);
 
-    /// The first step.
-    void begin(const Deadline& deadline, LocalizationLimits limits = {});
+    /// Performs the first step.
+    void begin(const Deadline& deadline, LocalizationLimits limits = {}, const InputLimits& inputs = {});
 
-    /// One round of input abstraction. False if no further round is possible.
+    /// Performs one round of input abstraction. Returns false if no further round is possible.
     bool refine(std::uint64_t states, const Deadline& deadline) { return inputs_ && inputs_->run(states, deadline); }
 
     /// True if requested verdicts are open that the last step may decide.
     bool needs_whole();
 
-    /// The search of the complete loop.
+    /// Searches the complete loop.
     void search_complete(const Deadline& deadline);
 
     std::uint64_t states() { return complete_ ? complete_->found().states : result_.states; }

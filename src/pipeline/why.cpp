@@ -149,11 +149,11 @@ private:
         return over;
     }
 
-    /// The end of the next search: an equal share of the time of this pass for each element that is open.
+    /// The end of the next search: at most eight equal shares of the time of this pass, among the elements that are open.
     Deadline next_end() {
-        const std::size_t left = std::max<std::size_t>(units_, 1);
+        const std::size_t left = units_;
         if (units_ > 0) --units_;
-        return share_of(pass_end_, left);
+        return share_of(pass_end_, left / 8 + 1);
     }
 
     std::vector<Verdict> search(const Network& network, const Names& names, const Deadline& deadline) {
@@ -229,7 +229,7 @@ private:
     void leave_out(Trial& trial) {
         if (trial.open.empty() || stopped()) return;
         const Deadline end = next_end();
-        Names timeless;  // they read a timer that is removed too
+        Names timeless;  // properties that read a timer that is also removed
         Model without = model_;
         trial.change(without);
         Table<Property> kept;
@@ -244,8 +244,8 @@ private:
         if (!network) return;
         const std::vector<Verdict> found = search(*network, trial.open, end);
         std::erase_if(trial.open, [&](const std::string& name) {
-            // The change may remove an implicit property of the model: that no stored actions race, if no two can any
-            // more.
+            // The change may remove an implicit property of the model: if stored actions can no longer race, there is
+            // no property that they do not.
             const auto asks = [&](const Property& property) { return property.name == name; };
             const bool gone =
                 std::ranges::none_of(network->properties, asks) && std::ranges::find(timeless, name) == timeless.end();
@@ -307,8 +307,8 @@ private:
         }
     }
 
-    /// A property that holds for any behaviour of an instance also holds for any value of its guards, without a search.
-    /// But if the edge has assignments, a model error may be possible without the guard.
+    /// A property that holds for any behaviour of an instance also holds for any value of its guards, so that no search
+    /// is necessary. However, if the edge has assignments, a model error may be possible without the guard.
     void collect_guards(const Network& original) {
         for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement thing) {
             const Component& component = model_.components[model_.loops[loop_].instances[id].component];
@@ -325,7 +325,8 @@ private:
         });
     }
 
-    /// If an edge is not forced, the loop without it has no new behaviour, so a property of all states still holds.
+    /// If an edge is not urgent and no invariant forces it, the loop without it has no new behaviour. Therefore a
+    /// property of all states still holds.
     void collect_edges(const Network& original) {
         for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement thing) {
             const bool forced = is_forced(model_.components[model_.loops[loop_].instances[id].component], edge);
@@ -416,7 +417,8 @@ private:
         return true;
     }
 
-    /// Removes as much as possible of a process from `open`. Holds: everything; Unknown: no result.
+    /// Removes as much as possible of a process from `open`. Returns Holds if everything was removed, and Unknown if
+    /// there was no result.
     Outcome leave_out(Id<Network::Process> id, Network& open, ProofCore& ground, const Deadline& end) {
         const std::string& name = told_[id.index];
         const Property& property = element_of(open.properties, ground.property, &Property::name);
@@ -461,7 +463,7 @@ private:
     std::vector<Trial> trials_ = {};
     std::vector<PartsOf> parts_ = {};
     std::vector<Id<Network::Process>> order_ = {};
-    std::vector<std::string> told_ = {};  // per process of the network
+    std::vector<std::string> told_ = {};  // displayed name of each process
     ProofExplanation why_ = {};
 };
 

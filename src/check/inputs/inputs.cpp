@@ -81,6 +81,7 @@ private:
     bool explore();
     bool search_for_runs(std::uint64_t states);
     Levels first_levels(const Property& property, bool coarse) const;
+    void begin_with_known(const Property& property, Levels& levels) const;
     void refine(std::size_t verdict, const Task& task, const Levels& levels, std::vector<Task>& tasks) const;
     void search(const Task& task);
     void search_passing(const Task& task);
@@ -131,6 +132,7 @@ void InputAbstractionCheck::collect() {
         Levels coarser = first_levels(property, true);
         const bool coarse = coarser != levels;
         if (coarse) levels = std::move(coarser);
+        begin_with_known(property, levels);
         Task& task = groups[{!coarse, levels}];
         task.levels = std::move(levels);
         task.coarse = coarse;
@@ -221,6 +223,24 @@ Levels InputAbstractionCheck::first_levels(const Property& property, bool coarse
     }
     if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
     return levels;
+}
+
+/// Raises the levels to those of the known abstraction.
+void InputAbstractionCheck::begin_with_known(const Property& property, Levels& levels) const {
+    const auto known = limits_.known.find(property.name);
+    if (known == limits_.known.end()) return;
+    const auto has = [](const std::vector<std::string>& names, const std::string& name) {
+        return std::ranges::find(names, name) != names.end();
+    };
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const std::string& name = loop_.processes[instances_[i].process].name;
+        const auto& [chosen, untimed, paced] = known->second;
+        levels[i] = std::max(levels[i], has(chosen, name)    ? InputLevel::Chosen
+                                        : has(untimed, name) ? InputLevel::Untimed
+                                        : has(paced, name)   ? InputLevel::Paced
+                                                             : InputLevel::Complete);
+    }
+    if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
 }
 
 /// Adds the verdict to the task of its next search. If `levels` differ from those of `task`, they are used; otherwise

@@ -16,7 +16,9 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <string>
 
 #include "check/shares.hpp"
 #include "check/timed/timed.hpp"
@@ -37,6 +39,9 @@ struct InputLimits {
     std::size_t rounds = 8;  ///< maximum number of searches for one property
     /// Maximum number of searches before these, with instances that read the loop abstracted.
     std::size_t coarse_rounds = 32;
+    /// Per property, an abstraction that decided it in a similar loop. The search begins with it instead of the coarsest
+    /// one. Processes that are not named are complete.
+    std::map<std::string, InputsAbstracted> known = {};
 };
 
 /// Bounds on the number of states in successive rounds.

@@ -210,7 +210,7 @@ private:
         return closed(model_->initial(), {}, lenient());
     }
 
-    /// The states reachable from `states` without losing states, under the policies.
+    /// Returns the states that are reachable from `states` under the policies without passing a losing state.
     Bdd closed(Bdd states, const LosingRegion& lost, const std::vector<Policy>& policies) const {
         for (Bdd latest = states; !latest.is_false(); states |= latest) {
             Bdd next = game_->moved(latest);
@@ -418,9 +418,9 @@ private:
     Id<Expr> marked_term_ = {};
     std::optional<StateSpace> model_ = {};
     std::optional<Game> game_ = {};
-    std::vector<ObservationMap> seen_ = {};                         ///< per player
-    std::vector<std::vector<Bdd>> effects_ = {};                    ///< per player and permission
-    std::vector<std::vector<std::vector<Bdd>>> site_effects_ = {};  ///< per player, permission and site
+    std::vector<ObservationMap> seen_ = {};                         ///< observations of each player
+    std::vector<std::vector<Bdd>> effects_ = {};                    ///< effect per player and permission
+    std::vector<std::vector<std::vector<Bdd>>> site_effects_ = {};  ///< effect per player, permission and site
     std::vector<std::vector<Bdd>> observed_ = {};                   ///< per player
     std::vector<Bdd> bads_ = {};                                    ///< per bad term
     Bdd bad_ = {}, marked_ = {};

@@ -87,11 +87,11 @@ struct Supervisor {
     Outcome outcome = Outcome::Unknown;
     std::string reason = {};
     Permissiveness claim = Permissiveness::Least;
-    std::vector<Condition> conditions = {};  ///< none: no restriction is needed
-    std::vector<Selection> hidden = {};      ///< Cautious: permissions that a supervisor with full observation could
-                                             ///< give more often
-    std::vector<Selection> traded = {};      ///< Several: permissions that could be given more often if others were
-                                             ///< refused more often
+    std::vector<Condition> conditions = {};  ///< conditions; empty if no restriction is necessary
+    /// Cautious: permissions that a supervisor with full observation could grant more often.
+    std::vector<Selection> hidden = {};
+    /// Several: permissions that could be granted more often if others were refused more often.
+    std::vector<Selection> traded = {};
     /// Found: permissions that the conditions refuse in some reachable state, and that have an effect in none: the
     /// transition is never cleared, the output never set.
     std::vector<Selection> disabled = {};
@@ -104,8 +104,8 @@ struct Supervisor {
     std::vector<Observation> lost = {};
     std::vector<bool> violated = {};  ///< per bad term: the system without conditions reaches it; empty if Unknown, or
                                       ///< if no condition is needed
-    /// None: a run under all permissions to a bad state, none of whose moves can be prevented; if `blocked`, to a state
-    /// from which every path to a marked one contains a losing state.
+    /// None: a run under all permissions to a bad state; none of its moves can be prevented. If `blocked`, it leads to
+    /// a state from which every path to a marked state contains a losing state.
     std::optional<FlatRun> run = {};
     bool blocked = false;
     FlatSystem flat = {};  ///< variables of the run

@@ -148,7 +148,9 @@ MutantFate MutantChecker::fate_of(const Mutant& mutant, const Limits& limits) co
     const bool differs = compared->outcome == Comparison::Outcome::Different;
     if (!fate.noticed_by.empty()) fate.kind = MutantFate::Kind::Noticed;
     else if (differs && fate.undecided.empty() && fate.reason.empty()) fate.kind = MutantFate::Kind::Unnoticed;
-    else if (fate.reason.empty()) fate.reason = differs ? "the verdict on a property is unknown" : compared->reason;
+    else if (fate.reason.empty())
+        fate.reason = differs ? "the verdict on a property is unknown"
+                              : "it is unknown if it is equivalent (" + compared->reason + ")";
     return fate;
 }
 

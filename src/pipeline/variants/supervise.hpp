@@ -51,8 +51,8 @@ struct Supervised {
     /// Transitions that are never cleared and outputs that are never set because the conditions refuse it. If there are
     /// any, the conditions are valid but not useful.
     std::vector<std::string> disabled_transitions = {}, disabled_outputs = {};
-    std::vector<std::string> lost_steps = {};  ///< step variables: active in some reachable state without the
-                                               ///< conditions, in none with them
+    /// Step variables: active in some reachable state without the conditions, in none with them.
+    std::vector<std::string> lost_steps = {};
     /// A property that the untimed model violates without conditions: its verdict in the timed loop, grain atomic,
     /// without conditions. If it holds there, it depends on durations, which the untimed model omits.
     struct Timed {
@@ -60,12 +60,13 @@ struct Supervised {
         Outcome outcome = Outcome::Unknown;
     };
     std::vector<Timed> timed = {};
-    Outcome timelock = Outcome::Unknown;     ///< result of `no timelock` with the conditions
-    std::optional<Id<Source>> file = {};     ///< the file that gets the conditions; invalid if several or none get any
-    std::string text = {};                   ///< of that file with the conditions
-    std::optional<ChartRun> run = {};        ///< if there are no conditions: a run that cannot be prevented
-    bool blocked = false;                    ///< its end is not bad yet, but leads to no marked state
-    std::vector<std::string> failures = {};  ///< internal failures; all other results are invalid then
+    Outcome timelock = Outcome::Unknown;  ///< result of `no timelock` with the conditions
+    /// The file to which the conditions are added; invalid if there are several such files or none.
+    std::optional<Id<Source>> file = {};
+    std::string text = {};             ///< text of that file with the conditions
+    std::optional<ChartRun> run = {};  ///< if no conditions are sufficient: a run that cannot be prevented
+    bool blocked = false;  ///< true if the last state of the run is not bad, but no marked state is reachable from it
+    std::vector<std::string> failures = {};  ///< internal failures; if there is one, all other results are invalid
 };
 
 /// `main` is the source from which `model` was read; `sources` also contains its includes. The result is empty after an

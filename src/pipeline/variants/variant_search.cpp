@@ -17,7 +17,7 @@ namespace {
 /// Bounds of the searches of a variant, if the check is repeated completely: at least; the same in passes.
 constexpr std::uint64_t least_bound = 100'000, least_bound_in_passes = std::uint64_t{1} << 20U;
 
-/// `network` with the observer of `property`, which is then its only property.
+/// Returns `network` with the observer of `property`, which is then its only property.
 Network with_observer(const Network& network, Id<Property> property) {
     Network made = observed(network, {property});
     const Property decided = element_of(made.properties, network.properties[property].name, &Property::name);
@@ -26,27 +26,37 @@ Network with_observer(const Network& network, Id<Property> property) {
     return made;
 }
 
+bool is_decided(const Verdict& verdict) {
+    return verdict.outcome == Outcome::Holds && verdict.pattern != Pattern::ReachableAllSteps;
+}
+
 }  // namespace
 
 VariantSearch::VariantSearch(const CheckOptions& options, const Report& report, const VariantBounds& bounds)
     : options_(options) {
     SearchEffort last;
-    std::uint64_t states = 0;
-    bool abstracted = false;
+    std::uint64_t states = 0, abstract_states = input_rounds[0];
     for (const PropertyResult& answer : report.answers) {
-        states = std::max<std::uint64_t>(states, std::stoull("0" + answer.verdict.states));
-        abstracted = abstracted || answer.verdict.abstraction.has_value();
-        // Localization most often decides these properties again, so the complete network is searched only briefly
-        // before.
+        const std::uint64_t own = std::stoull("0" + answer.verdict.states);
+        states = std::max(states, own);
+        if (answer.verdict.abstraction && is_decided(answer.verdict)) {
+            known_.emplace(answer.verdict.property, *answer.verdict.abstraction);
+            abstract_states = std::max(abstract_states, 2 * own);
+        }
+        // In most cases localization decides these properties again. Therefore the complete network is searched only
+        // briefly before.
         if (answer.verdict.scope.cells) last.begin.whole = bounds.brief;
     }
-    const bool in_passes = (states > bounds.few_states || abstracted) && !options.whole;
+    const bool in_passes = (states > bounds.few_states || !known_.empty()) && !options.whole;
     most_states_ =
         options.limits.states.value_or(std::max(8 * states, in_passes ? least_bound_in_passes : least_bound));
-    last.rounds = std::min(last.rounds, most_states_);
+    for (const std::uint64_t round : input_rounds)
+        if (round <= most_states_) last.rounds.push_back(round);
+    if (in_passes && !known_.empty())
+        efforts_.push_back({{.whole = bounds.brief, .local = 0}, {abstract_states}, false, true});
     if (in_passes)
-        for (const std::uint64_t states_of_round : {input_rounds[0], input_rounds[1]})
-            efforts_.push_back({{.whole = bounds.brief, .local = states_of_round}, states_of_round, false});
+        for (const std::uint64_t round : {input_rounds[0], input_rounds[1]})
+            efforts_.push_back({{.whole = bounds.brief, .local = round}, {round}, false});
     efforts_.push_back(last);
 }
 
@@ -56,6 +66,7 @@ std::string_view VariantSearch::reason() const {
 
 std::vector<Verdict> VariantSearch::operator()(const Network& network, std::vector<std::string> names,
                                                const SearchEffort& effort, const Deadline& deadline) {
+    if (effort.known) std::erase_if(names, [&](const std::string& name) { return !known_.contains(name); });
     std::vector<Id<Property>> by_observers = watched(network);
     std::erase_if(by_observers, [&](Id<Property> id) { return std::erase(names, network.properties[id].name) == 0; });
     std::vector<Verdict> found;
@@ -84,9 +95,11 @@ std::vector<Verdict> VariantSearch::searched(const Network& network, const std::
     const Network observed = watched ? observe(network) : Network{};
     const LoopToCheck loop{network};
     StagedSearch search(loop, observe, watched ? observed : network, options, false);
-    search.begin(deadline, effort.begin);
-    for (const std::uint64_t states : input_rounds)
-        if (states <= effort.rounds && search.needs_whole()) (void)search.refine(states, deadline);
+    InputLimits inputs;
+    if (effort.known) inputs = {.explored = 0, .coarse_rounds = 2, .known = known_};
+    search.begin(deadline, effort.begin, inputs);
+    for (const std::uint64_t states : effort.rounds)
+        if (search.needs_whole()) (void)search.refine(states, deadline);
     if (effort.complete && search.needs_whole()) search.search_complete(deadline);
     return search.result().verdicts;
 }

@@ -2,10 +2,12 @@
 // Checks properties of variants of a closed loop whose check is known: the steps of that check, with bounds.
 //
 // A check that needs few states is repeated for each variant. Otherwise the variants are searched in passes with growing
-// bounds. So a variant that a small search decides does not wait for one that needs a large search.
+// bounds. So a variant that a small search decides does not wait for one that needs a large search. The first pass
+// begins with the abstraction that decided the property in the original: most changes do not affect it.
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,9 +21,10 @@ namespace grafverif {
 
 /// Bounds of one pass.
 struct SearchEffort {
-    LocalizationLimits begin = {};                   ///< of the first search of the complete loop, and of localization
-    std::uint64_t rounds = std::uint64_t{1} << 24U;  ///< states of a search of an input abstraction
-    bool complete = true;                            ///< the complete loop is searched for what is still open
+    LocalizationLimits begin = {};           ///< of the first search of the complete loop, and of localization
+    std::vector<std::uint64_t> rounds = {};  ///< states of each search of an input abstraction
+    bool complete = true;                    ///< the complete loop is searched for what is still open
+    bool known = false;  ///< only properties that an abstraction decided in the original, beginning with it
 };
 
 struct VariantBounds {
@@ -54,6 +57,7 @@ private:
 
     const CheckOptions& options_;
     std::vector<SearchEffort> efforts_ = {};
+    std::map<std::string, InputsAbstracted> known_ = {};  ///< by property
     std::uint64_t most_states_ = 0;
     std::size_t searches_ = 0;
 };

@@ -15,6 +15,9 @@ namespace {
 
 using Fate = MutantFate::Kind;
 
+/// Undecided properties of a mutant that are listed as text; more are counted.
+constexpr std::size_t most_listed = 3;
+
 /// Two counts. The second one excludes refused and equivalent mutants.
 struct Score {
     std::size_t noticed = 0, judged = 0;
@@ -93,7 +96,9 @@ void print_mutant(const Mutation& mutation, std::size_t index, const Sources& so
     out << fmt::format("  {:03} {}, {}, line {}", index + 1, mutant.kind, printable(mutant.subject),
                        line_of(mutant, sources));
     if (!fate.reason.empty()) out << ": " << printable(fate.reason);
-    for (const std::string& property : fate.undecided) out << ", " << printable(property) << " undecided";
+    if (fate.undecided.size() > most_listed) out << fmt::format(", {} properties undecided", fate.undecided.size());
+    else
+        for (const std::string& property : fate.undecided) out << ", " << printable(property) << " undecided";
     for (const std::string& property : fate.vacuous) out << ", " << printable(property) << " holds vacuously";
     if (fate.caught) out << (*fate.caught ? "; detected by the test sequence" : "; not detected by the test sequence");
     out << fmt::format("\n      {}\n  now {}\n", printable(mutant.before), printable(mutant.after));

@@ -215,6 +215,10 @@ public:
     }
 
 private:
+    /// A mutant may use so many equal shares of the time: most need less than one, and one that needs many more must not
+    /// use the time of all others.
+    static constexpr std::size_t most_shares = 8;
+
     bool stopped() const {
         return (limits_.stop != nullptr && limits_.stop->load()) ||
                (limits_.deadline && std::chrono::steady_clock::now() >= *limits_.deadline);
@@ -226,7 +230,7 @@ private:
             try {
                 for (unsigned k = 0; k < std::min<std::size_t>(jobs_, mutation_.mutants.size()); ++k)
                     threads.emplace_back([this] { work(); });
-            } catch (const std::system_error&) {  // the threads that were started do all the work
+            } catch (const std::system_error&) {  // the threads that were started perform all the work
                 if (threads.empty()) work();
             }
         }
@@ -252,7 +256,7 @@ private:
             limits.progress = {};
             const auto end = std::chrono::steady_clock::now() + each_of(options_);
             const std::size_t left = left_ > 0 ? left_-- : 1;
-            const Deadline share = share_of(limits_.deadline, (left + jobs_ - 1) / jobs_);
+            const Deadline share = share_of(limits_.deadline, (left + most_shares * jobs_ - 1) / (most_shares * jobs_));
             limits.deadline = share ? std::min(*share, end) : end;
             fate = bench_.fate_of(mutation_.mutants[index], limits);
             if (fate->kind == Kind::Unknown && stopped()) return;
@@ -286,8 +290,8 @@ private:
     std::size_t done_ = 0;
 };
 
-/// Writes text and drawing of the original and of each mutant that no property detects; both drawings mark the elements
-/// that the other one does not have.
+/// Writes text and drawing of the original and of each mutant that no property detects. Both drawings mark the elements
+/// that the other one does not contain.
 bool write_survivors(const Mutation& mutation, const MutantChecker& bench, const Model& model, Id<Chart> chart,
                      const std::string& original, CommandContext& job, const Streams& streams) {
     if (!job.options.survivors) return true;

@@ -147,7 +147,9 @@ void print_conditions(const Supervised& found, std::ostream& out) {
     out << "\nAdded to the conditions of the chart:\n";
     for (const ChartCondition& condition : found.conditions)
         out << fmt::format("  {}  && {}\n", padded(subject_text(condition, several), width),
-                           condition.sum ? "(" + condition.term + ")" : condition.term);
+                           condition.sum               ? "(" + condition.term + ")"
+                           : condition.term == "false" ? "false, so this action never sets it"
+                                                       : condition.term);
     if (!found.lost_steps.empty())
         out << fmt::format("With them, some steps are never active that are active without them: {}.\n",
                            listed(found.lost_steps));
