@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Build backend of pyproject.toml (PEP 517): CMake builds the module, and this packs it as a wheel (PEP 427).
+"""Build backend of pyproject.toml (PEP 517): CMake builds the module, and this backend packs it as a wheel (PEP 427).
 
 It uses the standard library only, so that `pip install .` needs no network. `--config-settings build-dir=DIR` builds in DIR
-and keeps it; a build tree that is configured already is used as it is.
+and keeps it; an already configured build tree is used unchanged.
 """
 
 import base64
@@ -36,7 +36,7 @@ def _metadata():
 
 
 def _built(folder):
-    """Builds the module in `folder`; the path of the module."""
+    """Builds the module in `folder` and returns its path."""
     if not (folder / "CMakeCache.txt").exists():
         subprocess.run(["cmake", "-S", ROOT, "-B", folder, "-DCMAKE_BUILD_TYPE=Release", "-DGRAFVERIF_TESTS=OFF",
                         f"-DPython_EXECUTABLE={sys.executable}"], check=True)
@@ -66,7 +66,7 @@ def _wheel(target, module):
     name = f"grafverif-{version}-{python}-{python}-{platform}.whl"
     with zipfile.ZipFile(target / name, "w", zipfile.ZIP_DEFLATED) as wheel:
         for path, content in contents.items():
-            entry = zipfile.ZipInfo(path)  # of 1980: the same sources give the same bytes
+            entry = zipfile.ZipInfo(path)  # has the date 1980-01-01, so that the same sources give the same bytes
             entry.compress_type, entry.external_attr = zipfile.ZIP_DEFLATED, 0o644 << 16
             wheel.writestr(entry, content)
     return name

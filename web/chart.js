@@ -17,7 +17,7 @@ export class ChartView {
         }
         this.svg.removeAttribute("aria-labelledby");
         this.svg.setAttribute("role", "group");
-        this.svg.setAttribute("aria-label", `Chart ${chart.name}; its active steps carry a token`);
+        this.svg.setAttribute("aria-label", `Chart ${chart.name}; a token marks its active steps`);
         this.steps = chart.ids.steps.map((id) => this.find(id));
         this.transitions = chart.ids.transitions.map((id) => this.find(id));
         this.conditions = chart.ids.conditions.map((id) => this.find(id));

@@ -41,7 +41,7 @@ class Drawings {
     element(name, text) {
         const svg = document.importNode(new DOMParser().parseFromString(text, "image/svg+xml").documentElement, true);
         svg.setAttribute("role", "img");
-        svg.setAttribute("aria-label", `Chart ${name}; active steps carry a dot`);
+        svg.setAttribute("aria-label", `Chart ${name}; a dot marks active steps`);
         svg.removeAttribute("aria-labelledby");
         return make("div", {class: "drawing", tabindex: 0, role: "region", "aria-label": `Drawing of ${name}`}, svg);
     }

@@ -97,7 +97,7 @@ export class Decision {
         if (node.op === "input" && this.read) {
             const signal = this.controller.inputs[node.place], now = this.run.value(signal, this.state);
             if (now !== this.read.act.inputs[node.place])
-                return `as read at ${this.run.timeText(this.read.moment)}; it is ${this.run.signalText(signal, now)} by now`;
+                return `read at ${this.run.timeText(this.read.moment)}; it is now ${this.run.signalText(signal, now)}`;
         }
         if (node.op === "timed") return [this.reading(node), this.age(this.chart.timed[node.place])].filter(Boolean).join("; ");
         return "";
@@ -107,9 +107,9 @@ export class Decision {
         const place = this.run.data.conditions[this.number][node.place];
         if (!this.read || place === undefined || place === null) return "";
         const holds = this.run.timerEnded(this.controller.timers[place], this.read.moment, this.state);
-        const now = holds === null ? "" : `; it is ${holds ? "true" : "false"} by now`;
-        if (this.value(this.chart.terms.indexOf(node)) === undefined) return `not read since it began${now}`;
-        return now && holds !== (this.read.act.timers[place] ?? false) ? `as read at ${this.run.timeText(this.read.moment)}${now}` : "";
+        const now = holds === null ? "" : `; it is now ${holds ? "true" : "false"}`;
+        if (this.value(this.chart.terms.indexOf(node)) === undefined) return `not read since the timer started${now}`;
+        return now && holds !== (this.read.act.timers[place] ?? false) ? `read at ${this.run.timeText(this.read.moment)}${now}` : "";
     }
     age(condition) {
         const watched = this.chart.terms[condition.watched];

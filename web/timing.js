@@ -30,7 +30,7 @@ export class Timing {
                                  onclick: (event) => this.click(event, choose)}, this.space);
         this.element = make("div", {class: "timing"},
                             make("div", {class: "timing-frame"}, this.names, this.view),
-                            make("p", {class: "remark"}, "Columns are events; the time is given where it advances.",
+                            make("p", {class: "remark"}, "Columns are events; a time is shown where it advances.",
                                  idle.length === 0 ? "" : ` Constant: ${idle.join(", ")}.`));
         new ResizeObserver(() => this.draw()).observe(this.view);
     }

@@ -57,14 +57,14 @@ export function whyTransition(run, chart, controller, place, moment, cleared) {
 // Inputs are sampled before each evolution; only then it is determined which transitions it clears.
 function verdict(name, cleared, value, missing, {run, number, moment, read}) {
     if (cleared?.times > 1)
-        return `${name} is cleared ${cleared.times} times here; this is the last: before that, this is how its condition stood.`;
-    if (cleared) return `${name} is cleared here: before that, this is how its condition stood.`;
+        return `${name} is cleared ${cleared.times} times here. This is its condition before it was cleared for the last time.`;
+    if (cleared) return `${name} is cleared here. This is its condition before it was cleared.`;
     if (missing.length > 0) return `${name} cannot be cleared: ${missing.join(", ")} ${missing.length > 1 ? "are" : "is"} not active.`;
     if (value === undefined) return `${name} is enabled; the trace does not determine its condition.`;
     if (!value) return `${name} is enabled, but its condition is false.`;
     if (run.isToEvolve(number, moment))
         return `${name} is enabled and its condition is true: the next evolution clears it, unless it is forced to stay.`;
-    return `${name} is enabled; on the inputs ${read ? "last read" : "as they are"} its condition is true.`;
+    return `${name} is enabled; its condition is true for the ${read ? "inputs last read" : "current inputs"}.`;
 }
 
 // True if the operand may be false without contradicting the property.
@@ -74,7 +74,7 @@ const mayBeFalse = ({pattern, headings}, operand) =>
 const wordsOf = {
     always: ["must always be true"],
     never: ["must never be true"],
-    reachable: ["is to become true"],
+    reachable: ["must be able to become true"],
     inevitable: ["must eventually become true"],
     "leads-to": ["after this is true", "this must become true"],
     "exactly-one": ["exactly one of these must be true"],
@@ -130,7 +130,7 @@ function causes(run, moment, link) {
         parts.push(make("p", {class: "answer"}, "The property holds along the trace",
                         inputs ? ", and after its end as long as nothing changes, " : " ", "without ",
                         ...moments.flatMap(({at, words}, k) => [k > 0 ? ", " : "",
-                            ...(words ? [make("code", {}, words), " at "] : ["what happens at "]), link(at, when(at))]), "."));
+                            ...(words ? [make("code", {}, words), " at "] : ["the event at "]), link(at, when(at))]), "."));
     return parts;
 }
 
@@ -140,12 +140,12 @@ function standing({pattern, at_stable, headings}, moment, decisive, link, run) {
     const said = (before, here, behind) => make("p", {class: "standing"},
         ...(moment < decisive ? [`${before} `, link(decisive, there), "."] : moment === decisive ? [here] : [`${behind} `, link(decisive, there), "."]));
     if (pattern === "leads-to")
-        return said("The unanswered premise occurs at", "The unanswered premise occurs here.", "Not answered since");
+        return said("The unanswered premise occurs at", "The unanswered premise occurs here.", "No response since");
     if (headings)
-        return said("Not violated yet; it will be at", "Here it is violated.", "Violated since");
+        return said("Not violated yet; the violation occurs at", "The property is violated here.", "Violated since");
     if (at_stable || pattern === "exactly-one")
-        return said("It is violated at the end of the trace, at", "Here it is violated.", "Violated since");
-    return said("Not violated yet; it will be at", "Here it is violated first.", "First violated at");
+        return said("The property is violated at the end of the trace, at", "The property is violated here.", "Violated since");
+    return said("Not violated yet; the violation occurs at", "The property is violated here for the first time.", "First violated at");
 }
 
 // The event that decides a violated property: the bad state, or the last event after which the good one never follows.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""GRAFCET charts (IEC 60848) and their plants: read, proved, simulated, drawn and tested.
+"""Reads, verifies, simulates, draws and tests GRAFCET charts (IEC 60848) and their plants.
 
     import grafverif
     file = grafverif.read("station.grafcet")
@@ -33,7 +33,7 @@ Duration = Union[float, timedelta]  #: seconds
 
 
 class Diagnostic(NamedTuple):
-    """A diagnostic; without a position, `file`, `line` and `column` (from 1, in bytes) have the value None."""
+    """A diagnostic. `line` and `column` start at 1; `column` counts bytes. Without a position, they and `file` have the value None."""
 
     severity: str
     code: str
@@ -44,7 +44,7 @@ class Diagnostic(NamedTuple):
 
 
 class GrafverifError(Exception):
-    """Invalid chart or request. The text is the output of the program."""
+    """Raised if a chart or a request is invalid. Its text is the one that the program prints."""
 
     def __init__(self, text: str, diagnostics: Iterable[tuple[Any, ...]] = ()):
         super().__init__(text)
@@ -55,11 +55,11 @@ class GrafverifError(Exception):
 
 
 class SimulationError(GrafverifError):
-    """A command of a simulation that could not be executed."""
+    """Raised if a command of a simulation cannot be executed."""
 
 
 class NotFoundError(GrafverifError, KeyError):
-    """Unknown name of a chart, closed loop or property."""
+    """Raised if a chart, closed loop or property does not exist."""
 
 
 def _seconds(duration: Duration) -> float:
@@ -98,7 +98,7 @@ class _Tabular:
 
 @dataclass(frozen=True)
 class Drawing:
-    """An SVG picture, which a notebook shows."""
+    """An SVG picture. Notebooks display it."""
 
     svg: str = field(repr=False)
 
@@ -133,7 +133,7 @@ class Trace(_Tabular):
                            tuple(each["situation"]), each["inputs"], each["outputs"], each["time"])
                       for each in document["steps"]]
         self.loop_from: int | None = document["loop_from"]
-        self.run: dict[str, Any] = document["run"]  #: all that there is to know: docs/reference/trace-format.md
+        self.run: dict[str, Any] = document["run"]  #: all data of the trace, see docs/reference/trace-format.md
         self.drawing = Drawing(svg)  #: a timing diagram
         self._text = text
 
@@ -161,7 +161,8 @@ class Trace(_Tabular):
         return self.drawing.svg + _html_table(("time", "component", "cleared", "situation", "outputs"), rows)
 
     def to_dataframe(self) -> Any:
-        """A pandas DataFrame: a row per step, a column per input and output, times in seconds."""
+        """Returns a pandas DataFrame with one row per step and one column per input and output; times are in
+        seconds."""
         return _dataframe([{"time": each.time, "kind": each.kind, "component": each.component,
                         "fired": " ".join(each.fired), "situation": " ".join(each.situation), **each.inputs,
                         **each.outputs} for each in self.steps])
@@ -176,14 +177,14 @@ class Verdict:
         self.verdict: str = document["verdict"]  #: `holds`, `violated` or `unknown`
         self.expected: str = document["expected"]
         self.declared: bool = document["declared"]
-        self.reason: str | None = document["reason"]  #: of an unknown one
+        self.reason: str | None = document["reason"]  #: why the verdict is unknown; None otherwise
         self.vacuous: bool = document["vacuous"]
         self.notes: list[str] = document["notes"]
-        #: where the property stands, of an undeclared one the loop; line and column from 1, in bytes
+        #: declaration of the property, or of the loop if the property is not declared; line and column from 1, in bytes
         self.file: str | None = document["file"]
         self.line: int | None = document["line"]
         self.column: int | None = document["column"]
-        self.document = document  #: all of it, as `check --format json` writes it
+        self.document = document  #: the complete verdict in the format of `check --format json`
         self._report, self._index = report, index
 
     @property
@@ -258,19 +259,20 @@ class Report(_Tabular):
         return heading + _html_table(("property", "sentence", "verdict", "expected", "reason"), rows)
 
     def to_html(self, *, date: str = "", timeout: Duration | None = None, memory: int | None = None) -> str:
-        """The page that `grafverif report` writes: verdicts, a player of all traces, charts, analysis, equations.
-        `timeout` in seconds and `memory` in bytes bound the analysis of the charts; at a limit the page has what was
-        found by then."""
+        """Returns the page that `grafverif report` writes: verdicts, a player of all traces, charts, analysis,
+        equations.
+        `timeout` in seconds and `memory` in bytes limit the analysis of the charts. If a limit is reached, the
+        page contains the results found so far."""
         return self._core.html(date, _bounds(timeout, memory))
 
     def save(self, path: str | os.PathLike[str], *, date: str = "", timeout: Duration | None = None,
              memory: int | None = None) -> None:
-        """Writes `to_html` to a file."""
+        """Writes the page of `to_html` to a file."""
         with open(path, "w", encoding="utf-8") as file:
             file.write(self.to_html(date=date, timeout=timeout, memory=memory))
 
     def to_dataframe(self) -> Any:
-        """A pandas DataFrame: a row per property."""
+        """Returns a pandas DataFrame with one row per property."""
         return _dataframe([{key: value for key, value in each.document.items() if key not in ("trace", "notes")}
                        for each in self.verdicts])
 
@@ -294,7 +296,7 @@ class Analysis(_Tabular):
     def __init__(self, text: str, document: dict[str, Any]):
         self.findings = [Finding(each["code"], each["level"], each["subject"], each["message"], each.get("line"),
                                  each["accepted"], each) for each in document["findings"]]
-        self.complete: bool = document["complete"]  #: every question was decided
+        self.complete: bool = document["complete"]  #: True if the analysis reached no limit
         self.document = document
         self._text = text
 
@@ -315,7 +317,7 @@ class Analysis(_Tabular):
                            [(each.level, each.code, each.line, each.message) for each in self.findings])
 
     def to_dataframe(self) -> Any:
-        """A pandas DataFrame: a row per finding."""
+        """Returns a pandas DataFrame with one row per finding."""
         return _dataframe([{"code": each.code, "level": each.level, "subject": each.subject, "message": each.message,
                         "line": each.line, "accepted": each.accepted} for each in self.findings])
 
@@ -323,7 +325,7 @@ class Analysis(_Tabular):
 class _Machine:
     def __init__(self, shown: tuple[str, str, str]):
         self._text, text, svg = shown
-        self.document: dict[str, Any] = json.loads(text)  #: as the program writes it with `--format json`
+        self.document: dict[str, Any] = json.loads(text)  #: the document that the program writes with `--format json`
         self.drawing = Drawing(svg) if svg else None  #: None if it is too large to draw
 
     def __str__(self) -> str:
@@ -350,7 +352,7 @@ class Automaton(_Machine, _Tabular):
         return f"<Automaton of {len(self.locations)} locations, {len(self.evolutions)} evolutions>"
 
     def to_dataframe(self) -> Any:
-        """A pandas DataFrame: a row per evolution."""
+        """Returns a pandas DataFrame with one row per evolution."""
         return _dataframe(self.evolutions)
 
 
@@ -363,9 +365,9 @@ class Mealy(_Machine):
 
 @dataclass(frozen=True)
 class TestStep:
-    """Wait, apply the inputs for `cycles` scans, and compare the outputs in each."""
+    """A test step: wait, apply the inputs for `cycles` scans, and compare the outputs in each scan."""
 
-    __test__ = False  # nothing for pytest
+    __test__ = False  # pytest must not collect this class
     sequence: int
     step: int
     wait: float  #: seconds
@@ -377,7 +379,7 @@ class TestStep:
 
 
 class TestSequence(_Tabular):
-    """Inputs to apply to an implementation of a chart, and the expected outputs, from power-on, in one or several sequences."""
+    """Inputs for an implementation of a chart and the expected outputs, in one or several sequences from power-on."""
 
     __test__ = False
 
@@ -398,7 +400,7 @@ class TestSequence(_Tabular):
         return f"<TestSequence of {len(self.steps)} steps>"
 
     def to_dataframe(self) -> Any:
-        """A pandas DataFrame: a row per step, times in seconds."""
+        """Returns a pandas DataFrame with one row per step; times are in seconds."""
         return _dataframe([{"sequence": each.sequence, "step": each.step, "wait": each.wait, "cycles": each.cycles,
                         **each.inputs, **{f"{name} (expected)": value for name, value in each.outputs.items()},
                         "situation": each.situation} for each in self.steps])
@@ -420,7 +422,8 @@ class Simulation:
             raise SimulationError(core.problem())
 
     def do(self, *commands: str) -> Simulation:
-        """Executes commands such as `START = true`, `wait 3s`, `do Gate open`, `back`, and their automatic consequences."""
+        """Executes commands such as `START = true`, `wait 3s`, `do Gate open` or `back`, and the automatic
+        moves that follow."""
         for command in commands:
             problem = self._core.execute(command)
             if problem:
@@ -428,12 +431,12 @@ class Simulation:
         return self
 
     def set(self, **inputs: bool | int) -> Simulation:
-        """Sets inputs; of a chart alone, all together."""
+        """Sets inputs. In the simulation of a chart alone, all inputs change simultaneously."""
         words = [f"{name} = {str(value).lower()}" for name, value in inputs.items()]
         return self.do(", ".join(words)) if words else self
 
     def wait(self, duration: Duration | None = None) -> Simulation:
-        """Lets time pass; without a duration, until the next automatic or possible event."""
+        """Lets time pass for `duration`, or by default until the next automatic or possible event."""
         return self.do("wait" if duration is None else f"wait {round(1000 * _seconds(duration))}ms")
 
     @property
@@ -450,7 +453,7 @@ class Simulation:
 
     @property
     def is_trial(self) -> bool:
-        """True if the user changed the situation by hand, so that the following rows are not a run of the model."""
+        """True if the user forced a step, so that the following rows are not a run of the model."""
         return self._core.what_if_row() is not None
 
     @property
@@ -486,12 +489,13 @@ class Chart:
         return self.draw().svg
 
     def draw(self, *, notation: str = "iec") -> Drawing:
-        """SVG drawing in the notation of IEC 60848; `notation` `text` uses the text language for conditions."""
+        """Draws the chart as SVG in the notation of IEC 60848. With `notation="text"`, conditions are in the
+        text language."""
         return Drawing(self._file.draw(self.name, notation))
 
     def check_untimed(self, *, mode: str | None = None, timeout: Duration | None = None, memory: int | None = None,
                       states: int | None = None) -> Report:
-        """Checks the chart alone, with free inputs: the reachability of each step."""
+        """Checks the reachability of each step of the chart alone, with free inputs."""
         return Report(self._file.check_chart(self.name, _core.How(mode=mode),
                                              _bounds(timeout, memory, states)))
 
@@ -513,7 +517,7 @@ class Chart:
     def test_sequence(self, *, mode: str | None = None, cover: str = "transitions", one_cycle_each: bool = False,
                       timeout: Duration | None = None, memory: int | None = None,
                       states: int | None = None) -> TestSequence:
-        """`cover`: `transitions`, `evolutions` or `locations`."""
+        """Generates a test sequence. `cover` is `transitions`, `evolutions` or `locations`."""
         return TestSequence(json.loads(self._file.test_sequence(
             self.name, _core.How(mode=mode), _bounds(timeout, memory, states), cover,
             one_cycle_each)))
@@ -526,7 +530,7 @@ class Chart:
         return self.simulate(mode=mode).do(*_lines(commands)).trace
 
     def structured_text(self, *, mode: str | None = None, plcopen_xml: bool = False) -> str:
-        """The chart as a function block for a PLC (IEC 61131-3)."""
+        """Returns the chart as a function block for a PLC (IEC 61131-3)."""
         return self._file.structured_text(self.name, _core.How(mode=mode), plcopen_xml)
 
 
@@ -547,8 +551,8 @@ class Loop:
     def check(self, *properties: str, mode: str | None = None, grain: str | None = None,
               timeout: Duration | None = None, memory: int | None = None, states: int | None = None,
               whole: bool = False) -> Report:
-        """Checks these properties, or all, with the timed engine. `timeout` in seconds, `memory` in bytes; at a
-        limit, verdicts are unknown."""
+        """Checks the given properties, or by default all, with the timed engine. `timeout` is in seconds and
+        `memory` in bytes. If a limit is reached, the remaining verdicts are unknown."""
         return Report(self._file.check(self.name, _core.How(mode=mode, grain=grain), list(properties),
                                        _bounds(timeout, memory, states), whole, False))
 
@@ -556,7 +560,7 @@ class Loop:
                       schedule: str | None = None, time: str | None = None, fairness: bool = False,
                       timeout: Duration | None = None, memory: int | None = None, states: int | None = None,
                       whole: bool = False) -> Report:
-        """Checks the untimed model; each verdict states what it implies for the real plant."""
+        """Checks the untimed model. Each verdict states its implication for the real plant."""
         how = _core.How(mode=mode, plant=plant or ("automata" if schedule or time or fairness else None),
                         schedule=schedule, time=time, fairness=fairness)
         return Report(self._file.check(self.name, how, list(properties),
@@ -570,7 +574,7 @@ class Loop:
         return self.simulate(mode=mode, grain=grain).do(*_lines(commands)).trace
 
     def uppaal(self, *, mode: str | None = None, grain: str | None = None) -> str:
-        """The UPPAAL project with queries."""
+        """Returns the UPPAAL project with queries."""
         return self._file.uppaal(self.name, _core.How(mode=mode, grain=grain))
 
     def nusmv(self, *, mode: str | None = None, plant: str | None = None, schedule: str | None = None,
@@ -587,7 +591,7 @@ def _lines(commands: str | Iterable[str]) -> list[str]:
 
 
 class File:
-    """A file and its includes."""
+    """A file and the files that it includes."""
 
     def __init__(self, core: _core.File):
         self._core = core
@@ -596,11 +600,11 @@ class File:
         self.warnings = [Diagnostic(*each) for each in core.warnings()]
 
     def chart(self, name: str | None = None) -> Chart:
-        """The chart of that name, or the only one."""
+        """The chart called `name`, or by default the only chart of the file."""
         return self._one(self.charts, "chart", name)
 
     def loop(self, name: str | None = None) -> Loop:
-        """The closed loop of that name, or the only one."""
+        """The closed loop called `name`, or by default the only closed loop of the file."""
         return self._one(self.loops, "closed loop", name)
 
     @staticmethod
@@ -623,14 +627,14 @@ Constants = Mapping[str, Union[bool, int, str, timedelta]]
 
 
 def _written(constants: Constants | None) -> dict[str, str]:
-    """Values of constants in the text language."""
+    """Converts values of constants to the text language."""
     written = {}
     for name, value in (constants or {}).items():
         if isinstance(value, timedelta):
             written[name] = f"{round(1000 * value.total_seconds())}ms"
         elif not isinstance(value, (bool, int, str)):
-            raise TypeError(f"`{name}` is set to a bool, an int, a timedelta, or a str such as '3s'; "
-                            f"not to {type(value).__name__}")
+            raise TypeError(f"`{name}` must be a bool, an int, a timedelta, or a str such as '3s'; "
+                            f"got {type(value).__name__}")
         else:
             written[name] = str(value).lower() if isinstance(value, bool) else str(value)
     return written
@@ -638,14 +642,15 @@ def _written(constants: Constants | None) -> dict[str, str]:
 
 def read(path: str | os.PathLike[str], *, include: Iterable[str | os.PathLike[str]] = (), lossy: bool = False,
          constants: Constants | None = None) -> File:
-    """Reads a file of any supported format and its includes, which are also searched in `include`.
+    """Reads a file of any supported format and its included files, which are also searched for in the directories
+    `include`.
 
-    `constants` sets constants of closed loops, as `--set` does, in every loop that declares the name.
+    `constants` sets constants of closed loops as `--set` does, in every loop that declares them.
     """
     return File(_core.File.read(os.fspath(path), [os.fspath(each) for each in include], lossy, _written(constants)))
 
 
 def parse(text: str, name: str = "text", *, include: Iterable[str | os.PathLike[str]] = (), lossy: bool = False,
           constants: Constants | None = None) -> File:
-    """Reads a text; `name` is its file name in errors. `constants`: see `read`."""
+    """Reads a text; `name` is its file name in errors. The other arguments are those of `read`."""
     return File(_core.File.parse(text, name, [os.fspath(each) for each in include], lossy, _written(constants)))

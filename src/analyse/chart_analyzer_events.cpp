@@ -35,7 +35,7 @@ void ChartAnalyzer::instability() {
     made.message += "; make a transition of the cycle wait for an input change";
     for (const Id<Chart::Transition> id : chart_.transitions.ids())
         if (!(endless & machine_.fires(id.index)).is_false())
-            made.related.push_back({chart_.transitions[id].origin, "`" + name(id) + "` is cleared again and again"});
+            made.related.push_back({chart_.transitions[id].origin, "`" + name(id) + "` is cleared repeatedly"});
     question->decided = keep(std::move(made));
 }
 

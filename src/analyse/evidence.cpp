@@ -65,7 +65,7 @@ private:
     std::string problem(const Cycle& cycle) const {
         if (cycle.race) return "two actions race";
         if (cycle.fault) return "a value is undefined or out of range";
-        return cycle.endless.empty() && !cycle.gave_up ? "" : "the instant does not end";
+        return cycle.endless.empty() && !cycle.gave_up ? "" : "the instant never ends";
     }
 
     void complete_instant(std::size_t instant) {
@@ -107,7 +107,7 @@ private:
         }
         fired.push_back(shown.fired);
         report_rest(at_start, shown, fired);
-        if (demand.settles && !settles_) fail(instant, "the instant does not end or has a model error");
+        if (demand.settles && !settles_) fail(instant, "the instant never ends or has a model error");
     }
 
     /// Reports the complete instant. If it never ends or aborts later, reports its evolutions up to the end of the

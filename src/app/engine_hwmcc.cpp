@@ -49,7 +49,7 @@ public:
     /// Returns the run that a witness describes. The run is not validated yet.
     pdr::PdrAnswer reached(const std::string& witness) const {
         auto inputs = hwmcc::read_witness(circuit_, numbering_, witness);
-        if (!inputs) disbelieve("the program gives no trace for its verdict");
+        if (!inputs) disbelieve("the program printed no trace for its verdict");
         return {.reached = true, .inputs = std::move(*inputs)};
     }
     const Circuit& circuit() const { return circuit_; }
@@ -83,7 +83,7 @@ pdr::PdrAnswer ask_abc(const std::string& program, const HwmccQuery& question) {
     const std::string text = question.left(invariant_file);
     if (text.empty()) no_result(said);
     auto invariant = hwmcc::read_invariant(question.circuit(), text);
-    if (!invariant) disbelieve("the program gives no invariant for its verdict");
+    if (!invariant) disbelieve("the program printed no invariant for its verdict");
     return {.invariant = std::move(*invariant)};
 }
 
@@ -94,7 +94,7 @@ pdr::PdrAnswer ask_command(const std::string& command, const HwmccQuery& questio
     if (!reached) no_result(said);
     if (*reached) return question.reached(said.out);
     throw Undecided{UnknownReason::Unchecked,
-                    "unchecked: the program reports the state as unreachable, but gives no certificate to check"};
+                    "unchecked: the program reports the state as unreachable, but prints no certificate to check"};
 }
 
 }  // namespace

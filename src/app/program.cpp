@@ -76,7 +76,8 @@ void print_overview(std::ostream& out) {
     out << "\n"
            "`grafverif help COMMAND` describes the options of a command, with examples; `grafverif --version` prints "
            "the version.\n"
-           "FILE can be `-` for standard input, an output `-` for standard output. Outputs are written completely or "
+           "FILE can be `-` for standard input, and an output can be `-` for standard output. Outputs are written "
+           "completely or "
            "not at all.\n"
            "Exit codes: 0 as expected; 1 unexpected verdict; 2 invalid input or usage; 3 unknown verdict, or stopped; "
            "4 internal error.\n";

@@ -39,31 +39,31 @@ private:
         const Order& order = kernel_.order;
         for (std::uint32_t variable = 0; variable < order.size(); ++variable) {
             const std::uint32_t level = order.level_of[variable];
-            demand(level < order.size() && order.variable_at[level] == variable, "no place in the order for variable",
-                   variable);
+            demand(level < order.size() && order.variable_at[level] == variable,
+                   "the variable order is inconsistent at variable", variable);
         }
     }
 
     void look_at_nodes() {
         std::uint64_t in_use_now = 1, handles = 0;
-        demand(table_.nodes[0].level == constant_level, "the constant is not a constant: node", 0);
+        demand(table_.nodes[0].level == constant_level, "the constant has a level: node", 0);
         for (std::uint32_t n = 1; n < table_.used; ++n) {
             handles += table_.refs[n];
-            demand(table_.sweeping || !table_.marked(n), "a mark was left on node", n);
-            demand(in_use(n) || table_.refs[n] == 0, "a handle on free node", n);
+            demand(table_.sweeping || !table_.marked(n), "a mark remains on node", n);
+            demand(in_use(n) || table_.refs[n] == 0, "a handle refers to free node", n);
             if (!in_use(n)) continue;
             ++in_use_now;
             const Node& node = table_.nodes[n];
-            demand(node.level < kernel_.order.size(), "no such level, at node", n);
-            demand(complement_bit(node.low) == 0, "a complement at the low edge of node", n);
-            demand(node.low != node.high, "no difference between the edges of node", n);
+            demand(node.level < kernel_.order.size(), "the level does not exist: node", n);
+            demand(complement_bit(node.low) == 0, "the low edge is complemented: node", n);
+            demand(node.low != node.high, "both edges are equal: node", n);
             for (const Edge child : {node.low, node.high}) {
-                demand(in_use(index_of(child)), "an edge to a free node from node", n);
-                demand(kernel_.level(child) > node.level, "an edge that does not lead down from node", n);
+                demand(in_use(index_of(child)), "an edge leads to a free node: node", n);
+                demand(kernel_.level(child) > node.level, "an edge does not lead to a lower level: node", n);
             }
         }
-        demand(handles == kernel_.handles, "handles are counted wrong:", handles);
-        if (!table_.stale) demand(in_use_now == table_.in_use, "nodes are counted wrong:", in_use_now);
+        demand(handles == kernel_.handles, "the number of handles is wrong:", handles);
+        if (!table_.stale) demand(in_use_now == table_.in_use, "the number of nodes is wrong:", in_use_now);
     }
 
     void look_at_chains() {
@@ -72,13 +72,14 @@ private:
         for (std::uint32_t bucket = 0; bucket < table_.buckets.size(); ++bucket)
             for (std::uint32_t n = table_.buckets[bucket]; n != 0 && found.insert(n).second; n = table_.nodes[n].next) {
                 const Node& node = table_.nodes[n];
-                demand(in_use(n), "in a chain, yet free: node", n);
-                demand(table_.bucket(node.level, node.low, node.high) == bucket, "in a wrong chain: node", n);
+                demand(in_use(n), "a free node is in a chain: node", n);
+                demand(table_.bucket(node.level, node.low, node.high) == bucket, "a node is in the wrong chain: node",
+                       n);
                 demand(table_.find(node.level, node.low, node.high) == n, "stored twice: node", n);
             }
         demand(found.size() + 1 == table_.in_use, "nodes in chains:", found.size());
         for (std::uint32_t n = table_.free; n != 0 && free <= table_.used; n = table_.nodes[n].next) ++free;
-        demand(free + table_.in_use == table_.used, "free nodes are counted wrong:", free);
+        demand(free + table_.in_use == table_.used, "the number of free nodes is wrong:", free);
     }
 
     bool value(Edge edge, std::uint64_t seed) {
@@ -101,19 +102,23 @@ private:
             const Edge third = numbered ? false_edge : known.h;
             bool live = true;
             for (const Edge edge : {known.f, known.g, third, known.result}) live = live && in_use(index_of(edge));
-            demand(live, "the cache knows a free node, in slot", slot);
+            demand(live, "the cache refers to a free node in slot", slot);
             if (!live || steps_ < 0) continue;
             for (std::uint64_t seed = 0; seed < 4; ++seed) {
                 const bool f = value(known.f, seed), g = value(known.g, seed), h = value(third, seed),
                            r = value(known.result, seed);
                 switch (known.operation) {
-                case Operation::And: demand(r == (f && g), "a false conjunction in slot", slot); break;
-                case Operation::Xor: demand(r == (f != g), "a false exclusive or in slot", slot); break;
-                case Operation::Ite: demand(r == (f ? g : h), "a false choice in slot", slot); break;
-                case Operation::Exists: demand(r || !f, "a false quantification in slot", slot); break;
-                case Operation::AndExists: demand(r || !(f && g), "a false product in slot", slot); break;
-                case Operation::Cofactor: demand(r == f || !g, "a false cofactor in slot", slot); break;
-                case Operation::Simplify: demand(r == f || !g, "a false simplification in slot", slot); break;
+                case Operation::And: demand(r == (f && g), "the cached conjunction is wrong in slot", slot); break;
+                case Operation::Xor: demand(r == (f != g), "the cached exclusive or is wrong in slot", slot); break;
+                case Operation::Ite: demand(r == (f ? g : h), "the cached if-then-else is wrong in slot", slot); break;
+                case Operation::Exists: demand(r || !f, "the cached quantification is wrong in slot", slot); break;
+                case Operation::AndExists:
+                    demand(r || !(f && g), "the cached relational product is wrong in slot", slot);
+                    break;
+                case Operation::Cofactor: demand(r == f || !g, "the cached cofactor is wrong in slot", slot); break;
+                case Operation::Simplify:
+                    demand(r == f || !g, "the cached simplification is wrong in slot", slot);
+                    break;
                 case Operation::Rename: break;  // its third operand is a number, not an edge
                 }
             }

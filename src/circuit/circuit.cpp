@@ -14,12 +14,12 @@ void check_sources(const Circuit& circuit, Faults& faults) {
     const auto name = [&](std::uint32_t node, const std::string& what) {
         if (node == 0 || node >= named.size() || circuit.gates.is_gate(node))
             faults.push_back(what + " is not a source");
-        else if (++named[node] > 1) faults.push_back(what + " is a source of two");
+        else if (++named[node] > 1) faults.push_back(what + " shares its source with another element");
     };
     for (const Circuit::Input& input : circuit.inputs) name(input.node, "input `" + input.name + "`");
     for (const Circuit::Latch& latch : circuit.latches) name(latch.node, "latch `" + latch.name + "`");
     for (std::uint32_t node = 1; node < named.size(); ++node)
-        if (!circuit.gates.is_gate(node) && named[node] == 0) faults.push_back("a source has no owner");
+        if (!circuit.gates.is_gate(node) && named[node] == 0) faults.push_back("a source belongs to no input or latch");
 }
 
 }  // namespace
@@ -29,10 +29,10 @@ std::vector<std::string> verify(const Circuit& circuit) {
     const Gates& gates = circuit.gates;
     for (std::uint32_t node = 1; node < gates.size(); ++node)
         if (node_of(gates[node].left) >= node || node_of(gates[node].right) >= node)
-            faults.push_back("node " + std::to_string(node) + " reads itself or a later one");
+            faults.push_back("node " + std::to_string(node) + " reads itself or a later node");
     check_sources(circuit, faults);
     const auto known = [&](Gates::Literal literal, const char* what) {
-        if (node_of(literal) >= gates.size()) faults.push_back(std::string(what) + " names no node");
+        if (node_of(literal) >= gates.size()) faults.push_back(std::string(what) + " refers to no node");
     };
     for (const Circuit::Latch& latch : circuit.latches) known(latch.next, "a latch");
     for (const auto* words : {&circuit.words, &circuit.symbols})
@@ -44,8 +44,8 @@ std::vector<std::string> verify(const Circuit& circuit) {
         for (const Gates::Literal each : target.justice) known(each, "a target");
     }
     for (const Circuit::Leak& leak : circuit.leaks) known(leak.bad, "a leak");
-    known(circuit.possible, "what is possible");
-    known(circuit.in_range, "what is in range");
+    known(circuit.possible, "the condition of possible states");
+    known(circuit.in_range, "the condition of values in range");
     return faults;
 }
 

@@ -79,7 +79,7 @@ private:
 
     void add(const std::vector<Network::ClockConstraint>& constraints, Span where) {
         for (const Network::ClockConstraint& constraint : constraints)
-            if (wide_[constraint.bound.index]) places_.add(where, "what a clock is compared with");
+            if (wide_[constraint.bound.index]) places_.add(where, "the bound of a clock");
     }
 
     void add(const std::vector<Network::Assignment>& assignments, Span where) {

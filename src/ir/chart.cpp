@@ -98,7 +98,8 @@ void check_variables(const Chart& chart, Faults& faults) {
 void check_partial_charts(const Chart& chart, Faults& faults) {
     std::vector<int> entries(chart.partial_charts.size()), exits(chart.partial_charts.size());
     for (const auto& step : chart.steps) {
-        faults.check(chart.partial_charts.contains(step.chart), "step " + step.name + " is in no partial chart");
+        faults.check(chart.partial_charts.contains(step.chart),
+                     "step " + step.name + " does not belong to a partial chart");
         if (!chart.partial_charts.contains(step.chart)) continue;
         entries[step.chart.index] += step.entry ? 1 : 0;
         exits[step.chart.index] += step.exit ? 1 : 0;
@@ -110,20 +111,20 @@ void check_partial_charts(const Chart& chart, Faults& faults) {
         faults.check(!owned || chart.steps.contains(partial.owner), "the owner of " + partial.name + " is not a step");
         const bool is_expansion = partial.kind == Chart::PartialKind::Expansion;
         faults.check(owned == (partial.kind != Chart::PartialKind::Plain),
-                     "the owner of " + partial.name + " does not fit its kind");
+                     "the owner of " + partial.name + " does not match the type of the partial chart");
         if (chart.steps.contains(partial.owner)) {
             const Chart::StepKind wanted = is_expansion ? Chart::StepKind::Macro : Chart::StepKind::Enclosing;
             faults.check(chart.steps[partial.owner].kind == wanted,
-                         "the owner of " + partial.name + " is another step");
+                         "the owner of " + partial.name + " is a step of the wrong type");
             if (is_expansion) ++expansions[partial.owner.index];
         }
         if (!is_expansion) continue;
         faults.check(entries[id.index] == 1 && exits[id.index] == 1,
-                     "expansion " + partial.name + " lacks one entry and one exit step");
+                     "expansion " + partial.name + " does not have exactly one entry step and one exit step");
     }
     for (const auto id : chart.steps.ids())
         faults.check((chart.steps[id].kind == Chart::StepKind::Macro) == (expansions[id.index] == 1),
-                     "step " + chart.steps[id].name + " has another number of expansions than its kind");
+                     "step " + chart.steps[id].name + " has a number of expansions that does not match its type");
 }
 
 bool is_input(const Chart& chart, const Expr& leaf) {
@@ -137,7 +138,7 @@ void check_transitions(const Chart& chart, Faults& faults) {
         const auto check_side = [&](const std::vector<Id<Chart::Step>>& side) {
             for (const auto step : side) {
                 faults.check(chart.steps.contains(step),
-                             "transition " + transition.name + " links a step that is not in the table");
+                             "transition " + transition.name + " links a step that does not exist");
                 if (chart.steps.contains(step))
                     faults.check(chart.steps[step].chart == transition.chart,
                                  "transition " + transition.name + " leaves its partial chart");
@@ -164,27 +165,28 @@ void check_transitions(const Chart& chart, Faults& faults) {
 
 void check_actions(const Chart& chart, Faults& faults) {
     for (const auto& action : chart.continuous) {
-        faults.check(chart.steps.contains(action.step), "a continuous action belongs to no step");
-        faults.check(chart.variables.contains(action.output), "a continuous action is about no variable");
+        faults.check(chart.steps.contains(action.step), "a continuous action has no step");
+        faults.check(chart.variables.contains(action.output), "a continuous action has no output variable");
         if (chart.variables.contains(action.output))
-            faults.check(chart.variables[action.output].type.boolean, "a continuous action is about an integer");
+            faults.check(chart.variables[action.output].type.boolean,
+                         "the output of a continuous action is an integer");
         faults.condition(action.condition, "a continuous action");
     }
     for (const auto& action : chart.stored) {
         const bool clearing = action.on == Chart::StoredOn::Clearing;
         faults.check(clearing ? chart.transitions.contains(action.transition) : chart.steps.contains(action.step),
-                     "a stored action belongs to nothing");
+                     "a stored action has no step or transition");
         faults.check((action.on == Chart::StoredOn::Event) == action.event.valid(),
-                     "a stored action has an event it should not have, or none");
+                     "a stored action has an unexpected event, or its event is missing");
         if (action.event.valid()) faults.condition(action.event, "an event");
         const bool known = chart.variables.contains(action.target) && chart.exprs.contains(action.value);
-        faults.check(known, "a stored action is about nothing");
+        faults.check(known, "a stored action has no target or no value");
         if (!known) continue;
         faults.sorts.check(action.value, sort_of(chart.variables[action.target].type), "the value of a stored action",
                            faults.found);
     }
     for (const auto& order : chart.forcing) {
-        faults.check(chart.steps.contains(order.step), "a forcing order belongs to no step");
+        faults.check(chart.steps.contains(order.step), "a forcing order has no step");
         faults.check(chart.partial_charts.contains(order.forced), "a forcing order forces no partial chart");
         for (const auto step : order.situation)
             faults.check(chart.steps.contains(step) && chart.steps[step].chart == order.forced,
@@ -198,7 +200,7 @@ std::vector<std::string> verify(const Chart& chart) {
     Faults faults{Sorts(chart.exprs, [&chart](const Expr& leaf) { return leaf_sort(chart, leaf); })};
     for (std::uint32_t index = 0; index < chart.exprs.size(); ++index)
         faults.check(!is_leaf(chart.exprs[Id<Expr>{index}].op) || leaf_in_table(chart, chart.exprs[Id<Expr>{index}]),
-                     "a leaf of an expression is in no table");
+                     "a leaf of an expression refers to an undeclared element");
     if (!faults.found.empty()) return faults.found;
     check_names(chart, faults);
     check_variables(chart, faults);

@@ -37,15 +37,15 @@ void check(const ChartRun& run, const ChartRun::Event& moment, const std::string
            std::vector<std::string>& faults) {
     const std::vector<Id<ChartRun::Step>>& situation = moment.after.situation;
     if (moment.after.values.size() != run.signals.size())
-        faults.push_back(where + ": its values are not those of the signals");
+        faults.push_back(where + ": the number of values differs from the number of signals");
     if (!std::ranges::is_sorted(situation, std::ranges::less_equal{}))
-        faults.push_back(where + ": its situation is not in order");
+        faults.push_back(where + ": the steps of its situation are not sorted");
     if (!are_in(situation, run.steps)) faults.push_back(where + ": its situation has an unknown step");
     const bool known = (!moment.instance.valid() || run.instances.contains(moment.instance)) &&
                        (!moment.timer.valid() || run.timers.contains(moment.timer)) &&
                        are_in(moment.changed, run.signals) &&
                        std::ranges::all_of(moment.acts, [&](const ChartRun::Act& act) { return is_known(run, act); });
-    if (!known) faults.push_back(where + ": it is about something unknown");
+    if (!known) faults.push_back(where + ": it refers to an unknown element");
 }
 
 }  // namespace
@@ -73,8 +73,8 @@ std::vector<Id<ChartRun::Signal>> signals_of(const ChartRun& run, ChartRun::Role
 std::vector<std::string> verify(const ChartRun& run) {
     std::vector<std::string> faults;
     for (const ChartRun::Controller& controller : run.controllers)
-        if (!is_known(run, controller)) faults.push_back(controller.name + ": it has something unknown");
-    if (run.moments.empty()) faults.emplace_back("the power-on is missing");
+        if (!is_known(run, controller)) faults.push_back(controller.name + ": it refers to an unknown element");
+    if (run.moments.empty()) faults.emplace_back("the event of power-on is missing");
     std::int64_t time = 0;
     for (std::size_t i = 0; i < run.moments.size(); ++i) {
         const std::string where = "moment " + std::to_string(i);
@@ -84,28 +84,29 @@ std::vector<std::string> verify(const ChartRun& run) {
     }
     std::size_t told = 0;
     for (const ChartRun::Row& row : run.rows) {
-        if (row.moment < told || row.moment >= run.moments.size()) faults.emplace_back("a row is not in its place");
+        if (row.moment < told || row.moment >= run.moments.size()) faults.emplace_back("a row is out of order");
         for (const std::vector<Id<ChartRun::Transition>>& evolution : row.fired)
             if (!are_in(evolution, run.transitions)) faults.emplace_back("a row clears an unknown transition");
         told = row.moment;
     }
-    if (run.loop && (*run.loop == 0 || *run.loop > run.moments.size())) faults.emplace_back("nothing begins the loop");
+    if (run.loop && (*run.loop == 0 || *run.loop > run.moments.size()))
+        faults.emplace_back("the loop has no first event");
     if (run.loop_from && (*run.loop_from == 0 || *run.loop_from >= run.rows.size()))
-        faults.emplace_back("the loop begins at no row");
+        faults.emplace_back("the loop has no first row");
     for (const ChartRun::Cause& cause : run.causes) {
         const bool known = (!cause.signal.valid() || run.signals.contains(cause.signal)) &&
                            (!cause.step.valid() || run.steps.contains(cause.step)) &&
                            (!cause.instance.valid() || run.instances.contains(cause.instance)) &&
                            (!cause.timer.valid() || run.timers.contains(cause.timer));
         if (!known || cause.first > cause.last || cause.last >= run.moments.size())
-            faults.emplace_back("a cause is about something unknown");
+            faults.emplace_back("a cause refers to an unknown element");
     }
     if (!run.left_out.empty() && run.left_out.back() >= run.moments.size())
-        faults.emplace_back("an unknown moment is left out");
+        faults.emplace_back("an unknown event is omitted");
     for (const ChartRun::Counterfactual& each : run.counterfactual_values)
         if (each.moment >= run.moments.size() ||
             !(each.signal.valid() ? run.signals.contains(each.signal) : run.timers.contains(each.timer)))
-            faults.emplace_back("a value of something unknown is left out");
+            faults.emplace_back("a value of an unknown element is omitted");
     return faults;
 }
 

@@ -38,16 +38,16 @@ void check_shared(Checker& checker) {
         if (!owner.valid()) continue;
         const bool known =
             checker.loop.controllers.contains(owner) && checker.chart(owner).variables.contains(shared.variable);
-        checker.check(known, "shared variable " + shared.name + " is in no chart");
+        checker.check(known, "shared variable " + shared.name + " does not belong to a chart");
         if (known)
             checker.check(checker.chart(owner).variables[shared.variable].type == shared.type,
-                          "shared variable " + shared.name + " has another type than in its chart");
+                          "shared variable " + shared.name + " has a type that differs from the one in its chart");
     }
 }
 
 void check_term(Checker& checker, const ClosedLoop::Instance& instance, Id<Expr> term, std::vector<bool>& read) {
     const ClosedLoop& loop = checker.loop;
-    checker.check(loop.exprs.contains(term), "an argument of " + instance.name + " is in no table");
+    checker.check(loop.exprs.contains(term), "an argument of " + instance.name + " does not exist");
     if (!loop.exprs.contains(term)) return;
     for (const Id<Expr> leaf : leaves(loop.exprs, term)) {
         const Id<ClosedLoop::Symbol> symbol{static_cast<std::uint32_t>(loop.exprs[leaf].value)};
@@ -66,7 +66,7 @@ void check_argument(Checker& checker, const ClosedLoop::Instance& instance, cons
     const bool variable = parameter.kind != Component::ParameterKind::Constant;
     const bool input = parameter.kind == Component::ParameterKind::Input;
     checker.check(term != nullptr ? input : (shared != nullptr) == variable,
-                  "an argument of " + instance.name + " does not fit parameter " + parameter.name);
+                  "an argument of " + instance.name + " does not match parameter " + parameter.name);
     if (term != nullptr) return check_term(checker, instance, *term, read);
     if (shared == nullptr) return;
     checker.check(checker.loop.shared.contains(*shared),
@@ -74,7 +74,7 @@ void check_argument(Checker& checker, const ClosedLoop::Instance& instance, cons
     if (!checker.loop.shared.contains(*shared)) return;
     const bool boolean = parameter.value == Component::ValueKind::Boolean;
     checker.check(checker.loop.shared[*shared].type.boolean == boolean,
-                  "an argument of " + instance.name + " has another type than " + parameter.name);
+                  "an argument of " + instance.name + " has a type that differs from the one of " + parameter.name);
     if (parameter.kind == Component::ParameterKind::Output) ++writers[shared->index];
     if (input) read[shared->index] = true;
 }
@@ -91,7 +91,7 @@ void check_instances(Checker& checker) {
         checker.check(component.locations.contains(instance.initial),
                       "instance " + instance.name + " has no initial location");
         checker.check(instance.arguments.size() == component.parameters.size(),
-                      "instance " + instance.name + " lacks arguments");
+                      "instance " + instance.name + " has the wrong number of arguments");
         if (instance.arguments.size() != component.parameters.size()) continue;
         for (const auto id : component.parameters.ids()) {
             check_argument(checker, instance, component.parameters[id], instance.arguments[id.index], writers, read);
@@ -102,7 +102,7 @@ void check_instances(Checker& checker) {
         const int drivers = writers[id.index] + (shared.writer.valid() ? 1 : 0);
         const bool needs = shared.reader.valid() || read[id.index];
         checker.check(drivers <= 1 && (drivers == 1 || !needs),
-                      "shared variable " + shared.name + " is not driven by exactly one");
+                      "shared variable " + shared.name + " does not have exactly one driver");
     }
 }
 
@@ -140,7 +140,7 @@ bool is_known(const Checker& checker, const ClosedLoop::Symbol& symbol) {
 
 void check_properties(Checker& checker) {
     const ClosedLoop& loop = checker.loop;
-    for (const auto& symbol : loop.symbols) checker.check(is_known(checker, symbol), "a symbol stands for nothing");
+    for (const auto& symbol : loop.symbols) checker.check(is_known(checker, symbol), "a symbol refers to no element");
     for (std::uint32_t index = 0; index < loop.exprs.size(); ++index) {
         const Expr& node = loop.exprs[Id<Expr>{index}];
         if (is_leaf(node.op))
@@ -151,7 +151,7 @@ void check_properties(Checker& checker) {
     for (const auto& property : loop.properties) {
         checker.check(names.insert(property.name).second, "two properties are named " + property.name);
         for (const auto operand : property.operands)
-            checker.check(loop.exprs.contains(operand), "an operand of " + property.name + " is in no table");
+            checker.check(loop.exprs.contains(operand), "an operand of " + property.name + " does not exist");
     }
 }
 
@@ -162,10 +162,10 @@ void check_observers(Checker& checker) {
         for (const ClosedLoop::ObserverEdge& edge : observer.edges)
             checker.check(observer.locations.contains(edge.from) && observer.locations.contains(edge.to) &&
                               loop.exprs.contains(edge.guard),
-                          "an edge of " + observer.name + " is not whole");
+                          "an edge of " + observer.name + " is incomplete");
     }
     for (const ClosedLoop::Constraint& constraint : loop.constraints)
-        checker.check(loop.exprs.contains(constraint.condition), constraint.name + " is in no table");
+        checker.check(loop.exprs.contains(constraint.condition), constraint.name + " does not exist");
 }
 
 }  // namespace

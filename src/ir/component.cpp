@@ -45,9 +45,10 @@ struct Checker {
 template <class Declared>
 void check_declared(Checker& checker, const Declared& declared, bool ranged) {
     using Kind = Component::ValueKind;
-    checker.check(declared.low.has_value() == declared.high.has_value(), declared.name + " has half a range");
+    checker.check(declared.low.has_value() == declared.high.has_value(),
+                  declared.name + " has only one bound of its range");
     checker.check(declared.low.has_value() == (ranged && declared.value == Kind::Integer),
-                  declared.name + " lacks a range, or has one too much");
+                  declared.name + " has no range although it is an integer, or has a superfluous range");
     for (const auto& bound : {declared.low, declared.high})
         if (bound) checker.is(*bound, Sort::Integer, "a bound of " + declared.name);
     if (declared.initial) checker.is(*declared.initial, sort_of(declared.value), "the value of " + declared.name);
@@ -76,14 +77,15 @@ void check_assignments(Checker& checker, const std::vector<Component::Assignment
             target.op == Op::Parameter &&
             component.parameters[Id<Component::Parameter>{static_cast<std::uint32_t>(target.value)}].kind ==
                 Component::ParameterKind::Output;
-        checker.check(output || target.op == Op::Variable, "something else than an output or own variable is assigned");
+        checker.check(output || target.op == Op::Variable,
+                      "the target of an assignment is not an output or variable of the component");
         checker.is(assignment.value, sort, "an assigned value");
     }
 }
 
 void check_clocks(Checker& checker, const std::vector<Component::ClockConstraint>& constraints) {
     for (const Component::ClockConstraint& constraint : constraints) {
-        checker.check(checker.component.clocks.contains(constraint.clock), "a clock constraint is about no clock");
+        checker.check(checker.component.clocks.contains(constraint.clock), "a clock constraint has no clock");
         checker.is(constraint.bound, Sort::Duration, "the bound of a clock");
         checker.check(is_comparison(constraint.relation) && constraint.relation != Op::NotEqual,
                       "a clock constraint has no relation");
@@ -92,14 +94,14 @@ void check_clocks(Checker& checker, const std::vector<Component::ClockConstraint
 
 void check_locations(Checker& checker) {
     const Component& component = checker.component;
-    checker.check(!component.locations.empty(), "there is no location");
+    checker.check(!component.locations.empty(), "the component has no location");
     checker.check(!component.initial.valid() || component.locations.contains(component.initial),
-                  "the initial location is in no table");
+                  "the initial location does not exist");
     for (const Component::Location& location : component.locations) {
         check_clocks(checker, location.invariant);
         for (const auto& bound : location.invariant)
             checker.check(bound.relation == Op::Less || bound.relation == Op::LessEqual,
-                          "the invariant of " + location.name + " bounds from below");
+                          "the invariant of " + location.name + " has a lower bound");
         check_assignments(checker, location.initially);
     }
 }
@@ -108,13 +110,12 @@ void check_edges(Checker& checker) {
     const Component& component = checker.component;
     for (const Component::Edge& edge : component.edges) {
         checker.check(component.locations.contains(edge.from) && component.locations.contains(edge.to),
-                      "an edge links locations in no table");
+                      "an edge links locations that do not exist");
         checker.is(edge.guard, Sort::Boolean, "a guard");
         checker.check(!edge.urgent || edge.constraint.empty(), "an urgent edge has a clock constraint");
         check_clocks(checker, edge.constraint);
         check_assignments(checker, edge.assignments);
-        for (const auto clock : edge.resets)
-            checker.check(component.clocks.contains(clock), "a reset is about no clock");
+        for (const auto clock : edge.resets) checker.check(component.clocks.contains(clock), "a reset has no clock");
     }
 }
 

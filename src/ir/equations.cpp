@@ -69,7 +69,7 @@ struct Check {
 
     void role(Id<Equations::Variable> variable, Role expected) {
         if (known(variable) && equations.variables[variable].role != expected)
-            fault(name(variable) + " has an equation of another role");
+            fault(name(variable) + " has an equation that does not match its role");
     }
 
     void condition(Id<Expr> term, Sort sort, const std::string& what) { sorts.check(term, sort, what, faults); }
@@ -128,7 +128,8 @@ struct Check {
             return fault("the timer `" + timer.name + "` has a variable that does not exist");
         const Role kind = equations.variables[timer.watched].role;
         if (kind != Role::Step && kind != Role::Watched)
-            fault("the timer `" + timer.name + "` watches " + name(timer.watched) + ", no step and no watched term");
+            fault("the timer `" + timer.name + "` watches " + name(timer.watched) +
+                  ", which is neither a step nor a watched term");
         role(timer.end, Role::TimerEnd);
         ++defined[timer.end.index];
         if (timer.rise_ms < 0 || timer.fall_ms < 0 || timer.rise_ms + timer.fall_ms == 0)
@@ -140,7 +141,7 @@ struct Check {
         if (!known(stored.variable)) return;
         const Equations::Variable& variable = equations.variables[stored.variable];
         if (variable.role != Role::Internal && variable.role != Role::Output)
-            fault(name(stored.variable) + " has an equation of another role");
+            fault(name(stored.variable) + " has an equation that does not match its role");
         condition(stored.race, Sort::Boolean, "the race condition of " + name(stored.variable));
         condition(stored.first, sort_of(variable.type), "the first value of " + name(stored.variable));
         condition(stored.first_race, Sort::Boolean, "the first race condition of " + name(stored.variable));

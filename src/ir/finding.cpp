@@ -14,40 +14,39 @@ namespace {
 using Level = Finding::Level;
 
 constexpr std::array kinds = {
-    FindingKind{"total-instability", Level::Error,
-                "With some inputs that do not change the situation never becomes stable."},
-    FindingKind{"contradictory-constraints", Level::Error, "No combination of inputs meets all constraints."},
+    FindingKind{"total-instability", Level::Error, "With some constant inputs, the situation never becomes stable."},
+    FindingKind{"contradictory-constraints", Level::Error, "No combination of inputs satisfies all constraints."},
     FindingKind{"action-race", Level::Error,
                 "Two stored actions write different values to one variable in one evolution."},
     FindingKind{"out-of-range", Level::Error, "A stored action writes a value outside the range of its variable."},
     FindingKind{"no-value", Level::Error, "A condition or a stored value divides by zero."},
-    FindingKind{"forcing-cycle", Level::Error, "Forcing orders force each other in a circle."},
+    FindingKind{"forcing-cycle", Level::Error, "Forcing orders form a cycle."},
     FindingKind{"forced-twice", Level::Error,
-                "Two forcing orders hold one partial chart in different situations at once."},
+                "Two forcing orders force one partial chart to different situations at the same time."},
     FindingKind{"forced-and-enclosed", Level::Error,
-                "A partial chart is forced while the step that encloses it is active, which governs it too."},
+                "A partial chart is forced while it is also controlled by its enclosing step, which is active."},
     FindingKind{"action-conflict", Level::Warning,
-                "A value stored in an output is overwritten in the same instant, so that it never gets out."},
-    FindingKind{"branches-together", Level::Warning, "Two transitions of one divergence are cleared at once."},
-    FindingKind{"step-reactivated", Level::Warning, "A step is activated while it is active, and stays so."},
-    FindingKind{"step-never-active", Level::Warning, "A step is active in no situation that can be reached."},
+                "A value stored in an output is overwritten in the same instant, so it is never written."},
+    FindingKind{"branches-together", Level::Warning, "Two transitions of one divergence are cleared simultaneously."},
+    FindingKind{"step-reactivated", Level::Warning, "A step is activated while it is active, and stays active."},
+    FindingKind{"step-never-active", Level::Warning, "A step is not active in any reachable situation."},
     FindingKind{"transition-never-fired", Level::Warning, "A transition is never cleared."},
     FindingKind{"output-never-set", Level::Warning, "An output always has its initial value."},
     FindingKind{"step-never-again", Level::Warning,
-                "A step that can be active again and again is never active again from some situation on."},
+                "A step can be activated repeatedly, but from some situation on it can never be activated again."},
     FindingKind{"transition-never-again", Level::Warning,
-                "A transition that can be cleared again and again is never cleared again from some situation on."},
+                "A transition can be cleared repeatedly, but from some situation on it can never be cleared again."},
     FindingKind{"value-sticks", Level::Warning,
-                "A stored value that can change again and again never changes again from some situation on."},
+                "A stored value can change repeatedly, but from some situation on it can never change again."},
     FindingKind{"region-never-left", Level::Warning,
-                "Some situations are never left for the others, though every step can become active in them."},
+                "The chart cannot leave a set of situations, although every step can become active in this set."},
     FindingKind{"comes-once", Level::Note,
-                "A step is active, or a transition cleared, once in a run and never again: a start-up or an end."},
+                "A step is active, or a transition is cleared, at most once in a run: it belongs to a start-up or "
+                "final phase."},
     FindingKind{"step-never-stable", Level::Note,
-                "A step is active in transient situations only, so that its continuous actions give no output."},
-    FindingKind{"transition-always-fired", Level::Note,
-                "A transition is cleared in the very evolution after it becomes enabled."},
-    FindingKind{"input-never-read", Level::Note, "Nothing in the chart depends on an input."},
+                "A step is active only in transient situations, so its continuous actions never set an output."},
+    FindingKind{"transition-always-fired", Level::Note, "A transition is always cleared as soon as it is enabled."},
+    FindingKind{"input-never-read", Level::Note, "An input is not read by the chart."},
 };
 
 }  // namespace
@@ -83,9 +82,9 @@ std::vector<std::string> verify(const Analysis& analysis) {
     }
     for (const OpenQuestion& question : analysis.open)
         if (std::ranges::find(kinds, question.code, &FindingKind::code) == kinds.end())
-            faults.push_back("nothing asks for `" + question.code + "`");
+            faults.push_back("an open question has the unknown code `" + question.code + "`");
     if (analysis.open.empty() != analysis.obstacle.empty())
-        faults.push_back("questions are open without a reason, or the other way round");
+        faults.push_back("only one of the open questions and the reason for them is present");
     return faults;
 }
 

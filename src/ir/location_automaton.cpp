@@ -31,13 +31,13 @@ struct Check {
             const bool known = input.timed.valid() ? automaton.steps.contains(input.timed) && !input.watched.valid()
                                                    : automaton.stored.contains(input.watched);
             const bool waits = input.rise_ms >= 0 && input.fall_ms >= 0 && input.rise_ms + input.fall_ms > 0;
-            if (!known || !waits) fault("timer `" + input.name + "` watches nothing, or waits for no time");
+            if (!known || !waits) fault("timer `" + input.name + "` has no watched element or no duration");
         }
         if (!automaton.exprs.contains(automaton.assumed)) return;
         for (const Id<Expr> leaf : leaves(automaton.exprs, automaton.assumed)) {
             const Id<LocationAutomaton::Input> input{static_cast<std::uint32_t>(automaton.exprs[leaf].value)};
             if (automaton.inputs.contains(input) && is_timer(automaton.inputs[input]))
-                fault("what is assumed reads a timer");
+                fault("the assumption reads a timer");
         }
     }
 
@@ -68,19 +68,19 @@ struct Check {
 
     void locations() {
         std::set<std::pair<std::vector<Id<Step>>, std::vector<std::int64_t>>> known;
-        if (!automaton.locations.contains(automaton.init)) fault("there is no INIT");
+        if (!automaton.locations.contains(automaton.init)) fault("the location INIT does not exist");
         for (const Id<Location> id : automaton.locations.ids()) {
             const Location& location = automaton.locations[id];
             situation(location.situation);
             if (location.values.size() != automaton.stored.size())
-                fault("a location has not one value per stored variable");
+                fault("a location does not have exactly one value per stored variable");
             if (id != automaton.init && !known.emplace(location.situation, location.values).second)
-                fault("two locations are the same");
+                fault("two locations are identical");
             for (const LocationAutomaton::Emission& emission : location.emissions) {
                 if (!automaton.outputs.contains(emission.output)) fault("an emission has no output");
                 term(emission.value, "an emission");
                 if (automaton.exprs.contains(emission.value) && is_false(automaton.exprs, emission.value))
-                    fault("an emission never holds");
+                    fault("the condition of an emission is never true");
             }
         }
     }
@@ -109,7 +109,7 @@ struct Check {
             if (!automaton.locations.contains(instability.from)) fault("an instability has no location");
             condition(instability.condition, "the condition of an instability");
             if (instability.witness.size() != automaton.inputs.size())
-                fault("a witness of instability has not one value per input");
+                fault("a witness of instability does not have exactly one value per input");
             if (instability.cycle.empty()) fault("a cycle of instability is empty");
             for (const auto& step : instability.cycle) situation(step);
         }
@@ -149,7 +149,7 @@ std::string situation_text(const LocationAutomaton& automaton, const std::vector
 std::vector<std::string> verify(const LocationAutomaton& automaton) {
     Check check{automaton};
     check.inputs();
-    check.term(automaton.assumed, "what is assumed");
+    check.term(automaton.assumed, "the assumption");
     check.locations();
     check.evolutions();
     check.instabilities();

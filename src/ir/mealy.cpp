@@ -31,7 +31,7 @@ struct Check {
     void answers() {
         for (const MealyMachine::OutputWord& answer : machine.answers) {
             if (answer.values.size() != machine.outputs.size()) {
-                fault("an answer has not one value per output");
+                fault("an output word does not have exactly one value per output");
                 continue;
             }
             for (std::size_t k = 0; k < answer.values.size(); ++k)
@@ -53,18 +53,18 @@ struct Check {
         for (const Transition& transition : machine.transitions) {
             if (!machine.states.contains(transition.from) || !machine.states.contains(transition.to))
                 fault("a transition has a state that does not exist");
-            if (!machine.answers.contains(transition.answer)) fault("a transition has no answer");
+            if (!machine.answers.contains(transition.answer)) fault("a transition has no output word");
             if (transition.wait_ms < 0) fault("a transition waits for a negative time");
             condition(transition.condition);
         }
         if (!std::ranges::is_sorted(machine.unstable, {}, &MealyMachine::Unstable::from))
             fault("the unstable inputs are not ordered by `from`");
         for (const MealyMachine::Unstable& unstable : machine.unstable) {
-            if (!machine.states.contains(unstable.from)) fault("unstable inputs have no state");
+            if (!machine.states.contains(unstable.from)) fault("an entry of unstable inputs has no state");
             condition(unstable.condition);
         }
         for (const MealyMachine::Activation& activation : machine.activation) {
-            if (!machine.answers.contains(activation.answer)) fault("the activation has no answer");
+            if (!machine.answers.contains(activation.answer)) fault("the activation has no output word");
             condition(activation.condition);
         }
     }

@@ -16,7 +16,7 @@ struct Check {
     void fault(std::string text) { faults.push_back(std::move(text)); }
 
     void values(const std::vector<std::int64_t>& values, const std::vector<TestSequence::Variable>& variables) {
-        if (values.size() != variables.size()) return fault("a step has not one value per variable");
+        if (values.size() != variables.size()) return fault("a step does not have exactly one value per variable");
         for (std::size_t k = 0; k < values.size(); ++k)
             if (values[k] < variables[k].type.low || values[k] > variables[k].type.high)
                 fault("a value of `" + variables[k].name + "` is outside its range");
@@ -25,7 +25,7 @@ struct Check {
     void step(const Step& step) {
         values(step.inputs, test.inputs);
         values(step.outputs, test.outputs);
-        if (step.cycles == 0) fault("a step lasts no cycle");
+        if (step.cycles == 0) fault("a step has no cycle");
         if (step.wait_ms < 0) fault("a step waits for a negative time");
         if (!test.situations.contains(step.situation)) fault("a step has no situation");
     }
@@ -36,7 +36,7 @@ struct Check {
             step(*sequence.activation);
             if (sequence.activation->inputs != sequence.steps.front().inputs)
                 fault("an activation has other inputs than the first step");
-            if (sequence.activation->cycles != 1) fault("an activation lasts one scan");
+            if (sequence.activation->cycles != 1) fault("an activation lasts more or less than one scan");
         }
         if (sequence.steps.front().wait_ms != 0) fault("the first step of a sequence waits");
         const Step* before = nullptr;
@@ -68,12 +68,12 @@ std::string_view word(TestCover cover) {
 
 std::vector<std::string> verify(const TestSequence& test) {
     Check check{test};
-    if (test.sequences.empty()) check.fault("there is no sequence");
+    if (test.sequences.empty()) check.fault("the test has no sequence");
     for (const TestSequence::Sequence& sequence : test.sequences) check.sequence(sequence);
-    if (test.covered > test.to_cover) check.fault("more is covered than there is");
-    if (test.lower_bound > step_count(test)) check.fault("the lower bound is above the length");
+    if (test.covered > test.to_cover) check.fault("the number of covered elements exceeds the number of elements");
+    if (test.lower_bound > step_count(test)) check.fault("the lower bound exceeds the length");
     if (test.proven_least && test.lower_bound != step_count(test))
-        check.fault("the length is not the bound that proves it");
+        check.fault("the length is declared minimal but differs from its lower bound");
     return std::move(check.faults);
 }
 

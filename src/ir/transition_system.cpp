@@ -33,7 +33,7 @@ void check_member(const System& system, bool in_main, const System::Symbol& symb
     if (!system.modules.contains(module) || !system.modules[module].symbols.contains(member.symbol))
         return faults.push_back(where + " names no symbol of its instance");
     if (system.modules[module].symbols[member.symbol].type != symbol.type)
-        faults.push_back(where + " has another type than the symbol it stands for");
+        faults.push_back(where + " has a type that differs from the one of its symbol");
 }
 
 void check_symbols(const System& system, Id<System::Module> id, Sorts& sorts, Faults& faults) {
@@ -46,11 +46,10 @@ void check_symbols(const System& system, Id<System::Module> id, Sorts& sorts, Fa
             faults.push_back(where + " does not have a unique name");
         const auto width = static_cast<std::size_t>(symbol.type.high - symbol.type.low + 1);
         if (!symbol.values.empty() && (symbol.type.boolean || symbol.values.size() != width))
-            faults.push_back(where + " has not one name for each value");
+            faults.push_back(where + " does not have exactly one name for each value");
         if (symbol.type.low > symbol.type.high) faults.push_back(where + " has an empty range");
         const bool parameter = std::holds_alternative<System::ParameterSymbol>(symbol.kind);
-        if (parameter && (parameters_over || id == system.main))
-            faults.push_back(where + " is a parameter out of place");
+        if (parameter && (parameters_over || id == system.main)) faults.push_back(where + " is a misplaced parameter");
         parameters_over = parameters_over || !parameter;
         std::visit(overloaded{
                        [](const System::ParameterSymbol&) {},
@@ -117,7 +116,8 @@ void check_instances(const System& system, Faults& faults) {
         for (const System::Symbol& symbol : system.modules[instance.module].symbols)
             if (std::holds_alternative<System::ParameterSymbol>(symbol.kind)) parameters.push_back(symbol.type);
         if (parameters.size() != instance.arguments.size()) {
-            faults.push_back(where + " has another number of arguments than its module of parameters");
+            faults.push_back(where +
+                             " has a number of arguments that differs from the number of parameters of its module");
             continue;
         }
         for (std::size_t i = 0; i < parameters.size(); ++i)
@@ -163,7 +163,7 @@ void check_properties(const System& system, Sorts& sorts, Faults& faults) {
     }
     if (system.settled.valid()) sorts.check(system.settled, Sort::Boolean, "settled", faults);
     for (const System::Omitted& omitted : system.omitted)
-        if (omitted.before > system.properties.size()) faults.push_back("an omitted property has no place");
+        if (omitted.before > system.properties.size()) faults.push_back("an omitted property has an invalid position");
 }
 
 /// True for each symbol whose value depends on a choice, per module.

@@ -92,7 +92,7 @@ std::vector<std::string> assumptions(const PageContent& content) {
     else
         said.push_back(
             fmt::format("No time: the {} engine checked the untimed model ({}){}.", settings.engine, settings.untimed,
-                        content.loop.valid() ? "; each verdict states what it implies for the timed loop" : ""));
+                        content.loop.valid() ? "; each verdict states its implication for the timed loop" : ""));
     if (!settings.constants.empty())
         said.push_back("Constants of the loop: " + constants_text(settings.constants) + ".");
     if (settings.mode == word(ExecutionMode::StabilitySearch))
@@ -131,7 +131,7 @@ std::vector<std::string> assumptions(const PageContent& content) {
             environment.push_back(
                 fmt::format("{} ({})", instance.name, content.model.components[instance.component].name));
     if (!environment.empty())
-        said.push_back("Environment, with any behaviour of its components: " + listed(environment) + ".");
+        said.push_back("Environment, whose components can behave in any possible way: " + listed(environment) + ".");
     return said;
 }
 

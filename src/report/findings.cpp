@@ -36,7 +36,7 @@ Diagnostic diagnostic(const Finding& finding) {
 
 void print_evidence(const Finding& finding, std::ostream& out) {
     if (finding.timing == Finding::Timing::Unconfirmed)
-        out << "    depends on the order in which timers expire; no times were found at which that happens\n";
+        out << "    depends on the order of timer expiries; no times were found that produce this order\n";
     if (!finding.evidence) return;
     out << "    shortest trace: " << printable(finding.evidence_shows) << '\n';
     print_trace(*finding.evidence, out);

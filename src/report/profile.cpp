@@ -75,7 +75,8 @@ private:
         const std::string gain =
             finest.factor.value() < least_factor
                 ? ""
-                : fmt::format(" (x {:.1f}: with it, this many times fewer states would remain)", finest.factor.value());
+                : fmt::format(" (x {0:.1f}: with this unit, {0:.1f} times fewer states would remain)",
+                              finest.factor.value());
         if (finest.duration_ms == 0)
             out_ << fmt::format("    the declared time unit is {}{}; the durations are multiples of {}{}\n",
                                 seconds_text(finest.unit_ms), place, seconds_text(finest.coarser_ms), gain);

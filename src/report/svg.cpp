@@ -82,7 +82,7 @@ public:
                    group("outputs", columns_, run, ChartRun::Role::Output),
                    group("internals", columns_, run, ChartRun::Role::Internal),
                    group("plant", columns_, run, ChartRun::Role::Plant), steps(run, columns_)};
-        foot_.push_back("Each column is an event of any duration; the time is given where it advances.");
+        foot_.push_back("Each column is an event of any duration; a time is shown where it advances.");
         if (columns_.size() < shown_rows(run).size() && !columns_.empty())
             foot_.push_back(fmt::format("Events {} to {} of {}.", events_.front(), events_.back(), last));
         drop_idle();

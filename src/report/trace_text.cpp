@@ -116,7 +116,7 @@ std::string counterfactual_text(const ChartRun& run) {
                             event_text(run, run.moments[moment].after));
     if (text.empty()) return {};
     return text + " the property holds along the run" +
-           (!run.timed && !run.counterfactual_values.empty() ? ", and on from its end as long as nothing changes" : "");
+           (!run.timed && !run.counterfactual_values.empty() ? ", and after its end as long as nothing changes" : "");
 }
 
 std::string counterfactual_text(const ChartRun& run, const ChartRun::Counterfactual& left_out) {

@@ -35,14 +35,14 @@ ManualSituation by_hand(const Chart& chart, const std::vector<bool>& situation, 
     const Chart::PartialChart& partial = chart.partial_charts[chart.steps[step].chart];
     if (const Id<Chart::Step> holder = levels.holder(chart.steps[step].chart, situation); holder.valid())
         return refuse(subject + " is held by the forcing order of " + named(chart, holder) +
-                      "; deactivate that one first");
+                      "; deactivate that step first");
     if (partial.kind == Chart::PartialKind::Enclosed && !situation[partial.owner.index])
         return refuse(subject + " is enclosed by " + named(chart, partial.owner) + ", which is not active");
     std::vector<bool> made = levels.by_hand(situation, step, active);
     if (made[step.index] != active)
-        return refuse("the hierarchy of " + subject + " does not let it be " + (active ? "active" : "inactive"));
+        return refuse("the hierarchy of " + subject + " does not allow it to be " + (active ? "active" : "inactive"));
     if (const Id<Chart::ForcingOrder> order = levels.conflict(made); order.valid())
-        return refuse("two contradictory forcing orders would be active, one of them that of " +
+        return refuse("two contradictory forcing orders would be active, one of which belongs to " +
                       named(chart, chart.forcing[order].step));
     return {std::move(made), {}};
 }

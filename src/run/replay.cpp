@@ -97,7 +97,8 @@ private:
             if (timed_[k] ? may : !must) continue;
             return "the timer of " + number(element.rise_ms > 0 ? element.rise_ms : element.fall_ms) + " ms of " +
                    watched_name(element) + " is " + (timed_[k] ? "expired" : "not expired") +
-                   ", but by the rules its age is " + number(timing.fallen < 0 ? timing.risen : timing.fallen) + " ms";
+                   ", but its age according to the rules is " +
+                   number(timing.fallen < 0 ? timing.risen : timing.fallen) + " ms";
         }
         return {};
     }
@@ -105,7 +106,7 @@ private:
     std::string watched_name(const TimedElement& element) const {
         if (element.step.valid()) return step_variable(chart_, element.step);
         const Expr& node = chart_.exprs[element.watched];
-        if (node.op != Op::Step) return "what it watches";
+        if (node.op != Op::Step) return "the watched term";
         return step_variable(chart_, {static_cast<std::uint32_t>(node.value)});
     }
 
@@ -123,10 +124,10 @@ private:
         for (const Id<ChartRun::Transition> id : act.fired) theirs.push_back(run_.transitions[id].name);
         for (const Id<Chart::Transition> id : result.fired) ours.push_back(chart_.transitions[id].name);
         if (act.evolves && theirs != ours)
-            return "transitions cleared: " + listed(theirs) + ", by the rules " + listed(ours);
+            return "transitions cleared: " + listed(theirs) + ", but according to the rules " + listed(ours);
         if (act.stable && !result.race && !result.fault && *act.stable != result.stable)
             return std::string("the situation is ") + (*act.stable ? "stable" : "not stable") +
-                   ", by the rules it is " + (result.stable ? "stable" : "not stable");
+                   ", but according to the rules it is " + (result.stable ? "stable" : "not stable");
         if (std::string fault = race_fault(act, result); !fault.empty() || over_) return fault;
         state_ = std::move(result.state);
         if (std::string fault = situation_fault(after); !fault.empty()) return fault;
@@ -141,8 +142,9 @@ private:
         raced_ = over_ && act.race.has_value();
         if (result.race) racing_ = chart_.variables[result.race->variable].name;
         if (over_ || (!broken && !act.race.value_or(false))) return {};
-        if (result.race) return "no race, by the rules two actions race for " + racing_;
-        return broken ? "an evolution without a result by the rules" : "two actions race, by the rules none do";
+        if (result.race) return "no race, but according to the rules two actions race for " + racing_;
+        return broken ? "according to the rules, the evolution has no result"
+                      : "two actions race, but according to the rules there is no race";
     }
 
     std::string situation_fault(const ChartRun::State& now) const {
@@ -153,7 +155,7 @@ private:
             if (state_.situation[id.index]) ours.push_back(run_.steps[step].name.text());
         }
         if (theirs == ours) return {};
-        return "situation " + listed(theirs) + ", by the rules " + listed(ours);
+        return "situation " + listed(theirs) + ", but according to the rules " + listed(ours);
     }
 
     std::string stored_fault(const ChartRun::State& now) const {
@@ -163,7 +165,7 @@ private:
                 if (!signals[place].valid() || !fault.empty()) return;
                 const std::int64_t value = now.values[signals[place].index];
                 if (value != state_.values[id.index])
-                    fault = chart_.variables[id].name + " holds " + number(value) + ", by the rules " +
+                    fault = chart_.variables[id].name + " holds " + number(value) + ", but according to the rules " +
                             number(state_.values[id.index]);
             };
         };
@@ -174,7 +176,7 @@ private:
 
     std::string outputs_fault(const ChartRun::Act& act, const ChartRun::State& now) const {
         const std::optional<Values> outputs = output_values(chart_, state_, inputs_, timed_);
-        if (!outputs) return act.race ? "outputs without a value by the rules are written" : "";
+        if (!outputs) return act.race ? "outputs are written that have no value according to the rules" : "";
         std::string fault;
         each(Chart::VariableKind::Output, [&](Id<Chart::Variable> id, std::size_t place) {
             if (fault.empty()) fault = output_fault(place, now, (*outputs)[id.index]);
@@ -194,7 +196,8 @@ private:
         const Id<ChartRun::Signal> signal = controller_.outputs[place];
         const std::int64_t value = now.values[signal.index];
         if (value == expected) return {};
-        return "output " + run_.signals[signal].name + " is " + number(value) + ", by the rules " + number(expected);
+        return "output " + run_.signals[signal].name + " is " + number(value) + ", but according to the rules " +
+               number(expected);
     }
 
     const ChartRun& run_;
@@ -230,7 +233,7 @@ std::optional<Disagreement> replay(const ChartRun& run, std::span<const Chart* c
         }
         before = &moment.after;
     }
-    if (run.broken_at) return Disagreement{*run.broken_at, "the network", "the move is not possible there"};
+    if (run.broken_at) return Disagreement{*run.broken_at, "the network", "the move is not possible in this state"};
     return {};
 }
 

@@ -142,7 +142,7 @@ private:
         if (!style_.scans && !first_evolution_shows()) return;
         Exprs& exprs = draft_.exprs;
         started_ =
-            draft_.add("started", Type{}, TransitionSystem::ParameterSymbol{}, "the first evolution has been made");
+            draft_.add("started", Type{}, TransitionSystem::ParameterSymbol{}, "the first evolution has been executed");
         set(started_, exprs.constant(false), exprs.constant(true));
         if (style_.with_plant) return;
         for (const Equations::Timer& timer : equations_.timers)
@@ -157,7 +157,7 @@ private:
             if (variable(id).role == Role::Output) add_output(id);
         }
         show(declare(Role::Previous, "previous values, for edges"));
-        if (style_.scans) show(declare(Role::Watched, "levels that timers watch"));
+        if (style_.scans) show(declare(Role::Watched, "levels that timers observe"));
         show(declare(Role::FiringCondition, "firing conditions"));
     }
 

@@ -25,7 +25,8 @@ public:
         for (const Equations* chart : equations_)
             for (const Equations::Variable& variable : chart->variables)
                 if (variable.role == Role::Input) main_.draft.names.take(variable.name);
-        waits_ = main_.draft.add("waits", Type{}, TransitionSystem::StateSymbol{}, "both have answered the scan");
+        waits_ =
+            main_.draft.add("waits", Type{}, TransitionSystem::StateSymbol{}, "both charts have completed the scan");
         const Id<Symbol> turn = main_.draft.define("turn", exprs().negation(waits()));
         add_inputs();
         add_passed();
@@ -103,7 +104,8 @@ private:
     Id<Expr> is_zero(Id<Expr> count) { return exprs().apply(Op::Equal, count, exprs().integer(0)); }
 
     Id<Symbol> add_count(const std::string& wish, std::int64_t most) {
-        return main_.draft.add(wish, integer_type(0, most), TransitionSystem::StateSymbol{}, "units left of times");
+        return main_.draft.add(wish, integer_type(0, most), TransitionSystem::StateSymbol{},
+                               "remaining time units of timers");
     }
 
     /// Adds the output of a timer. It observes a step or a level after the last evolution. While the level is false,
@@ -124,9 +126,9 @@ private:
             over_next = exprs().conjunction(level, is_zero(next));
         }
         if (fall > 0) {
-            const Id<Symbol> lasted =
-                main_.draft.add(name + "_lasted", Type{},
-                                TransitionSystem::StateSymbol{exprs().constant(false), over_next}, "times that lasted");
+            const Id<Symbol> lasted = main_.draft.add(name + "_lasted", Type{},
+                                                      TransitionSystem::StateSymbol{exprs().constant(false), over_next},
+                                                      "time conditions whose duration has elapsed");
             const Id<Expr> fell = exprs().conjunction(main_.draft.leaf(lasted), exprs().negation(level));
             const Id<Symbol> left = add_count(name + "_rest", fall);
             const Id<Expr> rest = main_.draft.leaf(left);
@@ -158,8 +160,8 @@ private:
             const Id<Expr> answered = options_.mode == ExecutionMode::EveryCycle
                                           ? exprs().constant(true)
                                           : exprs().disjunction(settled(k), fault(k));
-            answered_[k] = main_.draft.leaf(
-                main_.draft.define(k == 0 ? "a_answered" : "b_answered", answered, "who has answered the scan"));
+            answered_[k] = main_.draft.leaf(main_.draft.define(k == 0 ? "a_answered" : "b_answered", answered,
+                                                               "charts that have completed the scan"));
             done = exprs().conjunction(done, answered_[k]);
         }
         main_.draft.set(waits_, TransitionSystem::StateSymbol{exprs().constant(false),
@@ -208,7 +210,7 @@ private:
     /// Returns the condition that fewer than `than` scans have been answered.
     Id<Expr> scans_are_fewer(std::int64_t than) {
         const Id<Symbol> scans = main_.draft.add("scans", integer_type(0, than), TransitionSystem::StateSymbol{},
-                                                 "scans that were begun after the first");
+                                                 "number of scans begun after the first");
         const Id<Expr> now = main_.draft.leaf(scans), most = exprs().integer(than);
         const Id<Expr> more = exprs().conjunction(waits(), exprs().apply(Op::Less, now, most));
         main_.draft.set(scans, TransitionSystem::StateSymbol{

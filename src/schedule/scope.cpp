@@ -16,11 +16,11 @@ std::string outputs_written(std::span<const ControllerPart> controllers) {
 }
 
 const std::string power_on =
-    "State 0 is power-on; the first evolution is the first step, or none where it changes nothing. ";
+    "State 0 is power-on. The first step is the first evolution; if it changes nothing, it is omitted. ";
 
 const char* fair_runs =
-    "Verdicts are under fairness: each movement of the plant and each timer terminates (buttons, faults and other "
-    "parts of the environment remain free), and urgent edges are not postponed forever. ";
+    "Verdicts assume fairness: each movement of the plant and each timer terminates, and urgent edges are not "
+    "postponed forever. Buttons, faults and other parts of the environment remain free. ";
 
 }  // namespace
 
@@ -39,13 +39,11 @@ std::string controllers_scope(std::span<const ControllerPart> controllers, bool 
         std::string(constrained ? "that satisfies the constraints " : "") + "in grain atomic, provided that " +
         (several ? "each controller runs" : "the plant lets the controller run") +
         "; a reachable that is violated here is also violated with every such plant. A property that is violated here "
-        "may hold with the real plant. All other verdicts apply only to this model: reachable that holds, always "
-        "possible, CTL and LTL formulas, properties of observers, and, at stable, all but always, never and exactly "
-        "one of.";
+        "may hold with the real plant. All other verdicts apply only to this model: a reachable that holds, always "
+        "possible, CTL and LTL formulas, properties of observers, and all properties at stable except always, never "
+        "and exactly one of.";
     if (constrained)
-        text +=
-            " The constraints are assumptions: whether the plant keeps them is a property to prove with plant "
-            "automata.";
+        text += " The constraints are assumptions: prove with plant automata that the plant satisfies them.";
     return text;
 }
 
@@ -55,14 +53,15 @@ std::string together_scope(Schedule schedule, std::span<const ControllerPart> co
     if (schedule == Schedule::Synchronous)
         text +=
             "Schedule synchronous: in one step every controller runs one PLC cycle and every automaton takes one "
-            "edge, all from the same state; an automaton stays only where it has no urgent edge to take. ";
+            "edge, all from the same state; an automaton stays in its location only if no urgent edge can be taken. ";
     else
         text +=
             "Schedule sequenced: controllers and plant alternate. The controllers run cycles until they are stable "
-            "(one cycle if outputs are written in every cycle); then the plant runs rounds until one changes nothing. "
-            "In a round each automaton takes one edge, in any order, and stays only where it has nothing urgent to do; "
+            "(one cycle if outputs are written in every cycle); then the plant executes rounds until a round changes "
+            "nothing. In a round, the automata take one edge each, in any order; an automaton stays in its location "
+            "only if no urgent edge can be taken; "
             "timed edges can be taken only in the first round. Every property is checked at the end of each evolution "
-            "of the plant (PTE) and of the controllers, and in no state between. ";
+            "of the plant (PTE) and of the controllers, but not in the states between. ";
     text += power_on + outputs_written(controllers);
     if (fairness) text += fair_runs;
     return text +
@@ -73,7 +72,7 @@ std::string together_scope(Schedule schedule, std::span<const ControllerPart> co
 std::string network_scope(const Network& network, const ScheduleOptions& options) {
     const std::string grain = network.grain == Grain::Phased ? "phased" : "atomic";
     std::string text = "This model is the closed loop with its plant automata, schedule interleaved, grain " + grain +
-                       ": in one step any one automaton that can, or the PLC, takes an edge";
+                       ": in each step, one automaton or the PLC takes an edge";
     if (options.time == TimeModel::Discrete) {
         text +=
             ", or time passes by one unit. Clocks count time units: the states are those of the timed closed loop in "
@@ -84,16 +83,18 @@ std::string network_scope(const Network& network, const ScheduleOptions& options
                "valid for integer time only.";
     }
     text +=
-        "; if no urgent edge can be taken, possibly none does. Time is not modelled: a timed edge may be taken "
+        "; if no urgent edge can be taken, a step may also change nothing. Time is not modelled: a timed edge may be "
+        "taken "
         "at any time. ";
     if (options.fairness)
         return text + fair_runs +
                "An always, never or exactly one of that holds here holds in the timed closed loop of this mode and "
                "grain. All other verdicts apply only to this model, under fairness: EF requires a fair run.";
     return text +
-           "It has every run of the timed closed loop of this mode and grain, and more: an always, never, exactly one "
-           "of, inevitable or leads to that holds here holds there, and a reachable that is violated here is violated "
-           "there. No other verdict is preserved: a property that is violated here may hold in the timed loop.";
+           "Every run of the timed closed loop of this mode and grain is also a run of this model. Therefore, an "
+           "always, never, exactly one of, inevitable or leads to that holds here also holds in the timed loop. A "
+           "reachable that is violated here is also violated there. No other verdict is preserved: a property that is "
+           "violated here may hold in the timed loop.";
 }
 
 }  // namespace grafverif::schedule

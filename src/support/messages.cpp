@@ -75,8 +75,8 @@ Diagnostic missing_folder(std::string_view output, std::string_view folder) {
 
 Diagnostic not_in_depfile(std::string_view name, std::string_view reader) {
     return error("not-in-depfile", {},
-                 fmt::format("no depfile that {} reads can say the name `{}`; rename it, or say who else reads the "
-                             "depfile (`--depfile-format`)",
+                 fmt::format("a depfile for {} cannot represent the file name `{}`; rename the file or select another "
+                             "format with `--depfile-format`",
                              reader, name));
 }
 
@@ -208,8 +208,9 @@ Diagnostic many_time_units(Span where, std::int64_t milliseconds, std::int64_t u
 }
 
 Diagnostic no_value(Span where, std::string_view instance) {
-    return error("no-value", where,
-                 fmt::format("a value of `{}` at power-on cannot be computed; check for a division by zero", instance));
+    return error(
+        "no-value", where,
+        fmt::format("the value of `{}` at power-on cannot be computed; check for a division by zero", instance));
 }
 
 Diagnostic bad_range(Span where, std::string_view variable, std::int64_t low, std::int64_t high) {

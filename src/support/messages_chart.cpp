@@ -27,8 +27,8 @@ Diagnostic no_activation_link(Span where, std::string_view chart) {
 
 Diagnostic unreachable_step(Span where, std::string_view step, std::size_t others) {
     std::string message = fmt::format("no sequence of transitions activates step `{}`", clipped(step));
-    if (others == 1) message += ", nor another step after it";
-    if (others > 1) message += fmt::format(", nor {} more steps linked to it", others);
+    if (others == 1) message += " or the step after it";
+    if (others > 1) message += fmt::format(" or the {} steps linked to it", others);
     return warning("unreachable-step", where, message + "; link it to the rest of the chart");
 }
 
@@ -111,7 +111,7 @@ Diagnostic forced_differently(Span where, std::string_view chart, Span first) {
 Diagnostic forced_beside(Span where, std::string_view expansion, std::string_view with, Span first) {
     Diagnostic diagnostic = error(
         "forced-twice", where,
-        fmt::format("`{0}` is forced directly and also with `{1}`, of which it expands a macro-step; remove one order",
+        fmt::format("`{0}` is forced directly, and also as the expansion of a macro-step of `{1}`; remove one order",
                     clipped(expansion), clipped(with)));
     diagnostic.notes.push_back(note(first, "the other order is here"));
     return diagnostic;

@@ -28,7 +28,7 @@ inline std::string ended_by(const ProgramResult& said) {
     switch (said.end) {
     case ProgramResult::End::TimedOut: return "stopped at the time limit";
     case ProgramResult::End::Stopped: return "stopped";
-    case ProgramResult::End::TooMuchOutput: return "the program wrote more than is read";
+    case ProgramResult::End::TooMuchOutput: return "the output of the program is too large";
     case ProgramResult::End::Signalled: return "the program was ended by signal " + std::to_string(said.status);
     case ProgramResult::End::Exited: break;
     }

@@ -98,18 +98,15 @@ CliCommand analyse_usage() {
         1,
         any_number,
         "find defects of a chart: instability, races, dead transitions, unused variables",
-        "Explores all input sequences of a chart and reports, each with a shortest input sequence: total instability; "
-        "races\n"
-        "and conflicts of stored actions; branches cleared together; steps activated while active; partial charts "
-        "forced\n"
-        "twice or forced while enclosed; steps that are never active; transitions that are never or always cleared;\n"
-        "outputs that are never set; inputs that are never read. A `constraint` in the chart and a table of input "
-        "pairs that\n"
-        "are never true together (`variable1,variable2,reason`) exclude impossible inputs. `accept CODE \"reason\";` "
-        "in the\n"
-        "chart accepts a finding. Exit code 1: a finding is not accepted; 3: no finding, but the analysis is "
-        "incomplete\n"
-        "(--timeout, --max-memory, Ctrl-C); the output states how far it got.",
+        "Explores all input sequences of a chart and reports its defects, each with a shortest input sequence: total\n"
+        "instability; races and conflicts of stored actions; branches cleared together; steps activated while active;\n"
+        "partial charts forced twice or forced while enclosed; steps that are never active; transitions that are "
+        "never\n"
+        "or always cleared; outputs that are never set; inputs that are never read. A `constraint` in the chart and a\n"
+        "table of input pairs that are never true together (`variable1,variable2,reason`) exclude impossible inputs.\n"
+        "`accept CODE \"reason\";` in the chart accepts a finding. Exit code 1: a finding is not accepted; 3: no\n"
+        "finding, but the analysis is incomplete (--timeout, --max-memory, Ctrl-C); the output describes what was not\n"
+        "analysed.",
         {"grafverif analyse samples/oven_door/oven_door.grafcet",
          "grafverif analyse station.grafcet --chart press --exclusions wiring.csv",
          "grafverif analyse charts/*.grafcet --all --sarif findings.sarif"},

@@ -82,11 +82,11 @@ CliCommand automaton_usage() {
         1,
         1,
         "print the location automaton of a chart",
-        "Prints the location automaton: a location per situation and values of stored variables, an evolution per "
-        "set of\n"
-        "inputs, and the inputs that never stabilise. Constraints of the chart restrict the inputs. The default "
-        "mode is that of\n"
-        "the closed loop with this chart, otherwise stability-search.\n"
+        "Prints the location automaton: one location per situation and stored values, one evolution per set of "
+        "inputs,\n"
+        "and the inputs for which the situation never becomes stable. Constraints of the chart restrict the inputs. "
+        "The\n"
+        "default mode is the mode of the closed loop that contains this chart, or stability-search if there is none.\n"
         "Formats: text, JSON, DOT (Graphviz), SVG.",
         {"grafverif automaton samples/tanks/tanks.grafcet --mode every-cycle",
          "grafverif automaton samples/tanks/tanks.grafcet --format svg -o tanks.svg",
@@ -95,22 +95,21 @@ CliCommand automaton_usage() {
 }
 
 CliCommand mealy_usage() {
-    return {
-        "mealy",
-        "FILE",
-        1,
-        1,
-        "print the Mealy machine of a chart",
-        "Prints the Mealy machine: the location automaton with INIT merged into the location of the initial situation, "
-        "and an\n"
-        "output for every combination of inputs in every state. Sets of inputs are conditions, not lists. A chart with "
-        "timers\n"
-        "has additional transitions that wait.\n"
-        "Formats: text, JSON, DOT (Graphviz), SVG.",
-        {"grafverif mealy samples/tanks/tanks.grafcet",
-         "grafverif mealy samples/tanks/tanks.grafcet --minimise --format json"},
-        {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::FormatDiagram, OptionGroup::Minimise,
-         OptionGroup::Limits}};
+    return {"mealy",
+            "FILE",
+            1,
+            1,
+            "print the Mealy machine of a chart",
+            "Prints the Mealy machine: the location automaton with INIT merged into the location of the initial "
+            "situation,\n"
+            "and one output word for every combination of inputs in every state. Sets of inputs are printed as "
+            "conditions,\n"
+            "not as lists. A chart with timers has additional transitions in which time passes.\n"
+            "Formats: text, JSON, DOT (Graphviz), SVG.",
+            {"grafverif mealy samples/tanks/tanks.grafcet",
+             "grafverif mealy samples/tanks/tanks.grafcet --minimise --format json"},
+            {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::FormatDiagram,
+             OptionGroup::Minimise, OptionGroup::Limits}};
 }
 
 }  // namespace grafverif::app

@@ -169,7 +169,7 @@ CliCommand check_usage() {
         "  auto               embedded; localization first, then symbolic, PDR and BMC in parallel\n"
         "  NuSMV, nuXmv       external, from the PATH\n"
         "  abc                external hardware model checker; --engine-command CMD for others\n"
-        "What an untimed verdict implies for the real plant is printed before the verdicts.\n"
+        "The implication of an untimed verdict for the real plant is printed before the verdicts.\n"
         "\n"
         "With --properties FILE, each FILE operand is a PLC program (IEC 61131-3) in Structured Text or PLCopen XML.\n"
         "Its properties are decided for all input sequences, and counterexamples are replayed on an interpreter of\n"

@@ -33,9 +33,9 @@ CliCommand draw_usage() {
         1,
         1,
         "draw a chart",
-        "Draws a chart in the notation of IEC 60848, as SVG: its partial charts side by side, expansions and enclosed "
-        "charts\n"
-        "in separate frames. Steps, transitions, conditions and actions have ids that pages can use.",
+        "Draws a chart in the notation of IEC 60848 as SVG. Partial charts are side by side; expansions and enclosed\n"
+        "charts have separate frames. Steps, transitions, conditions and actions have ids, to which web pages can\n"
+        "refer.",
         {"grafverif draw samples/oven_door/oven_door.grafcet -o oven_door.svg",
          "grafverif draw samples/testing_station/faulty.grafcet --situation 4,W0,W5 --notation text -o station.svg"},
         {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Drawing}};

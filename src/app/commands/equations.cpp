@@ -39,17 +39,17 @@ ExitCode equations(CommandContext& job, const Streams& streams) {
 }
 
 CliCommand equations_usage() {
-    return {"equations",
-            "FILE",
-            1,
-            1,
-            "print the equations of a chart",
-            "Prints the semantics of a chart as equations: (a) firing conditions, (b) step activities, (c) outputs and "
-            "timers;\n"
-            "stored actions, if any, between (b) and (c).",
-            {"grafverif equations samples/testing_station/testing_station.grafcet",
-             "grafverif equations samples/oven_door/oven_door.grafcet --format latex -o oven_door.tex"},
-            {OptionGroup::Output, OptionGroup::Chart, OptionGroup::FormatLatex}};
+    return {
+        "equations",
+        "FILE",
+        1,
+        1,
+        "print the equations of a chart",
+        "Prints the semantics of a chart as equations: (a) firing conditions, (b) step activities, (c) outputs and\n"
+        "timers. Equations of stored actions are printed between (b) and (c).",
+        {"grafverif equations samples/testing_station/testing_station.grafcet",
+         "grafverif equations samples/oven_door/oven_door.grafcet --format latex -o oven_door.tex"},
+        {OptionGroup::Output, OptionGroup::Chart, OptionGroup::FormatLatex}};
 }
 
 }  // namespace grafverif::app

@@ -120,22 +120,22 @@ CliCommand pins_usage() {
 }
 
 CliCommand nusmv_usage() {
-    return {"nusmv",
-            "FILE",
-            1,
-            1,
-            "write the NuSMV model of a controller, alone or with its plant",
-            "Writes the NuSMV model of the controller of a closed loop in FILE, or of a single chart: one step of the "
-            "model is one\n"
-            "PLC cycle, with free inputs and timers. With --plant automata: the model of the closed loop without time, "
-            "or with\n"
-            "bounded clock counters (--time discrete). The header of the model states what a verdict implies for the "
-            "real plant.",
-            {"grafverif nusmv samples/tanks/tanks.grafcet -o tanks.smv",
-             "grafverif nusmv samples/oven_door/oven_door.grafcet --plant automata --grain atomic",
-             "grafverif nusmv station.grafcet --chart testing_station --mode every-cycle"},
-            {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Questions, OptionGroup::Chart,
-             OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Untimed}};
+    return {
+        "nusmv",
+        "FILE",
+        1,
+        1,
+        "write the NuSMV model of a controller, alone or with its plant",
+        "Writes the NuSMV model of the controller of a closed loop in FILE, or of a single chart. One step of the "
+        "model\n"
+        "is one PLC cycle, with free inputs and timers. With --plant automata, the model is the closed loop without\n"
+        "time, or with bounded clock counters (--time discrete). The header of the model states the implication of a\n"
+        "verdict for the real plant.",
+        {"grafverif nusmv samples/tanks/tanks.grafcet -o tanks.smv",
+         "grafverif nusmv samples/oven_door/oven_door.grafcet --plant automata --grain atomic",
+         "grafverif nusmv station.grafcet --chart testing_station --mode every-cycle"},
+        {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Questions, OptionGroup::Chart,
+         OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Untimed}};
 }
 
 CliCommand aiger_usage() {
@@ -145,12 +145,10 @@ CliCommand aiger_usage() {
         1,
         1,
         "write the untimed model as a circuit for hardware model checkers",
-        "Writes the model of `nusmv` at bit level, in the format AIGER 1.9: a bad state per state property (for "
-        "`reachable`:\n"
-        "the state to reach), a justice list per property of runs. `always possible` and formulas are omitted, with a "
-        "warning.\n"
-        "An additional file OUT.json maps the bits to the charts. The suffix .aig selects the binary format, as does\n"
-        "`--format aig`.",
+        "Writes the model of `nusmv` at bit level in the format AIGER 1.9, with one bad-state property per state\n"
+        "property (for `reachable`: the state to reach) and one justice property per property of runs. `always\n"
+        "possible` and formulas are omitted, with a warning. An additional file OUT.json maps the bits to the charts.\n"
+        "The suffix .aig or `--format aig` selects the binary format.",
         {"grafverif aiger samples/tanks/tanks.grafcet -o tanks.aig",
          "grafverif aiger samples/oven_door/oven_door.grafcet --plant automata --grain atomic"},
         {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Questions, OptionGroup::Chart,
@@ -158,19 +156,19 @@ CliCommand aiger_usage() {
 }
 
 CliCommand btor2_usage() {
-    return {"btor2",
-            "FILE",
-            1,
-            1,
-            "write the untimed model at word level for hardware model checkers",
-            "Writes the model of `nusmv` in the format BTOR2: a state per variable, with the same name, and a bad "
-            "state per state\n"
-            "property (for `reachable`: the state to reach). Properties of runs are omitted, with a warning; `aiger` "
-            "supports them.",
-            {"grafverif btor2 samples/tanks/tanks.grafcet -o tanks.btor2",
-             "grafverif btor2 samples/oven_door/oven_door.grafcet --plant automata --grain atomic"},
-            {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Questions, OptionGroup::Chart,
-             OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Untimed}};
+    return {
+        "btor2",
+        "FILE",
+        1,
+        1,
+        "write the untimed model at word level for hardware model checkers",
+        "Writes the model of `nusmv` in the format BTOR2, with one state of the same name per variable and one\n"
+        "bad-state property per state property (for `reachable`: the state to reach). Properties of runs are omitted,\n"
+        "with a warning; `aiger` supports them.",
+        {"grafverif btor2 samples/tanks/tanks.grafcet -o tanks.btor2",
+         "grafverif btor2 samples/oven_door/oven_door.grafcet --plant automata --grain atomic"},
+        {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Questions, OptionGroup::Chart,
+         OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Untimed}};
 }
 
 }  // namespace grafverif::app

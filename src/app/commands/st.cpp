@@ -24,21 +24,21 @@ ExitCode st(CommandContext& job, const Streams& streams) {
 }
 
 CliCommand st_usage() {
-    return {"st",
-            "FILE",
-            1,
-            1,
-            "generate Structured Text for a chart, or a test program",
-            "Writes a chart of FILE as a function block in Structured Text (IEC 61131-3), derived from the verified "
-            "equations: one\n"
-            "call is one PLC cycle. With --sequence: a program that drives this function block through the test, one "
-            "scan per call,\n"
-            "and compares its outputs in each. Formats: PLCopen XML (TC6 2.01), text.",
-            {"grafverif st samples/tanks/tanks.grafcet -o tanks.xml",
-             "grafverif st samples/tanks/tanks.grafcet --mode every-cycle --format text",
-             "grafverif st samples/tanks/tanks.grafcet --sequence samples/tanks/table2.csv -o test.xml"},
-            {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::FormatXml, OptionGroup::Sequence,
-             OptionGroup::MaxEvolutions}};
+    return {
+        "st",
+        "FILE",
+        1,
+        1,
+        "generate Structured Text for a chart, or a test program",
+        "Writes a chart of FILE as a function block in Structured Text (IEC 61131-3), derived from the verified\n"
+        "equations. One call of the block is one PLC cycle. With --sequence, `st` writes a program that executes the\n"
+        "test on this function block, one scan per call, and compares its outputs in each scan. Formats: PLCopen XML\n"
+        "(TC6 2.01), text.",
+        {"grafverif st samples/tanks/tanks.grafcet -o tanks.xml",
+         "grafverif st samples/tanks/tanks.grafcet --mode every-cycle --format text",
+         "grafverif st samples/tanks/tanks.grafcet --sequence samples/tanks/table2.csv -o test.xml"},
+        {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::FormatXml, OptionGroup::Sequence,
+         OptionGroup::MaxEvolutions}};
 }
 
 }  // namespace grafverif::app

@@ -223,10 +223,9 @@ CliCommand test_usage() {
         1,
         1,
         "test an implementation against a chart, scan by scan",
-        "Runs the controller PROGRAM through a test sequence and compares its outputs with those of the chart in "
-        "every\n"
+        "Executes a test sequence on the controller PROGRAM and compares its outputs with those of the chart in every\n"
         "scan. PROGRAM is a shell command; for each scan it reads one line of inputs and writes one line of outputs\n"
-        "(docs/how-to/test-a-plc.md). Without --sequence, `test` generates the sequence as `testgen` does.\n"
+        "(docs/how-to/test-a-plc.md). Without --sequence, `test` generates the sequence in the same way as `testgen`.\n"
         "Exit code 1: the controller does not conform. Formats: text, JSON, JUnit XML (--junit).",
         {"grafverif test tanks.grafcet --against ./my_controller",
          "grafverif test tanks.grafcet --against ./my_controller --cover evolutions --keep-going --junit report.xml",

@@ -44,22 +44,22 @@ ExitCode testgen(CommandContext& job, const Streams& streams) {
 }
 
 CliCommand testgen_usage() {
-    return {"testgen",
-            "FILE",
-            1,
-            1,
-            "generate a test sequence for a PLC program",
-            "Writes the inputs to apply and the outputs to expect, step by step from power-on. Prints the number of "
-            "steps, and\n"
-            "whether it is minimal, on standard error. Each step lasts `cycles` scans of the controller. Constraints "
-            "of the chart\n"
-            "restrict the inputs. The test is run on the rules of IEC 60848 before it is written.\n"
-            "Formats: CSV, JSON, Structured Text (IEC 61131-3) or PLCopen XML.",
-            {"grafverif testgen samples/tanks/tanks.grafcet -o tanks.csv",
-             "grafverif testgen samples/tanks/tanks.grafcet --cover evolutions",
-             "grafverif testgen samples/tanks/tanks.grafcet --mode every-cycle --hold one --format json"},
-            {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::FormatTest, OptionGroup::Cover,
-             OptionGroup::Minimise, OptionGroup::Limits}};
+    return {
+        "testgen",
+        "FILE",
+        1,
+        1,
+        "generate a test sequence for a PLC program",
+        "Writes the inputs to apply and the outputs to expect, step by step from power-on. The number of steps, and\n"
+        "whether it is minimal, is printed on standard error. Each step lasts `cycles` scans of the controller.\n"
+        "Constraints of the chart restrict the inputs. The test is executed on the rules of IEC 60848 before it is\n"
+        "written.\n"
+        "Formats: CSV, JSON, Structured Text (IEC 61131-3) or PLCopen XML.",
+        {"grafverif testgen samples/tanks/tanks.grafcet -o tanks.csv",
+         "grafverif testgen samples/tanks/tanks.grafcet --cover evolutions",
+         "grafverif testgen samples/tanks/tanks.grafcet --mode every-cycle --hold one --format json"},
+        {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::FormatTest, OptionGroup::Cover,
+         OptionGroup::Minimise, OptionGroup::Limits}};
 }
 
 }  // namespace grafverif::app

@@ -63,7 +63,7 @@ std::string man_page(std::span<const CliCommand> verbs, std::string_view version
     std::string page = title("grafverif", version);
     page +=
         ".SH NAME\n"
-        "grafverif \\- prove GRAFCET charts (IEC 60848) with their plants\n"
+        "grafverif \\- verify GRAFCET charts (IEC 60848) in closed loop with their plants\n"
         ".SH SYNOPSIS\n"
         ".B grafverif\n"
         ".I COMMAND\n"
@@ -73,7 +73,7 @@ std::string man_page(std::span<const CliCommand> verbs, std::string_view version
         "counterexamples, and writes models for UPPAAL, NuSMV and other model checkers. Reports every construct that\n"
         "cannot be translated or decided exactly.\n"
         ".PP\n"
-        "\\fIFILE\\fR may be \\fB\\-\\fR, standard input. Outputs are written whole or not at all.\n"
+        "\\fIFILE\\fR can be \\fB\\-\\fR for standard input. Outputs are written completely or not at all.\n"
         ".SH COMMANDS\n";
     for (const CliCommand& verb : verbs)
         page += fmt::format(".TP\n\\fBgrafverif\\-{}\\fR(1)\n{}\n", troff(verb.name), troff(verb.summary));

@@ -116,8 +116,8 @@ std::optional<std::vector<pdr::Cube>> read_invariant(const Circuit& circuit, std
 
 std::string failure_of(const ProgramResult& said) {
     if (std::string ended = ended_by(said); !ended.empty()) return ended;
-    return said.status == 0 ? "the program gave no verdict"
-                            : "the program gave no verdict and exited with status " + std::to_string(said.status);
+    return said.status == 0 ? "the program printed no verdict"
+                            : "the program printed no verdict and exited with status " + std::to_string(said.status);
 }
 
 }  // namespace grafverif::hwmcc

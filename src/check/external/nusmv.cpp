@@ -155,7 +155,8 @@ std::string failure_of(const ProgramResult& said) {
         if (const std::string_view line = trimmed_line(text); !line.empty()) last = line;
     constexpr std::size_t longest = 200;
     if (last.size() > longest) last = last.substr(0, longest) + "...";
-    return last.empty() ? "the program gave no verdict" : "the program gave no verdict; end of its output: " + last;
+    return last.empty() ? "the program printed no verdict"
+                        : "the program printed no verdict; end of its output: " + last;
 }
 
 UnknownReason obstacle_of(const ProgramResult& said) {
@@ -206,7 +207,7 @@ std::optional<SystemRun> judged(Verdict& verdict, const NusmvOutput& answers, co
     const std::vector<bool> truths = answers.truths_of(name);
     if (truths.size() != 1) {
         if (truths.empty()) undecided(verdict, obstacle_of(said), failure_of(said));
-        else distrust(verdict, "the program gave more than one verdict");
+        else distrust(verdict, "the program printed more than one verdict");
         return {};
     }
     const Pattern pattern = question.property.pattern;
@@ -216,7 +217,7 @@ std::optional<SystemRun> judged(Verdict& verdict, const NusmvOutput& answers, co
     const bool about_paths = pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo ||
                              pattern == Pattern::RawLtl || pattern == Pattern::RawCtl;
     const auto told = TraceReader(question.flat, question.spelling).read(answers.section(name), about_paths);
-    const std::string why = !told ? "the program gave no trace for its verdict"
+    const std::string why = !told ? "the program printed no trace for its verdict"
                                   : doubt(question.system, question.flat, question.property, *told);
     if (!why.empty()) {
         distrust(verdict, why);

@@ -117,13 +117,13 @@ ExternalResult read_verifyta(const ProgramResult& result) {
         lines(text, "-- Formula MAY be satisfied.") + lines(text, "-- Formula MAY NOT be satisfied.");
     if (satisfied + refuted + open > 1)
         return undecided(UnknownReason::Disagrees,
-                         "engine-disagrees: verifyta gave more than one verdict on one formula");
+                         "engine-disagrees: verifyta printed more than one verdict on one formula");
     if (open == 1)
         return undecided(UnknownReason::Inexact, "verifyta reports that the formula may or may not be satisfied");
     if (satisfied + refuted == 1) return {satisfied == 1 ? Outcome::Holds : Outcome::Violated, UnknownReason::None, {}};
     std::string said = first_line(marked(result.err));
     if (said.empty()) said = "exit code " + std::to_string(result.status);
-    return undecided(UnknownReason::Failed, "verifyta gave no verdict: " + said);
+    return undecided(UnknownReason::Failed, "verifyta printed no verdict: " + said);
 }
 
 std::vector<Verdict> check_verifyta(const Network& network, std::span<const ExternalQuery> questions,

@@ -324,8 +324,8 @@ bool LocalizationCheck::needs_whole() {
         verdict.declared = named || (verdict.declared && options_.properties.empty());
         needed = needed || verdict.declared;
         if (!verdict.declared)
-            verdict.reason =
-                "no selected property requires the complete loop, of which " + verdict.states + " states were explored";
+            verdict.reason = "no selected property requires the complete loop; only " + verdict.states +
+                             " of its states were explored";
     }
     return needed;
 }

@@ -11,8 +11,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string_view what_it_means(Pattern pattern) {
-    return pattern == Pattern::Reachable ? "a run to it proves that the property holds"
-                                         : "a run to it proves that the property is violated";
+    return pattern == Pattern::Reachable ? "a run to this state proves that the property holds"
+                                         : "a run to this state proves that the property is violated";
 }
 
 class Map {
@@ -24,8 +24,8 @@ public:
         Json map = {{"version", 1}, {"model", system_.name}, {"scope", system_.scope}};
         if (!system_.constants.empty()) map["constants"] = constants_text(system_.constants);
         map["value"] =
-            "base plus the number whose bits are these literals, the least significant first; where "
-            "`sign`, the last one counts negatively";
+            "base plus the number whose bits are these literals, least significant first; if `sign` is true, the last "
+            "bit has a negative weight";
         map["questions"] = questions();
         map["variables"] = Json::array();
         for (const Id<FlatSystem::Variable> id : flat_.variables.ids())
@@ -56,7 +56,7 @@ private:
             questions.push_back({{"symbol", (runs ? "j" : "b") + std::to_string(runs ? justice++ : bad++)},
                                  {"property", property.name},
                                  {"text", property.text},
-                                 {"meaning", runs ? "a run that satisfies each of its conditions infinitely often "
+                                 {"meaning", runs ? "a run that satisfies each condition of the list infinitely often "
                                                     "proves that the property is violated"
                                                   : what_it_means(property.pattern)}});
         }

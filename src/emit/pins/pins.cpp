@@ -160,11 +160,11 @@ void Writer::write_head() {
  *
  * Build and search:
  *     cc -std=gnu11 -O2 -shared -fPIC -o model.so THIS_FILE
- *     pins2lts-mc model.so                  states, on all cores.
+ *     pins2lts-mc model.so                  explores all states.
  *     pins2lts-sym --saturation=sat model.so
- *     pins2lts-mc --invariant='!P' model.so       with P one of the labels below
+ *     pins2lts-mc --invariant='!P' model.so       checks the label P
  *
- * Each label is 1 in the states that violate its property (`reachable`: that show it); `NAME_p` and `NAME_q` are the
+ * Each label is 1 in the states that violate its property (for `reachable`: that satisfy it); `NAME_p` and `NAME_q` are the
  * operands of a property of runs. `breaks_off` is 1 if a move takes a value out of its range or divides by zero. Such a
  * move has no successor here, so verdicts are valid only if no state has this label.
 )",

@@ -52,7 +52,7 @@ public:
         cycle();
         if (search) end_search();
         write_outputs();
-        if (!equations_.timers.empty()) heading("timers start and stop with what they watch");
+        if (!equations_.timers.empty()) heading("each timer starts and stops with its observed term");
         for (std::size_t k = 0; k < equations_.timers.size(); ++k) call_timer(k);
         return std::move(result_);
     }

@@ -26,12 +26,14 @@ std::string comment_of(const Equations& equations, const Names& names, const Opt
     text +=
         "One call is one PLC cycle: call it once per cycle of its task, with inputs that do not change during the "
         "call.\n";
-    text += search ? "With stability search: evolutions follow each other until the situation is stable, then outputs "
-                     "are written.\n"
-                   : "Without stability search: one evolution per call, outputs are written in every cycle.\n";
-    text += fmt::format("{}: {}2 race of stored actions, 3 value outside its range{}; outputs then stay as they are.\n",
-                        names.fault, search ? "1 no stable situation, " : "",
-                        equations.conflicts.empty() ? "" : ", 4 forcing orders in conflict");
+    text += search ? "With stability search: a call executes evolutions until the situation is stable, and then writes "
+                     "the outputs.\n"
+                   : "Without stability search: a call executes one evolution and writes the outputs.\n";
+    text += fmt::format(
+        "{} is the reason of a stop: {}2 race of stored actions, 3 value outside its range{}. After a stop, the "
+        "outputs do not change.\n",
+        names.fault, search ? "1 no stable situation, " : "",
+        equations.conflicts.empty() ? "" : ", 4 forcing orders in conflict");
     for (const Renaming& renaming : names.changed) text += fmt::format("{} is {}\n", renaming.name, renaming.legal);
     return text;
 }
@@ -60,13 +62,14 @@ public:
             if (!timer.lasted.empty()) made_.push_back({Section::Local, timer.lasted, "BOOL", false, "FALSE", ""});
             if (!timer.off.empty()) made_.push_back({Section::Local, timer.off, "TOF", true, "", ""});
         }
-        made_.push_back({Section::Output, names_.fault, "INT", false, "0", "reason of the stop; 0: running"});
-        made_.push_back({Section::Local, names_.started, "BOOL", false, "FALSE", "the first evolution has been made"});
+        made_.push_back({Section::Output, names_.fault, "INT", false, "0", "reason of the stop; 0 while running"});
+        made_.push_back(
+            {Section::Local, names_.started, "BOOL", false, "FALSE", "the first evolution has been executed"});
         if (options.mode == ExecutionMode::EveryCycle) return std::move(made_);
         made_.push_back({Section::Local, names_.stable, "BOOL", false, "FALSE", "the situation is stable"});
-        made_.push_back({Section::Local, names_.evolutions, "UDINT", false, "0", "of this cycle"});
+        made_.push_back({Section::Local, names_.evolutions, "UDINT", false, "0", "evolutions in this cycle"});
         made_.push_back({Section::Constant, names_.limit, "UDINT", false, std::to_string(options.max_evolutions),
-                         "of one cycle; more of them are total instability"});
+                         "maximum per cycle; more evolutions are total instability"});
         return std::move(made_);
     }
 

@@ -154,8 +154,9 @@ private:
     std::string comment() const {
         return fmt::format(
             "{}: conformance test of the function block {} written by grafverif\n"
-            "Call it in every cycle of a task until {} is TRUE. {}: no output was wrong in any of {} rows.\n"
-            "{}: the first row with a wrong output; {}: scans with one.\n",
+            "Call it in every cycle of a task until {} is TRUE. {} is TRUE if no output was wrong in any of the {} "
+            "rows.\n"
+            "{} is the first row with a wrong output, and {} is the number of scans with a wrong output.\n",
             test_.chart, names_.interface.block, names_.done, names_.passed, count_, names_.failed_row,
             names_.failures);
     }
@@ -166,16 +167,16 @@ private:
             {Section::Output, names_.passed, "BOOL", false, "FALSE",
              "the test is complete, and the controller conforms"},
             {Section::Output, names_.failures, "UDINT", false, "0", "scans with a wrong output"},
-            {Section::Output, names_.failed_row, "UDINT", false, "0", "the first row with one"},
-            {Section::Output, names_.row, "UDINT", false, "1", "the row that runs"},
-            {Section::Local, names_.scan, "UDINT", false, "0", "scans of the row made"},
-            {Section::Local, names_.scans, "UDINT", false, "1", "scans of the row to make"},
+            {Section::Output, names_.failed_row, "UDINT", false, "0", "the first row with a wrong output"},
+            {Section::Output, names_.row, "UDINT", false, "1", "the current row"},
+            {Section::Local, names_.scan, "UDINT", false, "0", "completed scans of the row"},
+            {Section::Local, names_.scans, "UDINT", false, "1", "scans of the row to execute"},
             {Section::Local, names_.wrong, "BOOL", false, "FALSE", "an output is wrong"},
         };
         if (test_.sequences.size() > 1)
-            made.push_back({Section::Local, names_.sequence, "UDINT", false, "1", "the sequence that runs"});
+            made.push_back({Section::Local, names_.sequence, "UDINT", false, "1", "the current sequence"});
         if (waits_) {
-            made.push_back({Section::Local, names_.pause, "TIME", false, "T#0s", "to let pass before the row"});
+            made.push_back({Section::Local, names_.pause, "TIME", false, "T#0s", "time to wait before the row"});
             made.push_back({Section::Local, names_.wait, "TON", true, "", ""});
         }
         for (const std::string& controller : names_.controllers)

@@ -32,7 +32,7 @@ std::string_view title(Role role) {
     case Role::TimerEnd: return "outputs of timers";
     case Role::TimerPending: return "timers to start or stop";
     case Role::Previous: return "previous values, for edges";
-    case Role::Watched: return "levels that timers watch";
+    case Role::Watched: return "levels that timers observe";
     case Role::Flag: return "flags between controller, timers and plant";
     case Role::Plant: return "variables of the plant";
     }

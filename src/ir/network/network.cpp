@@ -44,7 +44,7 @@ private:
     void check_variables() {
         std::unordered_set<std::string_view> names;
         for (const Network::Variable& variable : network_.variables) {
-            if (!names.insert(variable.name).second) fault("variable " + variable.name + ": its name is taken");
+            if (!names.insert(variable.name).second) fault("variable " + variable.name + ": its name is already used");
             if (variable.type.low > variable.type.high) fault("variable " + variable.name + ": its range is empty");
             if (!in_range(variable.type, variable.initial))
                 fault("variable " + variable.name + ": its initial value is out of range");
@@ -60,7 +60,7 @@ private:
             check_constraints(location.invariant, where + ", location " + location.name);
             for (const Network::ClockConstraint& bound : location.invariant)
                 if (bound.relation != Op::Less && bound.relation != Op::LessEqual)
-                    fault(where + ", location " + location.name + ": a lower bound in an invariant");
+                    fault(where + ", location " + location.name + ": an invariant has a lower bound");
         }
         for (const Network::Procedure& procedure : automaton.procedures)
             check_assignments(procedure.assignments, where + ", procedure " + procedure.name);
@@ -70,23 +70,23 @@ private:
     void check_edge(const Network::Edge& edge, const std::string& where) {
         const Network::Template& automaton = *here_;
         if (!automaton.locations.contains(edge.from) || !automaton.locations.contains(edge.to))
-            return fault(where + ": an edge leads nowhere");
+            return fault(where + ": an edge leads to a location that does not exist");
         const std::string place =
             where + ", edge " + automaton.locations[edge.from].name + " -> " + automaton.locations[edge.to].name;
         check_term(edge.guard, Sort::Boolean, place + ": its guard");
         check_constraints(edge.constraint, place);
-        if (edge.urgent && !edge.constraint.empty()) fault(place + ": an urgent edge with a clock constraint");
+        if (edge.urgent && !edge.constraint.empty()) fault(place + ": an urgent edge has a clock constraint");
         check_assignments(edge.assignments, place);
         for (const Id<Network::Clock> clock : edge.resets)
-            if (!automaton.clocks.contains(clock)) fault(place + ": resets an unknown clock");
+            if (!automaton.clocks.contains(clock)) fault(place + ": the edge resets an unknown clock");
         for (const Id<Network::Procedure> call : edge.calls)
-            if (!automaton.procedures.contains(call)) return fault(place + ": calls an unknown procedure");
+            if (!automaton.procedures.contains(call)) return fault(place + ": the edge calls an unknown procedure");
         check_scratch(edge, place);
     }
 
     void check_constraints(const std::vector<Network::ClockConstraint>& constraints, const std::string& where) {
         for (const Network::ClockConstraint& constraint : constraints) {
-            if (!here_->clocks.contains(constraint.clock)) fault(where + ": bounds an unknown clock");
+            if (!here_->clocks.contains(constraint.clock)) fault(where + ": a constraint bounds an unknown clock");
             const bool relation = is_comparison(constraint.relation) && constraint.relation != Op::NotEqual;
             if (!relation) fault(where + ": a clock is compared with an unknown relation");
             if (!check_term(constraint.bound, Sort::Integer, where + ": a clock bound")) continue;
@@ -104,14 +104,15 @@ private:
         for (const Network::Assignment& assignment : assignments) {
             const Sort sort = sorts_(assignment.target);
             if (sort == Sort::None) {
-                fault(where + ": an assignment without target");
+                fault(where + ": an assignment has no target");
                 continue;
             }
             const Expr& node = network_.exprs[assignment.target];
             const Id<Network::Parameter> parameter{static_cast<std::uint32_t>(node.value)};
             const bool written = node.op == Op::Parameter && here_->parameters.contains(parameter) &&
                                  here_->parameters[parameter].kind == Network::ParameterKind::Written;
-            if (!written && node.op != Op::Variable) fault(where + ": assigns what cannot be written");
+            if (!written && node.op != Op::Variable)
+                fault(where + ": an assignment has a target that cannot be written");
             check_term(assignment.value, sort, where + ": an assigned value");
         }
     }
@@ -124,7 +125,8 @@ private:
                 if (!network_.exprs.contains(assignment.target) || !network_.exprs.contains(assignment.value)) continue;
                 for (const Id<Expr> leaf : leaves(network_.exprs, assignment.value))
                     if (const auto variable = scratch(leaf); variable && !written.contains(*variable))
-                        fault(where + ": reads " + network_.variables[{*variable}].name + " before it is written");
+                        fault(where + ": the procedure reads " + network_.variables[{*variable}].name +
+                              " before it is written");
                 if (const auto variable = scratch(assignment.target)) written.insert(*variable);
             }
         };
@@ -145,7 +147,7 @@ private:
         const Network::Template& automaton = network_.templates[process.automaton];
         if (!automaton.locations.contains(process.initial)) fault(where + ": no initial location");
         if (process.arguments.size() != automaton.parameters.size())
-            return fault(where + ": arguments and parameters differ in number");
+            return fault(where + ": the number of arguments differs from the number of parameters");
         for (const Id<Network::Parameter> id : automaton.parameters.ids())
             check_argument(automaton.parameters[id], process.arguments[id.index], where);
     }
@@ -154,13 +156,13 @@ private:
                         const std::string& where) {
         const bool constant = parameter.kind == Network::ParameterKind::Constant;
         if (const auto* variable = std::get_if<Id<Network::Variable>>(&argument)) {
-            if (constant) return fault(where + ": a variable for the constant " + parameter.name);
+            if (constant) return fault(where + ": a variable is passed for the constant " + parameter.name);
             if (!network_.variables.contains(*variable)) return fault(where + ": no variable for " + parameter.name);
             if (network_.variables[*variable].type != parameter.type)
-                fault(where + ": " + parameter.name + " has another type than its argument");
+                fault(where + ": " + parameter.name + " has a type that differs from the one of its argument");
             return;
         }
-        if (!constant) return fault(where + ": a number for the variable " + parameter.name);
+        if (!constant) return fault(where + ": a number is passed for the variable " + parameter.name);
         if (!in_range(parameter.type, std::get<std::int64_t>(argument)))
             fault(where + ": the argument for " + parameter.name + " is out of range");
     }
@@ -168,7 +170,7 @@ private:
     void check_urgency(const Network::Process& process) {
         for (const Network::Edge& edge : network_.templates[process.automaton].edges)
             if (edge.urgent && !keeps_target_invariant(network_, process, edge))
-                fault("process " + process.name + ": an urgent edge whose target invariant may fail");
+                fault("process " + process.name + ": an urgent edge may violate the invariant of its target location");
     }
 
     void check_controller(const Network::Controller& controller) {
@@ -176,7 +178,7 @@ private:
         if (!network_.processes.contains(controller.process)) return fault(where + ": no process");
         const Network::Template& automaton = network_.templates[network_.processes[controller.process].automaton];
         if (!automaton.locations.contains(controller.waiting)) fault(where + ": no waiting location");
-        if (!network_.variables.contains(controller.stable)) fault(where + ": no variable says whether it is stable");
+        if (!network_.variables.contains(controller.stable)) fault(where + ": no variable indicates that it is stable");
         for (const Network::Timer& timer : controller.timers)
             if (!network_.processes.contains(timer.process)) fault(where + ": an unknown timer");
         check_text(controller.words, where);
@@ -184,13 +186,15 @@ private:
 
     void check_text(const ControllerWords<Network::Variable>& words, const std::string& where) {
         for (const auto& [name, variable] : words.steps)
-            if (!network_.variables.contains(variable)) fault(where + ": `" + name.text() + "` stands for no variable");
+            if (!network_.variables.contains(variable))
+                fault(where + ": `" + name.text() + "` does not refer to a variable");
         for (const auto* list : {&words.transitions, &words.inputs, &words.outputs, &words.internals})
             for (const auto& [name, variable] : *list)
-                if (!network_.variables.contains(variable)) fault(where + ": `" + name + "` stands for no variable");
+                if (!network_.variables.contains(variable))
+                    fault(where + ": `" + name + "` does not refer to a variable");
         for (const auto& timer : words.timers) {
-            if (!network_.variables.contains(timer.end)) fault(where + ": a timer of an unknown end");
-            if (timer.step && *timer.step >= words.steps.size()) fault(where + ": a timer of an unknown step");
+            if (!network_.variables.contains(timer.end)) fault(where + ": a timer refers to an unknown output");
+            if (timer.step && *timer.step >= words.steps.size()) fault(where + ": a timer refers to an unknown step");
         }
     }
 
@@ -198,7 +202,7 @@ private:
         read_terms_of(nullptr);
         std::unordered_set<std::string_view> names;
         for (const Property& property : network_.properties) {
-            if (!names.insert(property.name).second) fault("property " + property.name + ": its name is taken");
+            if (!names.insert(property.name).second) fault("property " + property.name + ": its name is already used");
             for (const Id<Expr> operand : property.operands)
                 check_term(operand, Sort::Boolean, "property " + property.name + ": an operand");
         }

@@ -61,7 +61,7 @@ Id<st::Expr> PlcopenValues::of(const PlcopenLine& line, std::size_t depth) {
         return {};
     }
     if (++values_ > most_values) {
-        reader_.refuse(where, "a network whose elements share inputs so often", "assign shared values to variables");
+        reader_.refuse(where, "a network whose elements share inputs too often", "assign shared values to variables");
         return {};
     }
     if (is(node, "inVariable")) return variable(node, "negated");

@@ -332,7 +332,7 @@ void Reader::check_addresses(const std::vector<const st::Variable*>& located) {
         if (!fresh && place->second != size && !address.ends_with('*')) {
             place->second = size;
             reject(variable->name.where, "an address of another size in the same area",
-                   "leave out the addresses, or use one size per area");
+                   "remove the addresses, or use one size per area");
         }
     }
 }
@@ -362,7 +362,7 @@ void Reader::choose_main(std::size_t user) {
             continue;
         }
         if (!instance.arguments.empty())
-            reject(instance.where, "a connection of a program instance", "declare addresses at its variables");
+            reject(instance.where, "a connection of a program instance", "declare the addresses in its variables");
         chosen = unit->second;
         task_of(instance);
     }

@@ -71,14 +71,14 @@ public:
         std::vector<std::string> found;
         if (elsewhere(target, where) && told_.insert(target).second)
             found.push_back("several actions assign `" + target +
-                            "`: if two actions do so in one scan, the later one determines the value in the Sequential "
-                            "Function Chart; here it is a race");
+                            "`: if two of them are executed in one scan, the later one determines the value in the "
+                            "Sequential Function Chart, but here they race");
         writers_.try_emplace(target, where.begin);
         for (const std::string& read : reads)
             if (elsewhere(read, where) && told_.insert(read + "?").second)
                 found.push_back("`" + read +
-                                "` is read by one action and assigned by another: the Sequential Function Chart runs "
-                                "them sequentially; here both read the previous value");
+                                "` is read by one action and assigned by another: the Sequential Function Chart "
+                                "executes them sequentially, but here both read the previous value");
         return found;
     }
 
@@ -147,9 +147,9 @@ private:
             return refused("the action `" + path + "` of another block", "move it into the block of the chart");
         const SfcVariable& target = variable_of(sfc_, path, one.action.where, SfcKind::Boolean, true);
         if (target.kind != SfcKind::Boolean || target.constant)
-            return refused("an action on `" + path + "`, which is not a Boolean variable,", "act on a BOOL");
+            return refused("an action on `" + path + "`, which is not a Boolean variable,", "use a Boolean variable");
         if (target.role == tree::VariableKind::Input)
-            return refused("an action on the input `" + path + '`', "act on an output");
+            return refused("an action on the input `" + path + '`', "use an output");
         Act act{step, target.name, one.qualifier.empty() ? "N" : one.qualifier, one.where};
         if (is_one_of(act.qualifier, {"N", "S", "R", "P", "P1", "P0"})) return act;
         if (!is_one_of(act.qualifier, {"D", "L", "SD", "DS", "SL"})) {

@@ -35,7 +35,7 @@ private:
 
     bool too_large() const { return sfc_.draft.file().exprs.size() - first_term_ > most_terms; }
     std::nullopt_t refuse_size(Span where) {
-        return refuse(where, "a body with so many cases", "split it into several actions");
+        return refuse(where, "a body with too many cases", "split it into several actions");
     }
 
     SfcTerm term(Id<st::Expr> expr, const SfcEffects& state, SfcKind expected) {

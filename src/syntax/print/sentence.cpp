@@ -85,7 +85,7 @@ std::string sentence(const ClosedLoop& loop, const ClosedLoop::Constraint& const
             // Constraints read only inputs, which have a name.
             out << loop.shared[std::get<ClosedLoop::SharedSymbol>(symbol).shared].name;
         });
-    return text.size() > longest ? "a long constraint holds of this plant" : text + " holds of this plant";
+    return text.size() > longest ? "a long constraint holds for this plant" : text + " holds for this plant";
 }
 
 std::vector<Property> constraints_to_prove(const ClosedLoop& loop) {

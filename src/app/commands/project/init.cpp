@@ -29,7 +29,7 @@ struct ProjectFile {
 const std::vector<ProjectFile>& parts() {
     static const std::vector<ProjectFile> all = {
         {"NAME.grafcet", "the closed loop and its properties: start here",
-         R"(// NAME in its closed loop: what the controller is connected to, and what has to hold.
+         R"(// The closed loop of NAME: the controller, its plant and the required properties.
 
 include "NAME_controller.grafcet";
 include "NAME_slide.grafcet";
@@ -40,14 +40,14 @@ closed_loop NAME {
     plant Slide = NAME_slide(FORWARD = FORWARD, AT_FRONT = AT_FRONT, AT_BACK = AT_BACK);
     environment Start = push_button(OUT = START);
 
-    property rests "at rest nothing is driven": never X0 && FORWARD at stable;
-    property arrives "a slide that is driven arrives": X1 leads to AT_FRONT;
-    property returns "a slide in front comes back": AT_FRONT leads to AT_BACK;
+    property rests "nothing is driven at rest": never X0 && FORWARD at stable;
+    property arrives "a driven slide arrives at the front": X1 leads to AT_FRONT;
+    property returns "a slide at the front returns": AT_FRONT leads to AT_BACK;
     property all_steps: reachable all steps;
 }
 )"},
         {"NAME_controller.grafcet", "the chart",
-         R"(// The controller: whoever starts it sends the slide to the front, for a second, and back again.
+         R"(// The controller: after START, the slide moves to the front, stays there for one second and returns.
 
 grafcet NAME_controller {
     input START, AT_FRONT, AT_BACK;
@@ -68,9 +68,9 @@ grafcet NAME_controller {
          R"(// A slide: it moves to the front while it is driven; otherwise a spring returns it.
 //
 // Interface
-//   FORWARD   input     order: to the front
-//   AT_FRONT  output    sensor in front
-//   AT_BACK   output    sensor at the back, its initial position
+//   FORWARD   input     moves it to the front
+//   AT_FRONT  output    front sensor
+//   AT_BACK   output    back sensor, initially true
 //   TRAVEL    constant  travel time between the ends, also after a reversal; default 2s
 component NAME_slide(input FORWARD; output AT_FRONT, AT_BACK = true; TRAVEL = 2s) {
     clock t;
@@ -168,18 +168,19 @@ ExitCode init(CommandContext& job, const Streams& streams) {
 }
 
 CliCommand init_usage() {
-    return {"init",
-            "[NAME]",
-            0,
-            1,
-            "create a project: chart, component, closed loop with properties, CMake",
-            "Writes a small project into the new directory NAME, or, without NAME, into the current directory, whose "
-            "name it gets:\n"
-            "a chart, a custom component, the closed loop of both with properties that hold, a CMakeLists.txt with a "
-            "test per\n"
-            "property, and a .gitignore. Nothing is overwritten: if one of the files exists, nothing is written.",
-            {"grafverif init press", "cd press && grafverif check press.grafcet"},
-            {}};
+    return {
+        "init",
+        "[NAME]",
+        0,
+        1,
+        "create a project: chart, component, closed loop with properties, CMake",
+        "Writes a small project into the new directory NAME: a chart, a custom component, a closed loop of both with\n"
+        "properties that hold, a CMakeLists.txt with one test per property, and a .gitignore. Without NAME, the "
+        "project\n"
+        "is written into the current directory and has the name of this directory. Nothing is overwritten: if one of\n"
+        "the files exists, nothing is written.",
+        {"grafverif init press", "cd press && grafverif check press.grafcet"},
+        {}};
 }
 
 }  // namespace grafverif::app

@@ -91,26 +91,25 @@ ExitCode compare(CommandContext& job, const Streams& streams) {
 }
 
 CliCommand compare_usage() {
-    return {"compare",
-            "FILE OTHER",
-            2,
-            2,
-            "prove two charts equivalent, or find inputs that distinguish them",
-            "Compares a chart of FILE (a) with a chart of OTHER (b), which has the same inputs and outputs. Equivalent "
-            "charts write,\n"
-            "for all inputs and all times between scans, the same outputs in every scan, or stop in the same "
-            "scan (race,\n"
-            "value out of range, total instability). The result is a proof, or a distinguishing sequence of scans, "
-            "replayed on the\n"
-            "rules of IEC 60848, and the differences of the two texts. FILE and OTHER can have any supported format. "
-            "The default\n"
-            "mode is that of the closed loop of FILE with this chart, otherwise stability-search. The constraints of "
-            "both charts are\n"
-            "assumed. Exit code 1: different; 3: inconclusive (--timeout, --max-memory, Ctrl-C).",
-            {"grafverif compare station.grafcet station.xml",
-             "grafverif compare old.grafcet new.grafcet --mode every-cycle",
-             "grafverif compare old.grafcet new.grafcet --from-situation 3,5 --format json"},
-            {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Compare, OptionGroup::Mode, OptionGroup::Format}};
+    return {
+        "compare",
+        "FILE OTHER",
+        2,
+        2,
+        "prove two charts equivalent, or find inputs that distinguish them",
+        "Compares a chart of FILE (a) with a chart of OTHER (b) that has the same inputs and outputs. Equivalent "
+        "charts\n"
+        "write the same outputs in every scan, for all inputs and all times between scans, or stop in the same scan\n"
+        "(race, value out of range, total instability). The result is a proof, or a distinguishing sequence of scans,\n"
+        "which is replayed on the rules of IEC 60848, and the differences of the two texts. FILE and OTHER can have "
+        "any\n"
+        "supported format. The default mode is the mode of the closed loop of FILE that contains this chart, or\n"
+        "stability-search if there is none. The constraints of both charts are assumed. Exit code 1: different; 3:\n"
+        "inconclusive (--timeout, --max-memory, Ctrl-C).",
+        {"grafverif compare station.grafcet station.xml",
+         "grafverif compare old.grafcet new.grafcet --mode every-cycle",
+         "grafverif compare old.grafcet new.grafcet --from-situation 3,5 --format json"},
+        {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Compare, OptionGroup::Mode, OptionGroup::Format}};
 }
 
 }  // namespace grafverif::app

@@ -382,16 +382,12 @@ CliCommand mutate_usage() {
         1,
         1,
         "mutate a chart, and report which mutants its properties and tests detect",
-        "Changes a chart of FILE by one plausible mistake at a time, for example a negated term, a wrong successor, "
-        "another\n"
-        "duration or a missing action (docs/how-to/mutate.md lists all). Each mutant is proved equivalent or not (see "
-        "`compare`) and\n"
-        "checked against the properties of the closed loops with the chart (see `check`). It is also run through the "
-        "test\n"
-        "sequence of the chart (see `testgen`). Mutants that no property detects are printed as a difference of the "
-        "text, with\n"
-        "--survivors also as drawings.\n"
-        "Exit code 1: no property detects a mutant; 3: incomplete (--mutant-timeout, --timeout, Ctrl-C).",
+        "Changes a chart of FILE by one plausible mistake at a time, for example a negated term, a wrong successor,\n"
+        "another duration or a missing action (docs/how-to/mutate.md lists all mistakes). Each mutant is proved\n"
+        "equivalent or not (see `compare`) and checked against the properties of the closed loops that contain the\n"
+        "chart (see `check`). The test sequence of the chart (see `testgen`) is also executed on it. Mutants that no\n"
+        "property detects are printed as differences of the text; --survivors also draws them.\n"
+        "Exit code 1: a mutant is detected by no property; 3: incomplete (--mutant-timeout, --timeout, Ctrl-C).",
         {"grafverif mutate samples/oven_door/oven_door.grafcet",
          "grafverif mutate station.grafcet --chart press --limit 50 --seed 7 --state press.mutants --survivors press",
          "grafverif mutate station.grafcet --mutant-timeout 10s --format json -o mutants.json"},

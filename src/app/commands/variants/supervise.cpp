@@ -176,8 +176,8 @@ void print(const Supervised& found, std::ostream& out) {
             break;
         }
         print_conditions(found, out);
-        out << "Verified after reading back: everything by the symbolic engine, the properties also by a second "
-               "engine.\n"
+        out << "The written file was read again and verified: all results by the symbolic engine, and the properties "
+               "also by a second engine.\n"
             << timelock_text(found.timelock);
         break;
     case Supervisor::Outcome::None:
@@ -281,18 +281,13 @@ CliCommand supervise_usage() {
         1,
         1,
         "synthesize conditions on a chart that enforce its properties",
-        "Computes conditions on the transitions and outputs of the charts of a closed loop in FILE, over their inputs "
-        "and steps.\n"
-        "Under these conditions, the properties of states (always, never, exactly one of) hold for all behaviour of "
-        "the plant,\n"
-        "and a marked situation remains reachable. The model is untimed with plant automata, interleaved, grain "
-        "atomic. -o\n"
-        "writes the file with these conditions, after two engines have proved it. If no such conditions exist, a trace "
-        "shows\n"
-        "behaviour that no controller can prevent. Conditions that disable a transition or an output completely are "
-        "not "
-        "written.\n"
-        "Exit code 1: no such conditions, or only disabling ones. docs/how-to/supervise.md states the guarantees.",
+        "Computes conditions over the inputs and steps of the charts of a closed loop in FILE, and adds them to the\n"
+        "transitions and outputs of these charts. Under these conditions, the properties of states (always, never,\n"
+        "exactly one of) hold for all behaviour of the plant, and a marked situation remains reachable. The model is\n"
+        "untimed with plant automata, interleaved, grain atomic. -o writes the file with the conditions, after two\n"
+        "engines have proved it. If no such conditions exist, a trace shows behaviour that no controller can prevent.\n"
+        "Conditions that disable a transition or an output completely are not written. Exit code 1: no such\n"
+        "conditions exist, or all of them are disabling. docs/how-to/supervise.md states the guarantees.",
         {"grafverif supervise station.grafcet", "grafverif supervise station.grafcet --property P15 -o safe.grafcet",
          "grafverif supervise station.grafcet --marked 'X0 && V_IN' --format json"},
         {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Mode, OptionGroup::Supervision,
