@@ -18,7 +18,7 @@ if "GRAFVERIF_DOXYGEN_XML" in os.environ:
     breathe_default_members = ("members",)
 myst_heading_anchors = 4
 nitpicky = True
-# The C++ API names types of the standard library and of Doxygen's own making, which this site does not describe.
+# The C++ API refers to types of the standard library and to types of Doxygen, which this site does not describe.
 nitpick_ignore_regex = [(r"cpp:.*", r".*")]
 suppress_warnings = ["duplicate_declaration.cpp"]
 highlight_language = "text"

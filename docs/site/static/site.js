@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Switches between the automatic, dark and light theme. Debian's Furo ships its script as a module, which browsers do not load
-// from files; this one also works without a server.
-document.addEventListener("DOMContentLoaded", () => {
-    const themes = ["auto", "dark", "light"];
-    document.documentElement.classList.remove("no-js");
-    for (const button of document.querySelectorAll(".theme-toggle"))
-        button.addEventListener("click", () => {
-            const next = themes[(themes.indexOf(document.body.dataset.theme) + 1) % themes.length];
-            document.body.dataset.theme = next;
-            localStorage.setItem("theme", next);
-        });
-});
+// Switches between the automatic, dark and light theme. Debian's Furo ships its script as a module, which browsers do not
+// load from files, and its style sheet does not follow the colour scheme of the browser; this script does both.
+const themes = ["auto", "dark", "light"];
+const darkScheme = window.matchMedia("(prefers-color-scheme: dark)");
+
+function storedTheme() {
+    const theme = localStorage.getItem("theme");
+    return themes.includes(theme) ? theme : "auto";
+}
+
+function applyTheme() {
+    const theme = storedTheme();
+    document.body.dataset.theme = theme === "auto" && darkScheme.matches ? "dark" : theme;
+}
+
+applyTheme();
+darkScheme.addEventListener("change", applyTheme);
+document.documentElement.classList.remove("no-js");
+for (const button of document.querySelectorAll(".theme-toggle"))
+    button.addEventListener("click", () => {
+        localStorage.setItem("theme", themes[(themes.indexOf(storedTheme()) + 1) % themes.length]);
+        applyTheme();
+    });

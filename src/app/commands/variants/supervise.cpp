@@ -287,7 +287,7 @@ CliCommand supervise_usage() {
         "untimed with plant automata, interleaved, grain atomic. -o writes the file with the conditions, after two\n"
         "engines have proved it. If no such conditions exist, a trace shows behaviour that no controller can prevent.\n"
         "Conditions that disable a transition or an output completely are not written. Exit code 1: no such\n"
-        "conditions exist, or all of them are disabling. docs/how-to/supervise.md states the guarantees.",
+        "conditions exist, or they disable parts of a chart. docs/how-to/supervise.md states the guarantees.",
         {"grafverif supervise station.grafcet", "grafverif supervise station.grafcet --property P15 -o safe.grafcet",
          "grafverif supervise station.grafcet --marked 'X0 && V_IN' --format json"},
         {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Mode, OptionGroup::Supervision,
