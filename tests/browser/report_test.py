@@ -241,11 +241,11 @@ class Report(browser.Case):
     def test_a_clearing_is_foretold_only_once_inputs_are_read_for_it(self):
         at = self.report_of(STEPWISE)
         at("#p/1")
-        self.assertIn("t0 is enabled; on the inputs as they are its condition is true", self.answer("t0"))
+        self.assertIn("t0 is enabled; its condition is true for the current inputs", self.answer("t0"))
         at("#p/2")
         self.assertIn("the next evolution clears it", self.answer("t0"))
         at("#p/4")  # A is read again, and is false then
-        self.assertIn("t1 is enabled; on the inputs last read its condition is true", self.answer("t1"))
+        self.assertIn("t1 is enabled; its condition is true for the inputs last read", self.answer("t1"))
 
     def test_a_claim_about_settled_states_is_decided_by_none_that_is_left_at_once(self):
         at = self.report_of(SETTLED)
@@ -263,7 +263,7 @@ class Report(browser.Case):
         at = self.report_of(DELAYED, "--untimed")
         at("#q/1")
         self.assertIn("the trace does not determine its condition", self.answer("t1"))
-        self.assertIn("2s/X1 not known (not read since it began)", self.answer("t1"))
+        self.assertIn("2s/X1 not known (not read since the timer started)", self.answer("t1"))
         at("#q/4")
         self.assertIn("t1 is cleared here", self.answer("t1"))
         self.assertIn("2s/X1 true", self.answer("t1"))
@@ -271,7 +271,7 @@ class Report(browser.Case):
     def test_a_delay_that_is_over_since_timers_were_read_says_so(self):
         at = self.report_of(DELAYED)
         at("#q/4")
-        self.assertIn("2s/X1 false (as read at 0 s; it is true by now; X1 has been active for 2 s)", self.answer("t1"))
+        self.assertIn("2s/X1 false (read at 0 s; it is now true; X1 has been active for 2 s)", self.answer("t1"))
 
     def test_a_transition_that_is_cleared_twice_says_so(self):
         at = self.report_of(TWICE)
@@ -406,7 +406,7 @@ class Report(browser.Case):
         self.assertIn("true since", self.page.text(".why .answer"))
         self.assertIn("caused by V_S (then true)", self.page.text(".why .answer"))
         self.page.find(".player").send_keys(Keys.END)
-        self.assertIn("Not answered since", standing())
+        self.assertIn("No response since", standing())
 
     def test_what_decides_a_claim_is_a_state_of_the_model(self):
         at = self.report_of("""component toggle(output OUT) { initial location low; location high; urgent low -> high do OUT := true; urgent high -> low do OUT := false; }

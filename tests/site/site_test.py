@@ -114,7 +114,7 @@ class Site(unittest.TestCase):
 
     def test_undocumented_parameter(self):
         lamp = self.root / "templates/lamp.grafcet"
-        lamp.write_text(lamp.read_text().replace("//   ON  input  order: light\n", ""))
+        lamp.write_text(lamp.read_text().replace("//   ON  input  order to turn on\n", ""))
         self.assert_problem("templates/lamp.grafcet: undocumented parameter `ON`")
 
 

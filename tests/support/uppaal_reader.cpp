@@ -24,7 +24,7 @@ const std::map<std::string, Role> roles = {
     {"firing conditions", Role::FiringCondition},    {"inputs as sampled in this cycle", Role::Sample},
     {"outputs not yet written", Role::Image},        {"outputs of timers", Role::TimerEnd},
     {"timers to start or stop", Role::TimerPending}, {"previous values, for edges", Role::Previous},
-    {"levels that timers watch", Role::Watched},     {"flags between controller, timers and plant", Role::Flag},
+    {"levels that timers observe", Role::Watched},   {"flags between controller, timers and plant", Role::Flag},
     {"variables of the plant", Role::Plant}};
 
 const std::map<std::string, Network::ProcessKind> kinds = {{"plant", Network::ProcessKind::Plant},

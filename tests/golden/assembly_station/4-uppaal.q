@@ -83,7 +83,7 @@ every step; expected: satisfied
 E<> X_14
 
 /*
-PROP_R_2_X1: no step is active for ever: omitted; UPPAAL has no query for `always possible` (AG EF)
+PROP_R_2_X1: no step is active forever: omitted; UPPAAL has no query for `always possible` (AG EF)
 */
 
 /*
@@ -145,19 +145,19 @@ expected: satisfied
 A[] X_1 + X_3 + X_4 + X_5 + X_6 + X_7 + X_8 + X_9 + X_10 + X_11 + X_14 == 1
 
 /*
-PROP_R_4: the manipulator does one thing
+PROP_R_4: the manipulator does one action at a time
 expected: satisfied
 */
 A[] X_5 + X_6 + X_7 + X_8 + X_9 + X_10 + X_12 + X_13 == 1
 
 /*
-PROP_R_5: a pallet waits while the manipulator goes back
+PROP_R_5: a pallet waits while the manipulator returns
 expected: satisfied
 */
 A[] !X_11 || X_2
 
 /*
-PROP_R_6: what waits is served
+PROP_R_6: waiting pallets are served
 expected: satisfied
 */
 A[] !X_2 || X_3 || X_4 || X_5 || X_6 || X_7 || X_8 || X_9 || X_10 || X_11
@@ -169,31 +169,31 @@ expected: satisfied
 A[] not (L_H_C && R_H_C)
 
 /*
-PROP2: no way down while the arm moves sideways
+PROP2: the arm does not move down while it moves sideways
 expected: satisfied
 */
 A[] not (D_V_C && (L_H_C || R_H_C))
 
 /*
-PROP3: no way sideways while the arm is down
+PROP3: the arm does not move sideways while it is down
 expected: satisfied
 */
 A[] not (v_c_d && (L_H_C || R_H_C))
 
 /*
-PROP4: down at the ends of the horizontal cylinder only
+PROP4: the arm is down only at the ends of the horizontal cylinder
 expected: satisfied
 */
 A[] !D_V_C || (h_c_l && !h_c_r && !R_H_C) || (!h_c_l && h_c_r && !L_H_C)
 
 /*
-H_Cyl_constraint_1: !(h_c_r && h_c_l) holds of this plant
+H_Cyl_constraint_1: !(h_c_r && h_c_l) holds for this plant
 expected: satisfied
 */
 A[] !(h_c_r && h_c_l)
 
 /*
-V_Cyl_constraint_1: !(v_c_u && v_c_d) holds of this plant
+V_Cyl_constraint_1: !(v_c_u && v_c_d) holds for this plant
 expected: satisfied
 */
 A[] !(v_c_u && v_c_d)

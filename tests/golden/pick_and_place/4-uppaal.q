@@ -5,7 +5,7 @@ expected: satisfied
 E<> L1C.moving_in && L2C.out && !s2
 
 /*
-P5_P11_P17: the cup over chute 2 before s2 tells
+P5_P11_P17: the cup is at chute 2, but s2 is off
 expected: not satisfied
 */
 E<> L1C.in && L2C.out && !s2
@@ -89,7 +89,7 @@ every step; expected: satisfied
 E<> X_17
 
 /*
-over_a_chute: the cup goes down over a chute only
+over_a_chute: the cup moves down only over a chute
 expected: satisfied
 */
 A[] not (VCGO && !(s0 || s1 || s2 || s3))
@@ -101,35 +101,35 @@ expected: satisfied
 A[] not ((L1CGO || L1CGI || L2CGO || L2CGI) && !vc_in)
 
 /*
-no_drop: a part is let go of over the unloading chute only
+no_drop: a part is released only over the unloading chute
 expected: satisfied
 */
 A[] not (X_16 && !s0)
 
 /*
-serves_again: the machine can always come back to rest: omitted; UPPAAL has no query for `always possible` (AG EF)
+serves_again: the machine can always return to rest: omitted; UPPAAL has no query for `always possible` (AG EF)
 */
 
 /*
-constraint_1: !(s0 && s1) && !(s0 && s2) && !(s0 && s3) && !(s1 && s2) && !(s1 && s3) && !(s2 && s3) holds of this plant
+constraint_1: !(s0 && s1) && !(s0 && s2) && !(s0 && s3) && !(s1 && s2) && !(s1 && s3) && !(s2 && s3) holds for this plant
 expected: satisfied
 */
 A[] !(s0 && s1) && !(s0 && s2) && !(s0 && s3) && !(s1 && s2) && !(s1 && s3) && !(s2 && s3)
 
 /*
-L1C_constraint_1: !(L1C_in && L1C_out) holds of this plant
+L1C_constraint_1: !(L1C_in && L1C_out) holds for this plant
 expected: satisfied
 */
 A[] !(L1C_in && L1C_out)
 
 /*
-L2C_constraint_1: !(L2C_in && L2C_out) holds of this plant
+L2C_constraint_1: !(L2C_in && L2C_out) holds for this plant
 expected: satisfied
 */
 A[] !(L2C_in && L2C_out)
 
 /*
-VC_constraint_1: !(vc_in && vc_out) holds of this plant
+VC_constraint_1: !(vc_in && vc_out) holds for this plant
 expected: satisfied
 */
 A[] !(vc_in && vc_out)

@@ -5,19 +5,19 @@ expected: satisfied
 !X_1 --> X_1 && !l1 && !l2
 
 /*
-no_overflow: no tank is ever full to the brim
+no_overflow: no tank ever overflows
 expected: satisfied
 */
 A[] not (LEVEL_1 == 6 || LEVEL_2 == 8)
 
 /*
-one_way_1: a tank is never filled and emptied at once
+one_way_1: a tank is never filled and emptied simultaneously
 expected: satisfied
 */
 A[] not (V1 && W1)
 
 /*
-one_way_2: a tank is never filled and emptied at once
+one_way_2: a tank is never filled and emptied simultaneously
 expected: satisfied
 */
 A[] not (V2 && W2)

@@ -1,5 +1,5 @@
 /*
-P14: the station always comes back to rest
+P14: the station always returns to rest
 expected: satisfied
 */
 !(X_0 && V_IN && H_IN) --> X_0 && V_IN && H_IN

@@ -327,7 +327,7 @@ TEST(Check, ReadsTheVerdictsOfVerifyta) {
                                       "    why: UPPAAL has no query for `no timelock`\n"
                                       "\n"
                                       "property     verdict   location{1}  description\n"
-                                      "P14          holds     {0}:58  the station always comes back to rest\n"
+                                      "P14          holds     {0}:58  the station always returns to rest\n"
                                       "P15          holds     {0}:59  no horizontal move unless the cup is up\n"
                                       "no_deadlock  violated  {0}:60\n"
                                       "no_timelock  unknown   {0}:61\n"

@@ -234,15 +234,15 @@ TEST(Abc, AProgramThatLiesIsNotBelieved) {
              {"never L && M", "case \"$2\" in *pdr*) " + names + "0 1\\n.e\\n' > invariant.pla;; esac",
               "engine-disagrees: the invariant for `P` is invalid: it excludes an initial state"},
              {"never L && M", "case \"$2\" in *pdr*) " + names + "1 1\\n' > invariant.pla;; esac",
-              "engine-disagrees: the program gives no invariant for its verdict"},
+              "engine-disagrees: the program printed no invariant for its verdict"},
              {"never L && M", "case \"$2\" in *pdr*) printf '.ilb l9999999\\n.e\\n' > invariant.pla;; esac",
-              "engine-disagrees: the program gives no invariant for its verdict"},
+              "engine-disagrees: the program printed no invariant for its verdict"},
              {"never L && M", "printf '1\\nb0\\n' > witness",
-              "engine-disagrees: the program gives no trace for its verdict"},
+              "engine-disagrees: the program printed no trace for its verdict"},
              {"never L && M", "printf '1\\nb0\\n11\\n0# DONE\\n' > witness",
-              "engine-disagrees: the program gives no trace for its verdict"},
-             {"never L", "echo 'Property proved.'", "the program gave no verdict"},
-             {"never L", "exec yes", "the program wrote more than is read"},
+              "engine-disagrees: the program printed no trace for its verdict"},
+             {"never L", "echo 'Property proved.'", "the program printed no verdict"},
+             {"never L", "exec yes", "the output of the program is too large"},
              {"never L", "kill -SEGV $$", "the program was ended by signal 11"},
          }) {
         SCOPED_TRACE(lie.script);
@@ -258,9 +258,9 @@ TEST(EngineCommand, ResultsAreValidatedOrUnknown) {
     for (const Lie& lie : {
              Lie{"never L && M", "echo 0; echo b0; echo . ; true",
                  "unchecked: the program reports the state as unreachable"},
-             {"never L", "echo 2 ; true", "the program gave no verdict"},
-             {"never L", "echo 1; true", "engine-disagrees: the program gives no trace for its verdict"},
-             {"never L", "exit 1; true", "the program gave no verdict"},
+             {"never L", "echo 2 ; true", "the program printed no verdict"},
+             {"never L", "echo 1; true", "engine-disagrees: the program printed no trace for its verdict"},
+             {"never L", "exit 1; true", "the program printed no verdict"},
              {"never L", "kill -SEGV $$; true", "the program was ended by signal 11"},
          }) {
         SCOPED_TRACE(lie.script);
@@ -291,7 +291,7 @@ TEST(EngineCommand, ShareOfOneQueryIsDistinguishedFromTheTimeLimit) {
 TEST(EngineCommand, MissingProgramGivesNoVerdict) {
     const Folder folder;
     const std::string out = verdict_on(folder, {"never L", "", ""}, {"--engine-command", "no-such-checker"});
-    EXPECT_NE(out.find("why: the program gave no verdict and exited with status 127"), std::string::npos) << out;
+    EXPECT_NE(out.find("why: the program printed no verdict and exited with status 127"), std::string::npos) << out;
 }
 
 TEST(EngineCommand, ShowsTheRunOfTheProgram) {

@@ -333,7 +333,7 @@ TEST(Trial, TheRulesOfHierarchyHaveTheLastWord) {
              {"forcing_orders",
               {"force 11 on", "force 20 on"},
               "0, 10, 11, 21",
-              "step `production.20` is held by the forcing order of step `control.11`; deactivate that one first"},
+              "step `production.20` is held by the forcing order of step `control.11`; deactivate that step first"},
              {"forcing_orders", {"force 12 on"}, "0, 10, 12", ""},
          }) {
         SCOPED_TRACE(std::string(c.element) + " " + c.moves.back());

@@ -58,14 +58,14 @@ TEST(Verifyta, ReadsTheDocumentedLines) {
 
 TEST(Verifyta, ExitCodesAreNotDocumentedAndDecideNothing) {
     EXPECT_EQ(read_verifyta(printed(" -- Formula is satisfied.\n", 1)).outcome, Outcome::Holds);
-    EXPECT_EQ(read_verifyta(printed("", 0)).reason, "verifyta gave no verdict: exit code 0");
+    EXPECT_EQ(read_verifyta(printed("", 0)).reason, "verifyta printed no verdict: exit code 0");
 }
 
 TEST(Verifyta, ItsErrorMessageIsTheReason) {
     EXPECT_EQ(read_verifyta(printed("", 1, "\n model.xml:1: [error] Syntax error.\nmore\n")).reason,
-              "verifyta gave no verdict: model.xml:1: [error] Syntax error.");
+              "verifyta printed no verdict: model.xml:1: [error] Syntax error.");
     EXPECT_EQ(read_verifyta(printed("", 1, "\033[31merror:\033[0m no licence\n")).reason,
-              "verifyta gave no verdict: error: no licence");
+              "verifyta printed no verdict: error: no licence");
 }
 
 TEST(Verifyta, AProgramThatWasEndedGaveNoVerdict) {

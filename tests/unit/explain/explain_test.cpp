@@ -305,7 +305,7 @@ TEST(Explain, FreeInputChangesOfTheShortestChangeAreNamedOneByOne) {
     EXPECT_EQ(run.counterfactual_values[0].moment, 0U);
     EXPECT_NE(
         text.find(
-            "    without b at 0 the property holds along the run, and on from its end as long as nothing changes\n"),
+            "    without b at 0 the property holds along the run, and after its end as long as nothing changes\n"),
         std::string::npos)
         << text;
     EXPECT_NE(json_of(report).find(R"("left_out_values": [)"), std::string::npos);

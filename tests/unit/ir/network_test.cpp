@@ -54,10 +54,10 @@ TEST(Network, EachBrokenInvariantIsNamed) {
     const std::vector<Case> cases{
         {"variable go: its initial value is out of range", [](Network& n) { n.variables[{0}].initial = 2; }},
         {"variable level: its range is empty", [](Network& n) { n.variables[{1}].type.high = -1; }},
-        {"variable go: its name is taken", [](Network& n) { n.variables[{1}].name = "go"; }},
+        {"variable go: its name is already used", [](Network& n) { n.variables[{1}].name = "go"; }},
         {"the time unit is not positive", [](Network& n) { n.time_unit_ms = 0; }},
         {"template mover: no initial location", [](Network& n) { n.templates[{0}].initial = {7}; }},
-        {"an edge leads nowhere", [&](Network& n) { edge(n, 0).to = {7}; }},
+        {"an edge leads to a location that does not exist", [&](Network& n) { edge(n, 0).to = {7}; }},
         {"its guard is not Boolean", [&](Network& n) { edge(n, 0).guard = n.exprs.integer(1); }},
         {"its guard is wrongly typed inside",
          [&](Network& n) {
@@ -65,25 +65,28 @@ TEST(Network, EachBrokenInvariantIsNamed) {
          }},
         {"its guard is wrongly typed inside", [&](Network& n) { edge(n, 0).guard = n.exprs.leaf(Op::Parameter, 9); }},
         {"its guard is wrongly typed inside", [&](Network& n) { edge(n, 0).guard = n.exprs.leaf(Op::Variable, 9); }},
-        {"an urgent edge with a clock constraint", [&](Network& n) { edge(n, 1).urgent = true; }},
+        {"an urgent edge has a clock constraint", [&](Network& n) { edge(n, 1).urgent = true; }},
         {"resets an unknown clock", [&](Network& n) { edge(n, 0).resets = {{4}}; }},
         {"calls an unknown procedure", [&](Network& n) { edge(n, 0).calls = {{0}}; }},
-        {"a lower bound in an invariant",
+        {"an invariant has a lower bound",
          [](Network& n) { n.templates[{0}].locations[{1}].invariant[0].relation = Op::GreaterEqual; }},
         {"a clock bound reads a variable",
          [&](Network& n) { edge(n, 1).constraint[0].bound = n.exprs.leaf(Op::Parameter, 1); }},
-        {"assigns what cannot be written",
+        {"an assignment has a target that cannot be written",
          [&](Network& n) {
              edge(n, 1).assignments = {{n.exprs.leaf(Op::Parameter, 0), n.exprs.constant(true)}};
          }},
         {"an assigned value is not an integer",
          [&](Network& n) { edge(n, 1).assignments[0].value = n.exprs.constant(true); }},
-        {"arguments and parameters differ in number", [](Network& n) { n.processes[{0}].arguments.pop_back(); }},
-        {"a number for the variable G", [](Network& n) { n.processes[{0}].arguments[0] = std::int64_t{1}; }},
-        {"a variable for the constant D", [](Network& n) { n.processes[{0}].arguments[2] = Id<Network::Variable>{1}; }},
-        {"X has another type than its argument", [](Network& n) { n.variables[{1}].type.high = 9; }},
+        {"the number of arguments differs from the number of parameters",
+         [](Network& n) { n.processes[{0}].arguments.pop_back(); }},
+        {"a number is passed for the variable G", [](Network& n) { n.processes[{0}].arguments[0] = std::int64_t{1}; }},
+        {"a variable is passed for the constant D",
+         [](Network& n) { n.processes[{0}].arguments[2] = Id<Network::Variable>{1}; }},
+        {"X has a type that differs from the one of its argument", [](Network& n) { n.variables[{1}].type.high = 9; }},
         {"the argument for D is out of range", [](Network& n) { n.processes[{0}].arguments[2] = std::int64_t{101}; }},
-        {"an urgent edge whose target invariant may fail", [&](Network& n) { edge(n, 0).resets.clear(); }},
+        {"an urgent edge may violate the invariant of its target location",
+         [&](Network& n) { edge(n, 0).resets.clear(); }},
         {"reads level before it is written",
          [&](Network& n) {
              n.variables[{1}].scratch = true;
@@ -94,7 +97,7 @@ TEST(Network, EachBrokenInvariantIsNamed) {
          [](Network& n) { n.properties.add({.name = "P", .operands = {n.exprs.at(0, 5)}}); }},
         {"an operand is not Boolean",
          [](Network& n) { n.properties.add({.name = "P", .operands = {n.exprs.integer(5)}}); }},
-        {"property P: its name is taken",
+        {"property P: its name is already used",
          [](Network& n) {
              n.properties.add({.name = "P", .operands = {n.exprs.constant(true)}});
              n.properties.add({.name = "P", .operands = {n.exprs.constant(true)}});

@@ -52,10 +52,11 @@ TEST(TestSequence, AStepThatWaitsChangesNoInput) {
 TEST(TestSequence, ALengthIsProvenLeastByItsBoundOnly) {
     TestSequence test = lamp();
     test.lower_bound = 1;
-    EXPECT_EQ(verify(test), std::vector<std::string>{"the length is not the bound that proves it"});
+    EXPECT_EQ(verify(test),
+              std::vector<std::string>{"the length is declared minimal but differs from its lower bound"});
     test.lower_bound = 3;
     test.proven_least = false;
-    EXPECT_EQ(verify(test), std::vector<std::string>{"the lower bound is above the length"});
+    EXPECT_EQ(verify(test), std::vector<std::string>{"the lower bound exceeds the length"});
 }
 
 TEST(TestSequence, ValuesStayInTheRangesOfTheirVariables) {

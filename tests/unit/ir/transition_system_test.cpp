@@ -49,7 +49,7 @@ TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
     const Case cases[] = {
         {"no main module", [](Small& s) { s.system.main = {}; }},
         {"`a` does not have a unique name", [](Small& s) { s.inner().symbols[s.define].name = "a"; }},
-        {"`x` has not one name for each value",
+        {"`x` does not have exactly one name for each value",
          [](Small& s) {
              s.inner().symbols[s.state].values = {"off", "on"};
          }},
@@ -69,7 +69,7 @@ TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
              s.inner().symbols[s.define].kind = System::DefineSymbol{s.leaf(choice)};
          }},
         {"transition is not Boolean", [](Small& s) { s.inner().transitions.push_back(s.system.exprs.integer(1)); }},
-        {"`c.d` has another type than the symbol it stands for",
+        {"`c.d` has a type that differs from the one of its symbol",
          [](Small& s) { s.main().symbols[s.member].type = integer_type(0, 3); }},
         {"initial is not Boolean",
          [](Small& s) {
@@ -85,7 +85,7 @@ TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
          }},
         {"initial values depend on themselves",
          [](Small& s) { std::get<System::StateSymbol>(s.inner().symbols[s.state].kind).initial = s.leaf(s.define); }},
-        {"is a parameter out of place", [](Small& s) { s.main().symbols[s.input].kind = System::ParameterSymbol{}; }},
+        {"is a misplaced parameter", [](Small& s) { s.main().symbols[s.input].kind = System::ParameterSymbol{}; }},
         {"another number of arguments", [](Small& s) { s.system.instances[s.instance].arguments.clear(); }},
         {"not a symbol of main with the type of its parameter",
          [](Small& s) { s.system.instances[s.instance].arguments = {{7}}; }},
@@ -105,7 +105,7 @@ TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
          }},
         {"settled is not Boolean", [](Small& s) { s.system.settled = s.system.exprs.integer(1); }},
         {"justice is not Boolean", [](Small& s) { s.main().justice = {s.system.exprs.integer(1)}; }},
-        {"an omitted property has no place",
+        {"an omitted property has an invalid position",
          [](Small& s) {
              s.system.omitted.push_back({{}, "", 5});
          }},

@@ -163,7 +163,7 @@ TEST(Replay, RejectsAnImpossibleMove) {
     const auto found = disagreement(project(loop.network, too_early), loop.charts());
     ASSERT_TRUE(found);
     EXPECT_EQ(found->move, 0u);
-    EXPECT_EQ(found->what, "the move is not possible there");
+    EXPECT_EQ(found->what, "the move is not possible in this state");
 }
 
 /// This is CEP13 Fig. 33b as published: after the first 5 s the pulse is repeated continuously. The evolutions follow
