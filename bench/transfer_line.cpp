@@ -9,13 +9,13 @@ namespace grafverif::bench {
 namespace {
 
 constexpr std::string_view head =
-    R"(// A transfer line: cells that clamp a part, drill it and hand it on, with buffers before, between and behind them. One PLC
-// runs all cells, a partial chart each; what ties neighbours together is the hand-shake with the buffer between them.
+    R"(// A transfer line: cells clamp a part, drill it and transfer it, with buffers before, between and after them. One PLC
+// runs all cells, with one partial chart each; neighbours are connected by the handshake with the buffer between them.
 
 )";
 
 constexpr std::string_view wires =
-    R"(    input GIVEN_@, STORED_@;  // of the buffers before and behind cell @
+    R"(    input GIVEN_@, STORED_@;  // of the buffers before and after cell @
     input CLAMP_IN_@, CLAMP_OUT_@, DRILL_IN_@, DRILL_OUT_@;
     output TAKE_@, PUT_@, CLAMP_@, DRILL_@;
 )";
@@ -26,7 +26,7 @@ constexpr std::string_view chart_of = R"(
         step 1 { CLAMP_@; }
         step 2 { CLAMP_@; DRILL_@; }
         step 3 { CLAMP_@; }
-        step 4;  // let go of the part
+        step 4;  // release the part
         step 5 { PUT_@; }
 
         transition taken_@: 0 -> 1 when GIVEN_@;
@@ -39,8 +39,8 @@ constexpr std::string_view chart_of = R"(
 )";
 
 constexpr std::string_view components =
-    R"(// A buffer takes a part on request if it has space, and gives one on request if it has any; each request is answered, and the
-// answer falls with the request.
+    R"(// A buffer stores a part on request if it is not full, and provides a part on request if it is not empty. It
+// acknowledges each request; the acknowledgement becomes false with the request.
 component buffer(input PUT, TAKE; output STORED, GIVEN; output N: int 0..CAPACITY; CAPACITY = 8) {
     initial location idle;
     location storing;
@@ -52,7 +52,7 @@ component buffer(input PUT, TAKE; output STORED, GIVEN; output N: int 0..CAPACIT
     urgent giving -> idle when !TAKE do GIVEN := false;
 }
 
-// Somebody who brings or fetches parts, at any time, but not twice within PAUSE.
+// An operator who delivers or removes parts at any time, but not twice within PAUSE.
 component somebody(input DONE; output ASK; PAUSE = 1s) {
     clock t;
 
@@ -75,8 +75,8 @@ constexpr std::string_view cylinders_of = R"(
 )";
 
 constexpr std::string_view questions =
-    R"(    property held_@ "the drill of cell @ leaves its rest only while the part is clamped": never D_@ > 0 && !CLAMP_OUT_@;
-    property released_@ "cell @ hands no part on that is still clamped": never PUT_@ && !CLAMP_IN_@;
+    R"(    property held_@ "the drill of cell @ moves only while the part is clamped": never D_@ > 0 && !CLAMP_OUT_@;
+    property released_@ "cell @ never transfers a part that is still clamped": never PUT_@ && !CLAMP_IN_@;
 )";
 
 std::string of_cell(std::string_view text, int number) {

@@ -29,31 +29,31 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME grafverif)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "grafverif-doc")
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "prove GRAFCET charts with their plants
-grafverif takes a GRAFCET chart (IEC 60848) and a plant built from a library
-of components, proves properties of their closed loop with engines of its
-own, draws and plays what goes wrong, and writes models for UPPAAL, NuSMV
-and other model checkers.")
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "verify GRAFCET charts with their plants
+grafverif verifies properties of the closed loop of a GRAFCET chart
+(IEC 60848) and a plant built from library components. It has embedded
+engines, replays counterexamples on the drawn chart, and writes models for
+UPPAAL, NuSMV and other model checkers.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libgrafverif-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libpugixml-dev, libfmt-dev, nlohmann-json3-dev, libyaml-cpp-dev, libcadical-dev, libicu-dev")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "grafverif-doc, cmake")
-set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "library that proves GRAFCET charts with their plants
-grafverif takes a GRAFCET chart (IEC 60848) and a plant built from a library
-of components, and proves properties of their closed loop.
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "library to verify GRAFCET charts with their plants
+grafverif verifies properties of the closed loop of a GRAFCET chart
+(IEC 60848) and a plant built from library components.
 
-This package holds the static library, its headers and what find_package of
-CMake looks for.")
+This package contains the static library, its headers and the files for
+find_package of CMake.")
 
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_NAME grafverif-doc)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SECTION doc)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
 set(CPACK_COMPONENT_DOCUMENTATION_DESCRIPTION "documentation and samples of grafverif
-grafverif takes a GRAFCET chart (IEC 60848) and a plant built from a library
-of components, and proves properties of their closed loop.
+grafverif verifies properties of the closed loop of a GRAFCET chart
+(IEC 60848) and a plant built from library components.
 
-This package holds the documentation, the samples, and the library of
+This package contains the documentation, the samples, and the library of
 components as text.")
 
 set(components program library documentation)
@@ -69,11 +69,11 @@ if(TARGET grafverif_python)
     file(COPY packaging/python/postinst packaging/python/prerm DESTINATION "${PROJECT_BINARY_DIR}/packaging/python"
          FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
     set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/packaging/python/postinst;${PROJECT_BINARY_DIR}/packaging/python/prerm")
-    set(CPACK_COMPONENT_PYTHON_DESCRIPTION "proofs of GRAFCET charts from Python
-grafverif takes a GRAFCET chart (IEC 60848) and a plant built from a library
-of components, and proves properties of their closed loop.
+    set(CPACK_COMPONENT_PYTHON_DESCRIPTION "verify GRAFCET charts from Python
+grafverif verifies properties of the closed loop of a GRAFCET chart
+(IEC 60848) and a plant built from library components.
 
-This package holds the module for Python, with types for those who check them.")
+This package contains the Python module with type annotations.")
 endif()
 
 # Each package contains its licence and its changes; an installation without packages does not.
