@@ -292,7 +292,7 @@ void read_tasks(PlcopenReader& reader, pugi::xml_node resource) {
     for (const pugi::xml_node& each : children(resource, "pouInstance")) instance(each, {});
 }
 
-/// True if CODESYS or a tool based on it wrote the file: it adds data in a namespace of its own.
+/// True if CODESYS or a tool based on it wrote the file: it adds data in a separate namespace.
 bool is_codesys(pugi::xml_node root) {
     for (const pugi::xml_node& data : all_of(root, {"data"}))
         if (value(data, "name").starts_with("http://www.3s-software.com/plcopenxml/")) return true;

@@ -23,7 +23,7 @@ struct ChartAction {
     st::Block body = {};                                          ///< otherwise
     std::map<std::string, std::vector<Id<st::Word>>> steps = {};  ///< per qualifier
     Id<st::Expr> time = {};                                       ///< invalid: none, or constants within `control`
-    /// Of different constant durations: the steps that give each, for the inputs `TIME_1`, `TIME_2`, ... of `control`.
+    /// For each of several constant durations, the steps that define it, for the inputs `TIME_1`, `TIME_2`, ... of `control`.
     std::vector<std::vector<Id<st::Word>>> durations = {};
     std::size_t control = 0;  ///< its ACTION_CONTROL, a unit of the file
     bool controlled = true;   ///< it has one; otherwise only N, R and S
@@ -51,8 +51,8 @@ struct UnitCharts {
     std::vector<Chart> actions = {};  ///< per action
 };
 
-/// The charts of each unit of the file; not valid where there is none. The units of action controls are added to the
-/// file.
+/// Returns the charts of each unit of the file; an entry is not valid if the unit has no chart. The units of action
+/// controls are added to the file.
 std::vector<UnitCharts> read_charts(st::File& file, Sources& sources, Diagnostics& diagnostics);
 
 /// `A.B.C` in capitals, for a path of names; otherwise empty.

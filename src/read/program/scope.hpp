@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// program::Reader: name resolution and type checking of Structured Text and Sequential Function Charts, in files for
-// declarations, types, names, expressions, functions, statements, calls, and the charts of the standard and of CODESYS.
+// program::Reader resolves names and checks types of Structured Text and Sequential Function Charts. Separate files
+// handle declarations, types, names, expressions, functions, statements, calls, and the charts of the standard and of
+// CODESYS.
 #pragma once
 
 #include <array>

@@ -154,7 +154,7 @@ TEST(Replay, ReportsWhereARunViolatesTheRules) {
     const auto found = disagreement(project(loop.network, random_walk(loop.network, random, 50)), loop.charts());
     ASSERT_TRUE(found);
     EXPECT_EQ(found->where, "controller blinker, evolution 1");
-    EXPECT_EQ(found->what, "output LAMP is 1, by the rules 0");
+    EXPECT_EQ(found->what, "output LAMP is 1, but according to the rules 0");
 }
 
 TEST(Replay, RejectsAnImpossibleMove) {
