@@ -139,7 +139,8 @@ private:
                    "give an `expression` for the end of the scan");
         const YAML::Node expression = entries["expression"];
         if (!expression.IsDefined() || !expression.IsScalar())
-            return reject(made.origin, "the property has no `expression`", "add one over the variables of the program");
+            return reject(made.origin, "the property has no `expression`",
+                          "write an expression over the variables of the program");
         made.text = expression.Scalar();
         if (const auto node = condition(expression)) made.conditions.push_back(*node);
     }
