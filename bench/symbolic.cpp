@@ -7,8 +7,9 @@
 // bench_symbolic PATH|cylinders N|line N|two APPROACH [SCHEDULE] [discrete] [atomic]: a closed loop with all
 // properties. The loop is samples/PATH, a loop with N cylinders, a transfer line of N cells, or two testing stations
 // that share only time (with the properties of one). APPROACH: none, constraints or automata. SCHEDULE: interleaved,
-// synchronous or sequenced. `discrete` counts clocks; `atomic` selects this granularity. As last word, `whole` explores
-// independent subsystems together, and `nusmv` prints the model instead.
+// synchronous or sequenced. `discrete` counts clocks; `atomic` selects this granularity. If the last
+// argument is `whole`, independent subsystems are explored together; if it is `nusmv`, the model is printed and not
+// checked.
 #include "check/symbolic/symbolic.hpp"
 
 #include <fmt/core.h>

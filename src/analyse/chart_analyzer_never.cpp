@@ -87,7 +87,7 @@ bool ChartAnalyzer::confirmed(const Bdd& points) {
     return true;
 }
 
-/// A run of the chart may also show events for which it was not searched.
+/// A run that was found for one event may also show others. Decides every open question whose event occurs on `path`.
 void ChartAnalyzer::confirm_others(const Path& path) {
     for (const Sign& sign : signs_) {
         if (sign.question->decided || sign.among != PointSet::Points) continue;

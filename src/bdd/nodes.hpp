@@ -3,8 +3,8 @@
 //
 // An edge is the doubled index of a node, plus one if the function is the complement of the node's function (Brace,
 // Rudell and Bryant 1990). Node 0 is the constant: edge 0 is false, edge 1 is true. A node means "if my variable then
-// high else low". Its low edge is never complemented, which makes nodes canonical: of each function and its complement,
-// only the one that is false if all variables are false is stored.
+// high else low". Its low edge is never complemented, which makes nodes canonical. Of each function and its complement,
+// the table stores only the one that is false if all variables are false.
 //
 // A node stores its level, which is the position of its variable in the order. Deeper levels are larger, and the
 // constant has the largest level. One hash table, with chains through the nodes, maps a triple (level, low, high) to

@@ -3,8 +3,9 @@
 //
 // A bit has a variable for its value before a step and, directly below it in the order, a variable for its value after
 // the step. The relation is partitioned into conjuncts ("parts") and never represented by one diagram. An image
-// quantifies a variable together with the last part that reads it (Burch, Clarke and Long 1991). If the result is
-// small, parts that read the same choice are conjoined, and the choice is quantified. The other parts are ordered so
+// quantifies a variable together with the last part that reads it (Burch, Clarke and Long 1991). Parts that
+// read the same choice, a variable local to one step, are conjoined and the choice is quantified, if the resulting
+// diagram is small. The other parts are ordered so
 // that variables can be quantified early and are introduced late (Ranjan, Aziz, Brayton, Plessier, Pixley 1995).
 #pragma once
 

@@ -13,7 +13,7 @@
 //   output-swapped      a continuous action sets another output
 //   stored-side         a stored action is executed on deactivation instead of activation, and vice versa
 //   forcing-missing     a forcing order is missing
-//   not-initial         one of several initial steps is not initial
+//   not-initial         one of several initial steps is no longer initial
 #pragma once
 
 #include <string_view>

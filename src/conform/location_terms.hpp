@@ -15,7 +15,7 @@
 
 namespace grafverif::conform {
 
-/// The values in a location of the variables of the equations; entries of inputs are unused.
+/// The value of each variable of the equations in one location; the entries of inputs are unused.
 using Values = std::vector<std::int64_t>;
 /// The input of each variable of the equations; empty if it is not an input.
 using InputOf = std::vector<std::optional<std::size_t>>;

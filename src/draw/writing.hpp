@@ -44,7 +44,7 @@ public:
     Writing(const Chart& chart, Notation notation);
 
     Notation notation() const { return notation_; }
-    /// Returns a term in one line. In the notation Iec (IEC 60848) it uses `·`, `+`, an overline for negation, `↑`,
+    /// Returns a term on one line. In the notation Iec (IEC 60848) it uses `·`, `+`, an overline for negation, `↑`,
     /// `↓`, and predicates in square brackets; within a negated term it uses `¬`.
     Runs runs(Id<Expr> term) const;
     /// Returns the step variable: `X2`, `G1.X2`.

@@ -40,7 +40,8 @@ NetworkFragments cells_of(const Network& network);
 
 /// Premises that tests omit on purpose to show that each premise is necessary.
 struct LocalAblations {
-    /// Urgent edges stop time if some free value, instead of every one, enables them.
+    /// An urgent edge stops time if it is enabled for some value of the free variables, and not only if it is enabled
+    /// for all values.
     bool urgent_where_possible = false;
     bool silent = false;     ///< omitted processes write no kept variable
     bool steady = false;     ///< free variables keep their initial values

@@ -23,7 +23,8 @@ namespace grafverif {
 /// The options of the engine for a check of `loop`. `options` must outlive the result.
 TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options);
 
-/// As `check` of pipeline/check.hpp, without the searches for causes of violations and of unreachable steps.
+/// Does the same as `check` in pipeline/check.hpp, but does not search for the causes of violations and of unreachable
+/// steps.
 Report check_without_causes(const LoopToCheck& loop, const CheckOptions& options);
 
 class StagedSearch {

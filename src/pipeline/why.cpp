@@ -326,7 +326,7 @@ private:
     }
 
     /// If an edge is not urgent and no invariant forces it, the loop without it has no new behaviour. Therefore a
-    /// property of all states still holds.
+    /// property about all states that holds with the edge also holds without it.
     void collect_edges(const Network& original) {
         for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement thing) {
             const bool forced = is_forced(model_.components[model_.loops[loop_].instances[id].component], edge);

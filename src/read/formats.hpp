@@ -2,8 +2,9 @@
 // formats: reads a file of any supported format to a tree. The format is detected from the content, never from the file
 // name. Therefore every command accepts every format, and a .grafcet file can include any of them.
 //
-// Trees from other formats keep the positions of their file, so that later stages report errors in it. If the input
-// language cannot represent a construct, it is an error, or with `lossy` a warning and a comment in the text.
+// Trees from other formats keep the positions of their file, so that later stages report errors in it. A construct
+// that the language of .grafcet files cannot represent is reported as an error. With `lossy`, it is reported as a
+// warning and becomes a comment in the generated text.
 #pragma once
 
 #include <atomic>

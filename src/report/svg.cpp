@@ -230,7 +230,7 @@ private:
         }
     }
 
-    /// Draws a piece of a wave, with the slope from the previous piece.
+    /// Draws a segment of a waveform; if `slope` is true, with the edge from the previous segment.
     void draw_level(std::size_t begin, std::size_t end, bool high, bool slope, const std::string& kind, std::size_t y) {
         const std::size_t level = y + (high ? wave_high : wave_low);
         if (high)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The entries of a run's table, which all writers of rows use.
+// The texts in the cells of the table of a run. All outputs that show such a table use these functions.
 #pragma once
 
 #include <array>

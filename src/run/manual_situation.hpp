@@ -3,8 +3,10 @@
 // not a run of the chart or of the model. The new situation is consistent with the rules of hierarchy:
 //
 //   ordinary step    only this step; a step of an expansion activates its macro-steps
-//   macro-step       its entry step is activated; all of its expansion is deactivated
-//   enclosing step   its activation links are activated; all enclosed steps are deactivated
+//   macro-step       if activated, its entry step is also activated; if deactivated, all steps of its expansion are
+//                    deactivated
+//   enclosing step   if activated, the steps of its activation links are activated; if deactivated, all enclosed steps
+//                    are deactivated
 //   forcing step     its orders take effect
 //
 // A change is rejected if the rules would revert it: if an active forcing order forces the step's chart, if its

@@ -12,7 +12,7 @@
 //   time             abstract: clocks are omitted, so that a timed edge may be taken at any time: the model has every
 //                    run of the timed loop, and more. Discrete: clocks are bounded counters of their modules, with the
 //                    normalization of the timed engine, and `move = of_time` is a tick: the states are those of the
-//                    engine. `no deadlock` and `no timelock` become `always possible` an edge, a tick
+//                    engine. `no deadlock` becomes `always possible` of an edge, and `no timelock` of a tick
 //   observer         a module that follows every step
 //
 // The system is total. If an urgent edge is enabled, its process can move; otherwise `none` can be chosen. If clocks

@@ -158,7 +158,7 @@ std::string result_complaint(const VerbRun& run, const app::Result& result, cons
     std::string files;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         if (!entry.is_regular_file()) continue;
-        const bool is_report = entry.path().extension() == ".xml";  // the report gives a reason
+        const bool is_report = entry.path().extension() == ".xml";  // the report of a rejected input contains its error
         if (result.code == app::ExitCode::Input && !is_report)
             return "it is refused, and writes " + entry.path().string();
         const std::string wrong = written_complaint(content_of(entry.path()), run, written_to(entry.path()), model);

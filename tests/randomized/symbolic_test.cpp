@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compares the symbolic engine with an explicit search on random systems and on the controllers of random loops. The
-// numbers of states, faults and verdicts must be equal, and the runs valid and shortest.
+// faults, the verdicts and the number of states must be equal, and every run must be valid and of minimal length.
 #include "check/symbolic/symbolic.hpp"
 
 #include <gtest/gtest.h>

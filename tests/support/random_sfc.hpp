@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Generates random Sequential Function Charts as text, and executes them by the rules of IEC 61131-3, 2.6, without the
-// program. It computes qualifiers from times of activation instead of function blocks.
+// program. Action qualifiers are evaluated from the times of activation, and not with the function blocks of the
+// standard.
 #pragma once
 
 #include <array>

@@ -366,7 +366,7 @@ private:
             return {403, "cross-origin request refused"};
         if (request.method() != http::verb::get && request.method() != http::verb::post)
             return {405, "only GET and POST are supported"};
-        // The parts of the pages are public.
+        // The static files of the pages (/web/) are served without a token.
         if (text_of(request.target()).starts_with("/web/") || has_token(request)) return {0, ""};
         return {403, "the token is missing; open the address that `grafverif serve` printed"};
     }

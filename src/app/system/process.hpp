@@ -31,9 +31,10 @@ std::optional<std::filesystem::path> find_program(const std::string& name);
 ProgramResult run_program(const std::vector<std::string>& arguments, const std::string& input,
                           const ProgramLimits& limits);
 
-/// A new folder for files that other programs read. The destructor removes it. The constructor also removes folders of
-/// killed runs, whose locks are free. It is the current folder of the programs, which name its files without their
-/// path. Therefore the characters of the path are irrelevant. Throws std::system_error.
+/// A new folder for files that other programs read. The destructor removes it. The constructor also removes the
+/// folders of killed runs, and recognizes such a folder by its free lock. The folder is the current folder of the
+/// programs, which name its files without their path. Therefore the characters of the path are irrelevant. Throws
+/// std::system_error.
 class TemporaryFolder {
 public:
     TemporaryFolder();

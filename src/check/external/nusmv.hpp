@@ -3,8 +3,8 @@
 // program and passes its output to read_nusmv.
 //
 // Each property is checked by its name after a printed marker, so that the order of results is irrelevant. The exit
-// code is ignored (it is 0 even if a property is false). `reachable p` is checked by its negation, whose counterexample
-// is the witness.
+// code is ignored (it is 0 even if a property is false). To check `reachable p`, its negation is checked; a
+// counterexample of the negation is the witness.
 #pragma once
 
 #include <optional>
@@ -30,8 +30,8 @@ struct NusmvResult {
 };
 
 /// Reads the results of these commands for the properties of `system`. If the program has no result for a property, its
-/// verdict is unknown (`failed`); if the model is not total, all verdicts are. A false specification requires a run of
-/// the system that shows it, and a property must not have two verdicts. Otherwise the verdict is also unknown
+/// verdict is unknown (`failed`); if the model is not total, all verdicts are unknown. A false specification requires a
+/// run of the system that shows it, and a property must not have two verdicts. Otherwise the verdict is also unknown
 /// (`engine-disagrees`).
 NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spelling,
                        const std::vector<std::size_t>& properties, const ProgramResult& said);

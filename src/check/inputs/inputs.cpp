@@ -244,7 +244,8 @@ void InputAbstractionCheck::begin_with_known(const Property& property, Levels& l
 }
 
 /// Adds the verdict to the task of its next search. If `levels` differ from those of `task`, they are used; otherwise
-/// all processes that read the loop are complete. Properties that search for a state have only one next search.
+/// all processes that read the loop are complete. All properties for which
+/// the engine searches for a state or a run share one next search.
 void InputAbstractionCheck::refine(std::size_t verdict, const Task& task, const Levels& levels,
                                    std::vector<Task>& tasks) const {
     const Property& property = observed_.properties[result_.verdicts[verdict].about];

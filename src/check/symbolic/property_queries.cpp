@@ -66,7 +66,7 @@ std::vector<QueryResult> PropertyQueries::answers(const StateSpace* model, Reach
         QueryResult found{verdict_on(question.about, of(question)), {}};
         const auto exhausted = [&](UnknownReason what, std::string why) {
             unknown(found.verdict, what, why);
-            if (what != UnknownReason::Stopped) return;  // a query with less work may fit into the memory
+            if (what != UnknownReason::Stopped) return;  // a less expensive query may still fit in memory
             obstacle = what;
             reason = std::move(why);
         };

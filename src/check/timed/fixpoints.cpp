@@ -98,10 +98,10 @@ std::vector<std::uint32_t> undecided(const Graph& graph, StateSet& set, const Li
 constexpr std::size_t most_walkers = 4;  // limited because each walker has separate memory for its path
 
 /// Decides the states that sweeps leave open by a depth-first walk from the roots. When all successors of a state are
-/// in `met`, the walk leaves the state permanently and adds it to `met`. Several threads walk in parallel, from
-/// different roots and with different orders of successors. A thread does not enter a state that another one has left.
-/// A state from which a run avoids `met` lies on a cycle of such states, leads to one, or is terminal. No walk ever
-/// leaves such a state, so it is found independently of the thread.
+/// in `met`, the walk backtracks from the state and adds it to `met`. Several threads walk in parallel, from different
+/// roots and with different orders of successors. A thread does not enter a state from which another one has
+/// backtracked. A state from which a run avoids `met` lies on a cycle of such states, leads to one, or is terminal. No
+/// thread ever backtracks from such a state, so one is found no matter which thread visits which states.
 class DepthFirst {
 public:
     DepthFirst(Graph& graph, StateSet& met, const std::vector<std::uint32_t>& roots, const Limits& limits,

@@ -134,7 +134,7 @@ private:
     std::vector<Tick> ticks_ = {};
     std::vector<Row> rows_ = {};
     std::vector<Place> places_ = {};
-    std::vector<Field> until_delay_ = {};  // sets of choices in which a delay makes all valuations possible again
+    std::vector<Field> until_delay_ = {};  // possible valuations of choices; a delay makes all of them possible again
     bool timed_ = false;
 };
 

@@ -83,8 +83,8 @@ Extent extent(const Layers& layers, const Net& net);
 /// that lines of different nets do not coincide.
 void arrange(Layers& layers);
 
-/// Assigns tracks to the nets of a channel with few crossings. Several nets may share a track. Returns the number of
-/// tracks. Requires that the items have positions.
+/// Assigns tracks to the nets of a channel such that few nets cross. Several nets may share a track. Returns the number
+/// of tracks. Requires that the items have positions.
 std::size_t assign_tracks(const Layers& layers, std::vector<Net>& channel);
 
 }  // namespace grafverif::layout

@@ -37,7 +37,7 @@ struct Program {
         std::int64_t low = 0, high = 1;        ///< of an array: its first and last index
         std::vector<std::string> values = {};  ///< of an enumeration, from 0
         Id<Unit> unit = {};                    ///< of a block or structure
-        Id<Type> element = {};                 ///< of an array; of a subrange: the complete type
+        Id<Type> element = {};                 ///< of an array: the type of its elements; of a subrange: its base type
         bool operator==(const Type&) const = default;
     };
 

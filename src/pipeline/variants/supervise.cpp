@@ -25,7 +25,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// Limit of states in the second proof by the timed engine. Above it, another engine is used.
+/// Maximum number of states in the second proof by the timed engine. Above it, another engine is used.
 constexpr std::uint64_t most_timed_states = 2'000'000;
 
 /// The game on one loop, and its result.

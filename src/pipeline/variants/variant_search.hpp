@@ -41,7 +41,8 @@ public:
     /// The passes, in order. The last one uses the complete bounds.
     const std::vector<SearchEffort>& efforts() const { return efforts_; }
 
-    /// Verdicts on the properties called `names`, each with an observer in a separate search.
+    /// Returns verdicts on the properties whose names are in `names`. A property that has an observer is decided in a
+    /// separate search.
     std::vector<Verdict> operator()(const Network& network, std::vector<std::string> names, const SearchEffort& effort,
                                     const Deadline& deadline);
 

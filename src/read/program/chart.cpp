@@ -5,7 +5,8 @@
 //     transition that leaves the same step is cleared. The first execution, in which the initial step is active, clears
 //     no transition: the effects of the activation of a step precede the test of the transitions after it;
 //   - all cleared transitions deactivate and activate their steps;
-//   - all action controls are evaluated; then actions are executed, and Boolean variables are assigned, in their order.
+//   - all action controls are evaluated; then, in the order of the actions of the chart, each action is executed or, if
+//     it is a Boolean variable, assigned.
 #include <algorithm>
 #include <utility>
 

@@ -180,7 +180,7 @@ Reader::MaybeTyped Reader::leaf(Id<st::Expr> id) {
     }
 }
 
-/// The value of a variable; that of a subrange has the complete type.
+/// The value of a variable; that of a subrange has the base type.
 Reader::MaybeTyped Reader::value_at(const Found& found, Span where) {
     const Type type = program.types[found.type];
     if (type.kind == Type::Kind::Block) {

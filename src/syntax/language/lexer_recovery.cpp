@@ -93,8 +93,8 @@ std::size_t Lexer::indentation(std::uint32_t place) const {
     return std::min(line.find_first_not_of(" \t"), line.size());
 }
 
-/// Reports a missing `}` if it is expected, and a declaration is not allowed in the current block or the text has
-/// ended.
+/// Reports a missing `}` if a `}` is permitted here. In addition, the text must have ended, or the line must begin with
+/// a declaration that is not allowed in the current block.
 bool Lexer::report_missing_brace(Kind seen, Span where, std::span<const Kind> expected) {
     if (blocks_.empty() || !contains(expected, Symbols::S_CLOSE)) return false;
     const bool at_end = seen == Symbols::S_YYEOF, in_file = declares_in_file(seen);

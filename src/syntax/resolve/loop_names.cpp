@@ -290,7 +290,7 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
     return inside_or_unknown(scope, controller->second, name, partial->second, node.where);
 }
 
-/// Reports a name in the term of an input that is unknown, or internal to a controller or an instance.
+/// Reports that a name in the term of an input is unknown, or is internal to a controller or an instance.
 Term no_signal(LoopScope& scope, const tree::Expr& node, std::string_view name) {
     if (node.op != tree::Op::Name) {
         const std::string_view owner = scope.file.text(scope.file.exprs[node.first].word);

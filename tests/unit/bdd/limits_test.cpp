@@ -154,7 +154,7 @@ TEST(BddLimits, StoppingAtAnyPointKeepsTheSpaceConsistent) {
         try {
             for (;;) {
                 try {
-                    (void)apart.renaming(f);  // 2^20 nodes exceed the memory, so that there are many collections
+                    (void)apart.renaming(f);  // 2^20 nodes exceed the memory limit: many garbage collections
                 } catch (const BddExhausted& exhausted) {
                     if (exhausted.cause() == BddExhausted::Cause::Stopped) throw;
                 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Generates random files of other formats for the randomized tests of import. Most of them are charts; some have an
-// error that authors make.
+// Generates random files of other formats for the randomized tests of import. Most of them are charts; some contain a
+// typical mistake of an author.
 #pragma once
 
 #include <random>
