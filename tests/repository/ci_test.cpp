@@ -149,7 +149,7 @@ TEST(Ci, AMisspeltStepOfTheActionIsAnError) {
     for (const char* wrong : {"", " ", "chek", "fmt chek", "fmt,check", "*"}) {
         Project in(files);
         EXPECT_EQ(in.run(step.script, {{"STEPS", wrong}}), 2) << wrong;
-        EXPECT_NE(in.output.find("name some of fmt, analyse, check"), std::string::npos) << in.output;
+        EXPECT_NE(in.output.find("choose from fmt, analyse, check"), std::string::npos) << in.output;
     }
 }
 
