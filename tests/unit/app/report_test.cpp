@@ -118,7 +118,7 @@ closed_loop shop {
         arguments.insert(arguments.end(), more.begin(), more.end());
         return grafverif(arguments).out.find(words) != std::string::npos;
     };
-    EXPECT_TRUE(says({}, "Environment, with any behaviour"));
+    EXPECT_TRUE(says({}, "Environment, whose components can behave in any possible way"));
     EXPECT_FALSE(says({}, "inputs always satisfy")) << "with a plant a constraint is proven, not assumed";
     EXPECT_TRUE(says({"--untimed"}, free_inputs));
     EXPECT_FALSE(says({"--untimed"}, "inputs always satisfy"));
