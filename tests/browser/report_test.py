@@ -276,7 +276,7 @@ class Report(browser.Case):
     def test_a_transition_that_is_cleared_twice_says_so(self):
         at = self.report_of(TWICE)
         at("#p/5")
-        self.assertIn("t0 is cleared 2 times here; this is the last", self.answer("t0"))
+        self.assertIn("t0 is cleared 2 times here. This is its condition before it was cleared for the last time.", self.answer("t0"))
         self.assertIn("t2 is cleared here", self.answer("t2"))
 
     def test_what_is_to_be_false_is_not_painted_as_a_fault(self):
@@ -328,7 +328,7 @@ class Report(browser.Case):
                 self.assertTrue(self.page.text(".violation"))
                 [button] = [b for b in self.page.all(".controls button") if "violation" in b.text]
                 button.click()
-                self.assertIn("Here", self.page.text(".standing"))
+                self.assertIn("violated here", self.page.text(".standing"))
                 self.assertNotIn("observer", self.page.text(".signals"))
                 self.page.find(".player").send_keys(Keys.END)
                 self.assertEqual(self.page.script("return page.player.run.trace.moments.filter(m => m.kind === 'observer').length"), 0)

@@ -86,7 +86,7 @@ TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
         {"initial values depend on themselves",
          [](Small& s) { std::get<System::StateSymbol>(s.inner().symbols[s.state].kind).initial = s.leaf(s.define); }},
         {"is a misplaced parameter", [](Small& s) { s.main().symbols[s.input].kind = System::ParameterSymbol{}; }},
-        {"another number of arguments", [](Small& s) { s.system.instances[s.instance].arguments.clear(); }},
+        {"has a number of arguments that differs", [](Small& s) { s.system.instances[s.instance].arguments.clear(); }},
         {"not a symbol of main with the type of its parameter",
          [](Small& s) { s.system.instances[s.instance].arguments = {{7}}; }},
         {"no module that can be instantiated", [](Small& s) { s.system.instances[s.instance].module = s.system.main; }},
