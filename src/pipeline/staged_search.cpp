@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ir/probes.hpp"
+#include "pipeline/models.hpp"
 
 namespace grafverif {
 
