@@ -11,11 +11,11 @@ namespace grafverif {
 namespace {
 
 using Assignments = std::vector<Network::Assignment>;
-using Variable = Id<Equations::Variable>;
+using VariableId = Id<Equations::Variable>;
 
 /// A new value of `target`, with the terms that it requires. All terms are over the values before the procedure.
 struct Update {
-    Variable target = {};
+    VariableId target = {};
     std::vector<Id<Expr>> terms = {};
 };
 
@@ -33,12 +33,13 @@ public:
           old_(equations_.variables.size()) {}
 
     Procedures build() {
-        for (const Variable variable : equations_.variables.ids()) stored_[variable.index] = leaf_of(storage(variable));
+        for (const VariableId variable : equations_.variables.ids())
+            stored_[variable.index] = leaf_of(storage(variable));
         Procedures result;
         result.fire = fire();
         result.evolve = evolve();
         result.write = write();
-        for (const Variable input : parts_.sampled)
+        for (const VariableId input : parts_.sampled)
             if (parts_.sample_written[input.index]) result.forget.push_back(forgotten(input));
         if (parts_.starts) result.start = start();
         return result;
@@ -49,24 +50,24 @@ private:
     Id<Expr> leaf_of(Id<Network::Variable> variable) { return leaf(network_, variable); }
 
     /// Returns the variable of the controller that stores the value. Outputs with stored actions have an image.
-    Id<Network::Variable> storage(Variable variable) const {
+    Id<Network::Variable> storage(VariableId variable) const {
         const Id<Network::Variable> image = parts_.image[variable.index];
         return image.valid() ? image : parts_.variable[variable.index];
     }
 
     /// Returns a translator of terms of the equations to the network. Inputs are read directly or as sampled; `olds`
     /// are read with their old value.
-    TermCopier reading(bool sampled, const std::vector<Variable>& olds = {}) {
+    TermCopier reading(bool sampled, const std::vector<VariableId>& olds = {}) {
         std::vector<Id<Expr>> leaves = stored_;
         if (sampled)
-            for (const Variable input : parts_.sampled) leaves[input.index] = leaf_of(parts_.sample[input.index]);
-        for (const Variable variable : olds) leaves[variable.index] = leaf_of(old_[variable.index]);
+            for (const VariableId input : parts_.sampled) leaves[input.index] = leaf_of(parts_.sample[input.index]);
+        for (const VariableId variable : olds) leaves[variable.index] = leaf_of(old_[variable.index]);
         return {equations_.exprs, exprs(), [leaves = std::move(leaves)](const Expr& node) {
                     return leaves[static_cast<std::size_t>(node.value)];
                 }};
     }
 
-    Network::Assignment forgotten(Variable input) {
+    Network::Assignment forgotten(VariableId input) {
         const Network::Variable sample = network_.variables[parts_.sample[input.index]];
         return {leaf_of(parts_.sample[input.index]), literal(exprs(), sample.type, sample.initial)};
     }
@@ -77,7 +78,7 @@ private:
         list.reserve(equations_.firings.size() + parts_.sampled.size());
         for (const Equations::Firing& firing : equations_.firings)
             list.push_back({stored_[firing.variable.index], now(firing.condition)});
-        for (const Variable input : parts_.sampled)
+        for (const VariableId input : parts_.sampled)
             list.push_back({leaf_of(parts_.sample[input.index]), leaf_of(parts_.variable[input.index])});
         return list;
     }
@@ -96,7 +97,7 @@ private:
                 updates.push_back({stored.variable, {write.trigger, write.value}});
         for (std::size_t k = equations_.stored.size(); k < kept_.size(); ++k)
             if (!kept_[k].after) updates.push_back({kept_[k].variable, {kept_[k].next}});
-        const std::vector<Variable> olds = keep_old(updates, list);
+        const std::vector<VariableId> olds = keep_old(updates, list);
         TermCopier kept = reading(true, olds);
         TermCopier& old = olds.empty() ? before : kept;
         for (const Update& update : updates) {
@@ -109,7 +110,7 @@ private:
         if (!phased_) return list;
         for (const Equations::Firing& firing : equations_.firings)
             list.push_back({stored_[firing.variable.index], exprs().constant(false)});
-        for (const Variable input : parts_.sampled)
+        for (const VariableId input : parts_.sampled)
             if (!parts_.sample_written[input.index]) list.push_back(forgotten(input));
         return list;
     }
@@ -162,9 +163,9 @@ private:
 
     /// Finds the variables that an update reads after an earlier update has overwritten them, and stores their old
     /// values first.
-    std::vector<Variable> keep_old(const std::vector<Update>& updates, Assignments& list) {
+    std::vector<VariableId> keep_old(const std::vector<Update>& updates, Assignments& list) {
         std::vector<bool> overwritten(equations_.variables.size()), kept(equations_.variables.size());
-        std::vector<Variable> olds;
+        std::vector<VariableId> olds;
         Reads reads(equations_.exprs);
         for (const Update& update : updates) {
             reads.start();
@@ -178,11 +179,11 @@ private:
             overwritten[update.target.index] = true;
         }
         std::ranges::sort(olds);
-        for (const Variable variable : olds) list.push_back({leaf_of(old(variable)), leaf_of(storage(variable))});
+        for (const VariableId variable : olds) list.push_back({leaf_of(old(variable)), leaf_of(storage(variable))});
         return olds;
     }
 
-    Id<Network::Variable> old(Variable variable) {
+    Id<Network::Variable> old(VariableId variable) {
         Id<Network::Variable>& scratch = old_[variable.index];
         if (scratch.valid()) return scratch;
         const Network::Variable now = network_.variables[storage(variable)];
@@ -200,7 +201,7 @@ private:
         for (const Equations::Stored& stored : equations_.stored)
             if (const auto image = parts_.image[stored.variable.index]; image.valid())
                 put(parts_.variable[stored.variable.index], leaf_of(image), list);
-        for (const Variable input : parts_.sampled)
+        for (const VariableId input : parts_.sampled)
             if (parts_.sample_written[input.index]) list.push_back(forgotten(input));
         return list;
     }
@@ -228,7 +229,7 @@ private:
         std::ranges::stable_partition(updates, [&](const Update& update) {  // previous values for edges come first
             return equations_.variables[update.target].role == Equations::Role::Previous;
         });
-        const std::vector<Variable> olds = keep_old(updates, list);
+        const std::vector<VariableId> olds = keep_old(updates, list);
         TermCopier old = reading(false, olds);
         for (const Update& update : updates) list.push_back({stored_[update.target.index], old(update.terms[0])});
         watch(false, list);
@@ -236,7 +237,7 @@ private:
             if (equations_.variables[equations_.timers[i].watched].initial != 0)
                 list.push_back({leaf_of(parts_.pending[i]), exprs().constant(true)});
         if (!every_cycle_) return list;
-        for (const Variable input : parts_.sampled)  // write() follows immediately
+        for (const VariableId input : parts_.sampled)  // write() follows immediately
             if (parts_.sample_written[input.index])
                 list.push_back({leaf_of(parts_.sample[input.index]), leaf_of(parts_.variable[input.index])});
         return list;

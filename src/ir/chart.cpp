@@ -39,7 +39,7 @@ ReadTerms read_terms(const Chart& chart) {
 namespace {
 
 /// Collects violated invariants.
-struct Faults {
+struct ChartFaults {
     Sorts sorts;
     std::vector<std::string> found = {};
     void condition(Id<Expr> condition, const std::string& owner) {
@@ -68,7 +68,7 @@ Sort leaf_sort(const Chart& chart, const Expr& leaf) {
     return sort_of(chart.variables[Id<Chart::Variable>{static_cast<std::uint32_t>(leaf.value)}].type);
 }
 
-void check_names(const Chart& chart, Faults& faults) {
+void check_names(const Chart& chart, ChartFaults& faults) {
     std::unordered_set<std::string_view> variables, transitions, partials;
     std::unordered_set<std::string> steps;
     for (const auto& variable : chart.variables)
@@ -84,7 +84,7 @@ void check_names(const Chart& chart, Faults& faults) {
     }
 }
 
-void check_variables(const Chart& chart, Faults& faults) {
+void check_variables(const Chart& chart, ChartFaults& faults) {
     for (const auto& variable : chart.variables) {
         const Type& type = variable.type;
         faults.check(type.low <= type.high, "the range of " + variable.name + " is empty");
@@ -95,7 +95,7 @@ void check_variables(const Chart& chart, Faults& faults) {
     }
 }
 
-void check_partial_charts(const Chart& chart, Faults& faults) {
+void check_partial_charts(const Chart& chart, ChartFaults& faults) {
     std::vector<int> entries(chart.partial_charts.size()), exits(chart.partial_charts.size());
     for (const auto& step : chart.steps) {
         faults.check(chart.partial_charts.contains(step.chart),
@@ -133,7 +133,7 @@ bool is_input(const Chart& chart, const Expr& leaf) {
            chart.variables[variable].kind == Chart::VariableKind::Input;
 }
 
-void check_transitions(const Chart& chart, Faults& faults) {
+void check_transitions(const Chart& chart, ChartFaults& faults) {
     for (const auto& transition : chart.transitions) {
         const auto check_side = [&](const std::vector<Id<Chart::Step>>& side) {
             for (const auto step : side) {
@@ -163,7 +163,7 @@ void check_transitions(const Chart& chart, Faults& faults) {
     }
 }
 
-void check_actions(const Chart& chart, Faults& faults) {
+void check_actions(const Chart& chart, ChartFaults& faults) {
     for (const auto& action : chart.continuous) {
         faults.check(chart.steps.contains(action.step), "a continuous action has no step");
         faults.check(chart.variables.contains(action.output), "a continuous action has no output variable");
@@ -197,7 +197,7 @@ void check_actions(const Chart& chart, Faults& faults) {
 }  // namespace
 
 std::vector<std::string> verify(const Chart& chart) {
-    Faults faults{Sorts(chart.exprs, [&chart](const Expr& leaf) { return leaf_sort(chart, leaf); })};
+    ChartFaults faults{Sorts(chart.exprs, [&chart](const Expr& leaf) { return leaf_sort(chart, leaf); })};
     for (std::uint32_t index = 0; index < chart.exprs.size(); ++index)
         faults.check(!is_leaf(chart.exprs[Id<Expr>{index}].op) || leaf_in_table(chart, chart.exprs[Id<Expr>{index}]),
                      "a leaf of an expression refers to an undeclared element");

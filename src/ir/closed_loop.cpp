@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-struct Checker {
+struct ClosedLoopChecker {
     const ClosedLoop& loop;
     const Model& model;
     std::vector<std::string> faults = {};
@@ -24,13 +24,13 @@ struct Checker {
     }
 };
 
-void check_controllers(Checker& checker) {
+void check_controllers(ClosedLoopChecker& checker) {
     for (const auto& controller : checker.loop.controllers)
         checker.check(checker.model.charts.contains(controller.chart),
                       "controller " + controller.name + " has no chart");
 }
 
-void check_shared(Checker& checker) {
+void check_shared(ClosedLoopChecker& checker) {
     std::unordered_set<std::string_view> names;
     for (const auto& shared : checker.loop.shared) {
         checker.check(names.insert(shared.name).second, "two shared variables are named " + shared.name);
@@ -45,7 +45,8 @@ void check_shared(Checker& checker) {
     }
 }
 
-void check_term(Checker& checker, const ClosedLoop::Instance& instance, Id<Expr> term, std::vector<bool>& read) {
+void check_term(ClosedLoopChecker& checker, const ClosedLoop::Instance& instance, Id<Expr> term,
+                std::vector<bool>& read) {
     const ClosedLoop& loop = checker.loop;
     checker.check(loop.exprs.contains(term), "an argument of " + instance.name + " does not exist");
     if (!loop.exprs.contains(term)) return;
@@ -59,8 +60,9 @@ void check_term(Checker& checker, const ClosedLoop::Instance& instance, Id<Expr>
     }
 }
 
-void check_argument(Checker& checker, const ClosedLoop::Instance& instance, const Component::Parameter& parameter,
-                    const ClosedLoop::Argument& argument, std::vector<int>& writers, std::vector<bool>& read) {
+void check_argument(ClosedLoopChecker& checker, const ClosedLoop::Instance& instance,
+                    const Component::Parameter& parameter, const ClosedLoop::Argument& argument,
+                    std::vector<int>& writers, std::vector<bool>& read) {
     const auto* shared = std::get_if<Id<ClosedLoop::Shared>>(&argument);
     const auto* term = std::get_if<Id<Expr>>(&argument);
     const bool variable = parameter.kind != Component::ParameterKind::Constant;
@@ -79,7 +81,7 @@ void check_argument(Checker& checker, const ClosedLoop::Instance& instance, cons
     if (input) read[shared->index] = true;
 }
 
-void check_instances(Checker& checker) {
+void check_instances(ClosedLoopChecker& checker) {
     const ClosedLoop& loop = checker.loop;
     std::vector<int> writers(loop.shared.size());
     std::vector<bool> read(loop.shared.size());
@@ -106,7 +108,7 @@ void check_instances(Checker& checker) {
     }
 }
 
-bool is_known(const Checker& checker, const ClosedLoop::Symbol& symbol) {
+bool is_known(const ClosedLoopChecker& checker, const ClosedLoop::Symbol& symbol) {
     const ClosedLoop& loop = checker.loop;
     return std::visit(
         overloaded{
@@ -138,7 +140,7 @@ bool is_known(const Checker& checker, const ClosedLoop::Symbol& symbol) {
         symbol);
 }
 
-void check_properties(Checker& checker) {
+void check_properties(ClosedLoopChecker& checker) {
     const ClosedLoop& loop = checker.loop;
     for (const auto& symbol : loop.symbols) checker.check(is_known(checker, symbol), "a symbol refers to no element");
     for (std::uint32_t index = 0; index < loop.exprs.size(); ++index) {
@@ -155,7 +157,7 @@ void check_properties(Checker& checker) {
     }
 }
 
-void check_observers(Checker& checker) {
+void check_observers(ClosedLoopChecker& checker) {
     const ClosedLoop& loop = checker.loop;
     for (const ClosedLoop::Observer& observer : loop.observers) {
         checker.check(observer.locations.contains(observer.initial), observer.name + " has no initial location");
@@ -171,7 +173,7 @@ void check_observers(Checker& checker) {
 }  // namespace
 
 std::vector<std::string> verify(const ClosedLoop& loop, const Model& model) {
-    Checker checker{loop, model};
+    ClosedLoopChecker checker{loop, model};
     check_controllers(checker);
     if (!checker.faults.empty()) return checker.faults;
     check_shared(checker);

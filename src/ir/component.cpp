@@ -30,7 +30,7 @@ Sort leaf_sort(const Component& component, const Expr& leaf) {
     return Sort::None;
 }
 
-struct Checker {
+struct ComponentChecker {
     const Component& component;
     Sorts sorts{component.exprs, [this](const Expr& leaf) { return leaf_sort(component, leaf); }};
     std::vector<std::string> faults = {};
@@ -43,7 +43,7 @@ struct Checker {
 };
 
 template <class Declared>
-void check_declared(Checker& checker, const Declared& declared, bool ranged) {
+void check_declared(ComponentChecker& checker, const Declared& declared, bool ranged) {
     using Kind = Component::ValueKind;
     checker.check(declared.low.has_value() == declared.high.has_value(),
                   declared.name + " has only one bound of its range");
@@ -54,7 +54,7 @@ void check_declared(Checker& checker, const Declared& declared, bool ranged) {
     if (declared.initial) checker.is(*declared.initial, sort_of(declared.value), "the value of " + declared.name);
 }
 
-void check_names(Checker& checker) {
+void check_names(ComponentChecker& checker) {
     std::unordered_set<std::string_view> names, locations;
     const auto add = [&](std::string_view name) {
         checker.check(names.insert(name).second, "two elements are named " + std::string(name));
@@ -66,7 +66,7 @@ void check_names(Checker& checker) {
         checker.check(locations.insert(location.name).second, "two locations are named " + location.name);
 }
 
-void check_assignments(Checker& checker, const std::vector<Component::Assignment>& assignments) {
+void check_assignments(ComponentChecker& checker, const std::vector<Component::Assignment>& assignments) {
     const Component& component = checker.component;
     for (const Component::Assignment& assignment : assignments) {
         const Sort sort = checker.sorts(assignment.target);
@@ -83,7 +83,7 @@ void check_assignments(Checker& checker, const std::vector<Component::Assignment
     }
 }
 
-void check_clocks(Checker& checker, const std::vector<Component::ClockConstraint>& constraints) {
+void check_clocks(ComponentChecker& checker, const std::vector<Component::ClockConstraint>& constraints) {
     for (const Component::ClockConstraint& constraint : constraints) {
         checker.check(checker.component.clocks.contains(constraint.clock), "a clock constraint has no clock");
         checker.is(constraint.bound, Sort::Duration, "the bound of a clock");
@@ -92,7 +92,7 @@ void check_clocks(Checker& checker, const std::vector<Component::ClockConstraint
     }
 }
 
-void check_locations(Checker& checker) {
+void check_locations(ComponentChecker& checker) {
     const Component& component = checker.component;
     checker.check(!component.locations.empty(), "the component has no location");
     checker.check(!component.initial.valid() || component.locations.contains(component.initial),
@@ -106,7 +106,7 @@ void check_locations(Checker& checker) {
     }
 }
 
-void check_edges(Checker& checker) {
+void check_edges(ComponentChecker& checker) {
     const Component& component = checker.component;
     for (const Component::Edge& edge : component.edges) {
         checker.check(component.locations.contains(edge.from) && component.locations.contains(edge.to),
@@ -122,7 +122,7 @@ void check_edges(Checker& checker) {
 }  // namespace
 
 std::vector<std::string> verify(const Component& component) {
-    Checker checker{component};
+    ComponentChecker checker{component};
     check_names(checker);
     for (const auto& parameter : component.parameters)
         check_declared(checker, parameter, parameter.kind == Component::ParameterKind::Output);

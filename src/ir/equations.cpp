@@ -13,7 +13,7 @@ namespace {
 
 using Role = Equations::Role;
 
-struct Check {
+struct EquationsCheck {
     const Equations& equations;
     std::vector<std::string> faults = {};
     Sorts sorts{equations.exprs, [this](const Expr& leaf) {
@@ -167,7 +167,7 @@ struct Check {
 }  // namespace
 
 std::vector<std::string> verify(const Equations& equations) {
-    Check check{equations};
+    EquationsCheck check{equations};
     check.defined.resize(equations.variables.size());
     check.variables();
     if (!check.terms()) return check.faults;

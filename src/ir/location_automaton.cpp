@@ -19,7 +19,7 @@ std::span<const T> leaving(const std::vector<T>& all, Id<Location> location) {
     return {found.begin(), found.end()};
 }
 
-struct Check {
+struct LocationAutomatonCheck {
     const LocationAutomaton& automaton;
     std::vector<std::string> faults = {};
 
@@ -147,7 +147,7 @@ std::string situation_text(const LocationAutomaton& automaton, const std::vector
 }
 
 std::vector<std::string> verify(const LocationAutomaton& automaton) {
-    Check check{automaton};
+    LocationAutomatonCheck check{automaton};
     check.inputs();
     check.term(automaton.assumed, "the assumption");
     check.locations();

@@ -12,7 +12,7 @@ using Transition = MealyMachine::Transition;
 
 namespace {
 
-struct Check {
+struct MealyCheck {
     const MealyMachine& machine;
     std::vector<std::string> faults = {};
 
@@ -78,7 +78,7 @@ std::span<const Transition> transitions_from(const MealyMachine& machine, Id<Sta
 }
 
 std::vector<std::string> verify(const MealyMachine& machine) {
-    Check check{machine};
+    MealyCheck check{machine};
     check.states();
     check.answers();
     check.transitions();

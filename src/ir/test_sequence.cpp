@@ -9,7 +9,7 @@ using Step = TestSequence::Step;
 
 namespace {
 
-struct Check {
+struct TestSequenceCheck {
     const TestSequence& test;
     std::vector<std::string> faults = {};
 
@@ -67,7 +67,7 @@ std::string_view word(TestCover cover) {
 }
 
 std::vector<std::string> verify(const TestSequence& test) {
-    Check check{test};
+    TestSequenceCheck check{test};
     if (test.sequences.empty()) check.fault("the test has no sequence");
     for (const TestSequence::Sequence& sequence : test.sequences) check.sequence(sequence);
     if (test.covered > test.to_cover) check.fault("the number of covered elements exceeds the number of elements");

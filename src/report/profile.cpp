@@ -31,9 +31,9 @@ std::string_view kind_word(StateProfile::Kind kind) {
     return "environment";
 }
 
-class Printer {
+class ProfilePrinter {
 public:
-    Printer(const StateProfile& profile, std::ostream& out) : profile_(profile), out_(out) {}
+    ProfilePrinter(const StateProfile& profile, std::ostream& out) : profile_(profile), out_(out) {}
 
     void print() {
         const bool all = profile_.sampled == profile_.states;
@@ -98,7 +98,7 @@ void name_places(StateProfile& profile, const Sources& sources) {
     if (profile.finest) profile.finest->place = file_and_line(sources, profile.finest->origin);
 }
 
-void print_profile(const StateProfile& profile, std::ostream& out) { Printer(profile, out).print(); }
+void print_profile(const StateProfile& profile, std::ostream& out) { ProfilePrinter(profile, out).print(); }
 
 Json profile_json(const StateProfile& profile) {
     Json parts = Json::array(), clocks = Json::array();

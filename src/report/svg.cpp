@@ -27,7 +27,7 @@ constexpr std::size_t wave_high = 5, wave_low = 20;  // positions within a row
 constexpr std::size_t rise_per_hundred = 87 * character, run_per_hundred = 50 * character;
 
 /// One row of the diagram: a name and its value in each column.
-struct Row {
+struct SignalRow {
     std::string name = {};
     bool boolean = true;
     std::vector<std::int64_t> values = {};
@@ -35,7 +35,7 @@ struct Row {
 struct Group {
     std::string title = {};
     std::string style = {};
-    std::vector<Row> rows = {};
+    std::vector<SignalRow> rows = {};
 };
 
 std::string shortened(std::string text, std::size_t length) {
@@ -49,7 +49,7 @@ using Columns = std::vector<const ChartRun::State*>;
 Group group(std::string title, const Columns& columns, const ChartRun& run, ChartRun::Role role) {
     Group group{title, title, {}};
     for (const Id<ChartRun::Signal> id : signals_of(run, role)) {
-        Row row{run.signals[id].name, run.signals[id].type.boolean, {}};
+        SignalRow row{run.signals[id].name, run.signals[id].type.boolean, {}};
         for (const ChartRun::State* state : columns) row.values.push_back(state->values[id.index]);
         group.rows.push_back(std::move(row));
     }
@@ -128,10 +128,10 @@ private:
     void drop_idle() {
         std::string idle;
         for (Group& group : groups_) {
-            const auto is_idle = [](const Row& row) {
+            const auto is_idle = [](const SignalRow& row) {
                 return std::ranges::all_of(row.values, [](std::int64_t v) { return v == 0; });
             };
-            for (const Row& row : group.rows)
+            for (const SignalRow& row : group.rows)
                 if (is_idle(row))
                     idle += (idle.empty() ? "" : ", ") + (group.title == "steps" ? "step " + row.name : row.name);
             std::erase_if(group.rows, is_idle);
@@ -142,7 +142,7 @@ private:
     void measure() {
         std::size_t name = 10;
         for (const Group& group : groups_)
-            for (const Row& row : group.rows) name = std::max(name, std::min(row.name.size(), longest_name));
+            for (const SignalRow& row : group.rows) name = std::max(name, std::min(row.name.size(), longest_name));
         left_ = margin + name * character + margin;
         const std::size_t strips = std::max<std::size_t>((columns_.size() + longest_strip - 1) / longest_strip, 1);
         const std::size_t length = (columns_.size() + strips - 1) / strips;
@@ -186,7 +186,7 @@ private:
             if (group.rows.empty()) continue;
             text(margin, y + wave_low, "title", group.title);
             y += row_height;
-            for (const Row& each : group.rows) {
+            for (const SignalRow& each : group.rows) {
                 draw(each, group.style, y);
                 y += row_height;
             }
@@ -219,7 +219,7 @@ private:
             from, top - row_height, x(end_) - from, bottom - top + row_height);
     }
 
-    void draw(const Row& each, const std::string& kind, std::size_t y) {
+    void draw(const SignalRow& each, const std::string& kind, std::size_t y) {
         text(margin, y + wave_low - 3, "name", shortened(each.name, longest_name));
         for (std::size_t begin = first_; begin < end_;) {
             std::size_t end = begin + 1;

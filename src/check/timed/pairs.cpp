@@ -10,7 +10,7 @@ namespace grafverif::timed {
 namespace {
 
 constexpr std::size_t first_slots = 32;
-constexpr std::uint32_t fetched_ahead = 32;  // number of slots whose pairs are prefetched
+constexpr std::uint32_t pairs_fetched_ahead = 32;  // number of slots whose pairs are prefetched
 // Chosen such that a print has at most the 20 bits that a slot index does not use.
 constexpr unsigned least_number_bits = 12;
 
@@ -147,7 +147,7 @@ void Pairs::rebuild(Shard& shard, std::size_t slots, std::size_t more) {
         std::max(least_number_bits, static_cast<unsigned>(std::bit_width(size_ + std::max(size_ / 2, more))));
     const std::uint32_t numbers_of = mask_of(shard.number_bits);
     for (std::size_t at = 0; at < shard.slots.size(); ++at) {
-        if (const std::size_t soon = at + fetched_ahead; soon < shard.slots.size() && shard.slots[soon] != 0)
+        if (const std::size_t soon = at + pairs_fetched_ahead; soon < shard.slots.size() && shard.slots[soon] != 0)
             prefetch_pair((shard.slots[soon] & numbers_of) - 1);
         if (shard.slots[at] == 0) continue;
         const std::uint32_t number = (shard.slots[at] & numbers_of) - 1;

@@ -14,6 +14,8 @@ namespace grafverif {
 
 namespace {
 
+using Role = Equations::Role;
+
 /// Limited because some engines traverse terms recursively.
 constexpr std::uint32_t deepest_term = 5000;
 
@@ -21,9 +23,9 @@ Type type_of(const Program::Type& type) {
     return type.kind == Program::Type::Kind::Boolean ? Type{} : integer_type(type.low, type.high);
 }
 
-class Derivation {
+class ScanDerivation {
 public:
-    Derivation(const Program& program, Diagnostics& diagnostics) : program_(program), diagnostics_(diagnostics) {}
+    ScanDerivation(const Program& program, Diagnostics& diagnostics) : program_(program), diagnostics_(diagnostics) {}
 
     std::optional<Scan> scan() {
         scan_.layout = layout_of(program_);
@@ -56,7 +58,6 @@ private:
     }
 
     void add_variables(std::vector<Id<Expr>>& memory) {
-        using Role = Equations::Role;
         const std::vector<ProgramCell>& cells = scan_.layout.cells;
         scan_.variables.resize(cells.size());
         // Backwards, so that the variables of the program keep their names.
@@ -128,7 +129,7 @@ private:
 }  // namespace
 
 std::optional<Scan> scan_of(const Program& program, Diagnostics& diagnostics) {
-    return Derivation(program, diagnostics).scan();
+    return ScanDerivation(program, diagnostics).scan();
 }
 
 std::optional<Id<Expr>> value_after(const Program& program, Id<Program::Node> node, Scan& scan,

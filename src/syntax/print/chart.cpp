@@ -7,7 +7,7 @@ namespace grafverif {
 
 namespace {
 
-std::string time_text(const Chart& chart, const Chart::TimeCondition& time) {
+std::string time_condition_text(const Chart& chart, const Chart::TimeCondition& time) {
     return time_text(chart, time, [&chart](Id<Expr> term) { return term_text(chart, term); });
 }
 
@@ -18,7 +18,7 @@ LeafPrinter leaf_printer(const Chart& chart) {
         const auto index = static_cast<std::uint32_t>(leaf.value);
         if (leaf.op == Op::Variable) out << chart.variables[{index}].name;
         else if (leaf.op == Op::Step) out << step_variable(chart, {index});
-        else if (leaf.op == Op::Timed) out << time_text(chart, chart.time_conditions[{index}]);
+        else if (leaf.op == Op::Timed) out << time_condition_text(chart, chart.time_conditions[{index}]);
     };
 }
 
@@ -39,7 +39,7 @@ std::string time_text(std::int64_t rise_ms, const std::string& watched, std::int
 }
 
 std::string time_text(const Chart& chart, const ClosedLoop::TimeSymbol& symbol) {
-    if (symbol.condition.valid()) return time_text(chart, chart.time_conditions[symbol.condition]);
+    if (symbol.condition.valid()) return time_condition_text(chart, chart.time_conditions[symbol.condition]);
     return time_text(symbol.rise_ms, step_variable(chart, symbol.step), 0);
 }
 
