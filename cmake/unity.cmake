@@ -3,13 +3,12 @@
 # as fast. The release preset compiles each separately, so that missing includes are found. Units never contain sources
 # of several modules: names in unnamed namespaces are unique in a module and in a test program, except in the sources
 # given to grafverif_compile_alone.
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 6 CACHE STRING "How many sources are compiled at once at most")
 # Large units take less time in total, because headers and templates are compiled once per unit; small units take less
 # time after a change of one source.
-option(GRAFVERIF_UNITY_BY_MODULE "Units of the library may contain sources of all folders of a module" OFF)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 12 CACHE STRING "How many sources are compiled at once at most")
 
-# grafverif_group_by_room(TARGET): compiles sources of one folder (or module) together, at most one batch per unit.
-function(grafverif_group_by_room target)
+# grafverif_group_units(TARGET): compiles the sources of one module together, at most one batch per unit.
+function(grafverif_group_units target)
     set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
     get_target_property(sources ${target} SOURCES)
     foreach(source IN LISTS sources)
@@ -17,13 +16,11 @@ function(grafverif_group_by_room target)
         # Paths are relative, so that the names of units do not depend on the folders of the source and build trees.
         string(REPLACE "${PROJECT_BINARY_DIR}/" "" folder "${folder}")
         string(REPLACE "${PROJECT_SOURCE_DIR}/" "" folder "${folder}")
-        if(GRAFVERIF_UNITY_BY_MODULE)
-            string(REGEX REPLACE "^(src/[^/]*)/.*" "\\1" folder "${folder}")
-        endif()
-        string(MAKE_C_IDENTIFIER "${folder}" room)
-        math(EXPR count_${room} "${count_${room}} + 1")
-        math(EXPR batch "(${count_${room}} - 1) / ${CMAKE_UNITY_BUILD_BATCH_SIZE}")
-        set_source_files_properties("${source}" TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP "${room}_${batch}")
+        string(REGEX REPLACE "^(src/[^/]*)/.*" "\\1" folder "${folder}")
+        string(MAKE_C_IDENTIFIER "${folder}" group)
+        math(EXPR count_${group} "${count_${group}} + 1")
+        math(EXPR batch "(${count_${group}} - 1) / ${CMAKE_UNITY_BUILD_BATCH_SIZE}")
+        set_source_files_properties("${source}" TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP "${group}_${batch}")
     endforeach()
 endfunction()
 

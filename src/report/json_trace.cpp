@@ -40,13 +40,13 @@ Json step(const ChartRun& run, const ChartRun::Row& row) {
 
 /// Returns the indices of ids in their tables; null for an invalid id.
 template <class T>
-Json place(Id<T> id) {
+Json index_of(Id<T> id) {
     return id.valid() ? Json(id.index) : Json(nullptr);
 }
 template <class T>
-Json places(const std::vector<Id<T>>& ids) {
+Json indices(const std::vector<Id<T>>& ids) {
     Json list = Json::array();
-    for (const Id<T> id : ids) list.push_back(place(id));
+    for (const Id<T> id : ids) list.push_back(index_of(id));
     return list;
 }
 template <class T>
@@ -64,13 +64,13 @@ Json listed(const T& entities, Write write) {
 Json controller_json(const ChartRun::Controller& controller) {
     return {{"name", controller.name},
             {"mode", controller.mode == ExecutionMode::EveryCycle ? "every-cycle" : "stability-search"},
-            {"steps", places(controller.steps)},
-            {"transitions", places(controller.transitions)},
-            {"inputs", places(controller.inputs)},
-            {"outputs", places(controller.outputs)},
-            {"images", places(controller.images)},
-            {"internals", places(controller.internals)},
-            {"timers", places(controller.timers)}};
+            {"steps", indices(controller.steps)},
+            {"transitions", indices(controller.transitions)},
+            {"inputs", indices(controller.inputs)},
+            {"outputs", indices(controller.outputs)},
+            {"images", indices(controller.images)},
+            {"internals", indices(controller.internals)},
+            {"timers", indices(controller.timers)}};
 }
 
 Json signal_json(const ChartRun::Signal& signal) {
@@ -91,11 +91,11 @@ Json act_json(const ChartRun::Act& act) {
     add(act.evolves, "evolve");
     add(act.writes == ChartRun::Act::Writes::Yes, "write");
     add(act.writes == ChartRun::Act::Writes::IfStable, "write-if-stable");
-    return {{"controller", place(act.controller)},
+    return {{"controller", index_of(act.controller)},
             {"does", std::move(does)},
             {"inputs", act.inputs},
             {"timers", act.timers},
-            {"fired", places(act.fired)},
+            {"fired", indices(act.fired)},
             {"stable", or_null(act.stable)}};
 }
 
@@ -114,21 +114,21 @@ Json event_json(const ChartRun& run, std::size_t index) {
                    {"kind", word(moment.kind)},
                    {"internal", moment.internal},
                    {"acts", listed(moment.acts, act_json)},
-                   {"instance", place(moment.instance)},
+                   {"instance", index_of(moment.instance)},
                    {"location", or_null(moment.location)},
-                   {"timer", place(moment.timer)},
+                   {"timer", index_of(moment.timer)},
                    {"timer_holds", moment.timer.valid() ? Json(moment.timer_holds) : Json(nullptr)},
                    {"values", values_json(before, moment.after)}};
     if (before == nullptr || before->situation != moment.after.situation)
-        object["situation"] = places(moment.after.situation);
+        object["situation"] = indices(moment.after.situation);
     return object;
 }
 
 Json cause_json(const ChartRun& run, const ChartRun::Cause& cause) {
-    return {{"signal", place(cause.signal)},
-            {"step", place(cause.step)},
-            {"instance", place(cause.instance)},
-            {"timer", place(cause.timer)},
+    return {{"signal", index_of(cause.signal)},
+            {"step", index_of(cause.step)},
+            {"instance", index_of(cause.instance)},
+            {"timer", index_of(cause.timer)},
             {"location", cause.instance.valid() ? Json(cause.location) : Json(nullptr)},
             {"value", cause.value},
             {"from", cause.first},
@@ -178,8 +178,8 @@ Json run_json(const ChartRun& run) {
     if (!run.left_out.empty()) made["left_out"] = run.left_out;
     const auto value = [&run](const ChartRun::Counterfactual& each) {
         return Json{{"moment", each.moment},
-                    {"signal", place(each.signal)},
-                    {"timer", place(each.timer)},
+                    {"signal", index_of(each.signal)},
+                    {"timer", index_of(each.timer)},
                     {"words", counterfactual_text(run, each)}};
     };
     if (!run.counterfactual_values.empty()) made["left_out_values"] = listed(run.counterfactual_values, value);

@@ -19,8 +19,8 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t gutter = 2;   // columns before the table: the bar of a loop and the star of a cause
-constexpr std::size_t between = 2;  // blanks between columns
+constexpr std::size_t gutter = 2;      // columns before the table: the bar of a loop and the star of a cause
+constexpr std::size_t column_gap = 2;  // blanks between columns
 constexpr std::size_t least_width = 8;
 
 void print_cells(const Cells& cells, const std::string& bar, const TableWidths& widths, std::ostream& out) {
@@ -37,7 +37,7 @@ void print_cells(const Cells& cells, const std::string& bar, const TableWidths& 
             if (i == 0 && line > 0) std::ranges::replace(text, '*', ' ');
             const std::string blank(widths[i] - std::min(widths[i], columns_of(cell)), ' ');
             text += i == 0 ? blank + cell : cell + blank;
-            text += std::string(between, ' ');
+            text += std::string(column_gap, ' ');
         }
         text.erase(text.find_last_not_of(' ') + 1);
         out << printable(text) << '\n';
@@ -52,7 +52,7 @@ TableWidths fitting(const ChartRun& run) {
         const Cells row = cells(run, index, index + 1 == run.rows.size());
         for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], columns_of(row[i]));
     }
-    const std::size_t room = widest_line - gutter - between * (widths.size() - 1);
+    const std::size_t room = widest_line - gutter - column_gap * (widths.size() - 1);
     for (std::size_t sum = std::accumulate(widths.begin(), widths.end(), std::size_t{0}); sum > room;) {
         const auto widest = std::ranges::max_element(widths);
         const auto rest = sum - *widest;

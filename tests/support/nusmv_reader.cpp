@@ -48,7 +48,7 @@ constexpr std::array<std::string_view, 13> keywords{"MODULE",    "VAR",   "IVAR"
                                                     "INVAR",     "TRANS", "JUSTICE", "SPEC",   "LTLSPEC",
                                                     "INVARSPEC", "NAME",  ""};
 
-struct Reader {
+struct NusmvReader {
     NusmvModel model = {};
     std::vector<std::string_view> token = {};
     std::size_t at = 0;
@@ -267,7 +267,7 @@ Id<Expr> NusmvModel::leaf(std::string_view identifier) {
 }
 
 NusmvModel read_nusmv(std::string_view text) {
-    Reader reader{{}, tokens(text)};
+    NusmvReader reader{{}, tokens(text)};
     reader.read();
     return std::move(reader.model);
 }

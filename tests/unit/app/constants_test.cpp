@@ -10,7 +10,7 @@
 namespace grafverif::app {
 namespace {
 
-const std::string chart =
+const std::string filling_chart =
     "grafcet filling {\n    input START, FULL;\n    output COARSE, FINE;\n\n    initial step 0;\n"
     "    step 1 { COARSE; }\n    step 2 { FINE; }\n\n    transition t0: 0 -> 1 when START;\n"
     "    transition t1: 1 -> 2 when 2s/X1;\n    transition t2: 2 -> 0 when FULL;\n}\n\n";
@@ -18,10 +18,10 @@ const std::string plant =
     "    controller filling;\n    environment S = free(OUT = START);\n    environment F = free(OUT = FULL);\n"
     "    plant Main = valve(ORDER = COARSE or FINE, FLOW = FLOW, TRAVEL = N * UNIT);\n";
 const std::string tank =
-    chart + "closed_loop tank {\n    constant N: int 1..8 = 2, UNIT = 1s;\n    constant TWICE = 2 * N;\n" + plant +
+    filling_chart + "closed_loop tank {\n    constant N: int 1..8 = 2, UNIT = 1s;\n    constant TWICE = 2 * N;\n" + plant +
     "    property small: never TWICE > 8;\n    property prompt: COARSE leads to FLOW or X0 within 2s;\n}\n";
 
-nlohmann::json checked(const std::string& file, const std::vector<std::string>& settings) {
+nlohmann::json checked_with(const std::string& file, const std::vector<std::string>& settings) {
     std::vector<std::string> arguments{"check", file, "--format", "json"};
     for (const std::string& each : settings) arguments.insert(arguments.end(), {"--set", each});
     const Result result = grafverif(arguments);
@@ -38,13 +38,13 @@ std::string verdict(const nlohmann::json& report, const std::string& name) {
 TEST(Constants, AreReplacedByTheirValues) {
     const Folder folder;
     const std::string file = folder.write("tank.grafcet", tank);
-    const auto as_written = checked(file, {});
+    const auto as_written = checked_with(file, {});
     EXPECT_EQ(verdict(as_written, "small"), "holds");
     EXPECT_EQ(verdict(as_written, "prompt"), "holds");
     EXPECT_EQ(as_written["constants"], nlohmann::json::parse(R"([{"name": "N", "value": 2, "set": false},
                                         {"name": "UNIT", "value": "1s", "set": false},
                                         {"name": "TWICE", "value": 4, "set": false}])"));
-    const auto set = checked(file, {"N=5", "UNIT=500ms"});
+    const auto set = checked_with(file, {"N=5", "UNIT=500ms"});
     EXPECT_EQ(verdict(set, "small"), "violated");
     EXPECT_EQ(verdict(set, "prompt"), "violated");  // the constant is 2.5 s
     EXPECT_EQ(set["constants"][0], nlohmann::json::parse(R"({"name": "N", "value": 5, "set": true})"));
@@ -74,7 +74,7 @@ TEST(Constants, AreShownWithVerdictsAndInEveryModel) {
 
 TEST(Constants, ThatALoopDoesNotHaveCannotBeSet) {
     const Folder folder;
-    const std::string two = chart + "closed_loop tank {\n    constant N = 2, UNIT = 1s;\n" + plant + "}\n" +
+    const std::string two = filling_chart + "closed_loop tank {\n    constant N = 2, UNIT = 1s;\n" + plant + "}\n" +
                             "closed_loop other {\n    constant COUNT = 2, N = 1, UNIT = 1s;\n" + plant + "}\n";
     const std::string file = folder.write("tank.grafcet", two);
     const auto said = [&](std::vector<std::string> arguments) {

@@ -15,7 +15,7 @@ using Tree = nlohmann::json;
 
 /// Two controllers with equal names of steps and internal variables. The model also has partial charts, a macro-step,
 /// an enclosing step, and a variable of an instance.
-const std::string model = R"(
+const std::string named_model = R"(
 component gate(input UP, DOWN; output OPEN) {
     variable H: int 0..3 = 0;
     initial location closed;
@@ -63,7 +63,7 @@ grafcet lower {
 }
 )";
 std::string loop(const std::string& properties) {
-    return model +
+    return named_model +
            "closed_loop both {\n"
            "    controller upper;\n"
            "    controller lower;\n"
