@@ -105,6 +105,37 @@ bool resets(const Network::Edge& edge, Id<Network::Clock> clock) {
     return std::ranges::find(edge.resets, clock) != edge.resets.end();
 }
 
+EdgeTiming timing_of(const Network& network, const ProcessClocks& clocks, const Network::Template& automaton,
+                     const Network::Edge& edge) {
+    const std::size_t count = automaton.clocks.size();
+    const auto& invariant = automaton.locations[edge.from].invariant;
+    const std::vector<ClockInterval> wanted = admitted(network, edge.constraint, count);
+    const std::vector<ClockInterval> given = admitted(network, invariant, count);
+    const std::vector<ClockInterval> after = admitted(network, automaton.locations[edge.to].invariant, count);
+    EdgeTiming timing{.always = true, .at_last = true};
+    std::vector<std::uint32_t> relevant;
+    for (std::uint32_t clock = 0; clock < count; ++clock) {
+        const bool reset = resets(edge, {clock});
+        const bool stays = reset ? after[clock].contains(0) : after[clock].low <= 0;
+        const bool free = stays && wanted[clock].low <= 0 && wanted[clock].high >= given[clock].high &&
+                          (reset || given[clock].high <= after[clock].high);
+        if (!free) relevant.push_back(clock);
+        timing.always = timing.always && free;
+        timing.at_last = timing.at_last && wanted[clock].high >= ClockInterval::unbounded &&
+                         (reset ? stays : after[clock].high >= ClockInterval::unbounded);
+    }
+    for (std::size_t bound = 0; bound < std::min<std::size_t>(invariant.size(), 63); ++bound) {
+        const std::uint32_t clock = invariant[bound].clock.index;
+        const std::int64_t value = admitted(network, invariant[bound]).high;
+        const bool reset = resets(edge, {clock});
+        const bool other = std::ranges::any_of(relevant, [&](std::uint32_t one) { return one != clock; });
+        if (other || !wanted[clock].contains(value) || !after[clock].contains(reset ? 0 : value)) continue;
+        timing.covers |= std::uint64_t{1} << bound;
+        if (reset || !clocks.bounded[edge.to.index][clock]) timing.frees |= std::uint64_t{1} << bound;
+    }
+    return timing;
+}
+
 std::vector<ProcessClocks> analyse_clocks(const Network& network) {
     std::vector<ProcessClocks> result;
     for (const Network::Process& process : network.processes)

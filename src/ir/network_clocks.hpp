@@ -43,6 +43,21 @@ struct ProcessClocks {
 
 bool resets(const Network::Edge& edge, Id<Network::Clock> clock);
 
+/// What an edge needs of the clocks of its process, for all dense values that the invariant of its source permits. Let
+/// `c == d` be the bound of an invariant. The edge is enabled there if its guard holds, and no clock except c affects
+/// its constraint and the invariant of its target after the resets. A bound of the target that the source implies has
+/// no effect.
+struct EdgeTiming {
+    std::uint64_t covers = 0;  ///< a bit per constraint of the source's invariant, at most 63: enabled at that bound
+    std::uint64_t frees = 0;   ///< of these: the clock is reset, or not bounded before its next reset
+    bool always = false;       ///< enabled for all values
+    bool at_last = false;      ///< enabled once every clock is large enough
+};
+
+/// `clocks`: those of the process in an expanded network.
+EdgeTiming timing_of(const Network& network, const ProcessClocks& clocks, const Network::Template& automaton,
+                     const Network::Edge& edge);
+
 /// Returns the clock analysis of each process of an expanded network.
 std::vector<ProcessClocks> analyse_clocks(const Network& network);
 

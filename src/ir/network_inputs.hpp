@@ -27,13 +27,8 @@
 // Therefore, if `always`, `never` or `exactly one of` holds in A, it holds in N. A `reachable` that is violated in A is
 // violated in N. Both statements are also true with `at stable`. Runs of A do not transfer to N.
 //
-// `no timelock` holds in N under three premises on A with ChoiceLifetime::Instant. (1) All abstracted instances can
-// rest. (2) The urgent edges of A have no cycle. (3) In each state without an enabled urgent edge, each location can be
-// left before the bound of its invariant is exceeded (premise of dense time, docs/explanation/timed-engine.md). Proof:
-// in a state of N, let the abstracted instances rest. Urgent edges lead to a state without enabled urgent edges. Each
-// of them is an edge of A, or it begins a cycle that EVOL_PL requests, as an additional edge of A does, once for each
-// PLC. In that state time passes, or it stops at a bound and an edge leaves the location; each clock stops time at most
-// once in an instant. If an instance is also lively, `no deadlock` holds in N.
+// `no timelock` and `no deadlock` need other arguments, in which the abstracted instances rest
+// (docs/explanation/input-abstraction.md, "No timelock, no deadlock"); see ChoiceLifetime.
 #pragma once
 
 #include <cstdint>
@@ -54,6 +49,16 @@ struct InputAblations {
     bool own_guards_only = false;     ///< valuations are computed for the initial values of other variables
     bool all_can_rest = false;     ///< instances with invariants or urgent edges are abstracted as if they could rest
     bool keep_quiescence = false;  ///< the condition of quiescence still reads Chosen instances
+    // Premises of lets_time_pass (check/inputs/resting.hpp):
+    bool ignore_bounds = false, ignore_outputs = false, ignore_moves = false;
+    bool ignore_evolutions = false;  ///< evolutions need not end
+    // Premises of PossibleProof (check/inputs/possible.hpp):
+    bool one_bound = false;         ///< rule 3 for one bound only
+    bool any_edge = false;          ///< edges need not be possible for all values of the clocks
+    bool need_not_return = false;   ///< instances of the panel need not be able to return
+    bool need_not_diverge = false;  ///< time need not diverge
+    // Premises of prove_response (check/inputs/response.hpp):
+    bool need_not_take_time = false;  ///< infinitely many moves may need bounded time
 };
 
 /// A process that can be abstracted: an instance of the plant or the environment, or a timer of a controller.
@@ -68,6 +73,8 @@ struct AbstractableProcess {
     bool autonomous = false;
     bool can_rest = false;  ///< it has neither an invariant nor an urgent edge, so that it need not move
     bool lively = false;    ///< it is autonomous, can rest, and can always move after some time
+    bool returns =
+        false;  ///< it is autonomous, can rest, and can always return to its initial state by edges that only wait
 
     bool operator==(const AbstractableProcess&) const = default;
 };
@@ -90,15 +97,18 @@ struct InputChoice {
     Id<Network::Process> plc = {};
     std::vector<Id<Network::Variable>> variables = {};
     std::vector<std::vector<std::int64_t>> valuations = {};
-    bool kept = false;         ///< the set is part of the state, because edges after the first one read it
-    bool until_delay = false;  ///< cycles do not change the set: see ChoiceLifetime
+    bool kept = false;                   ///< the set is part of the state, because edges after the first one read it
+    bool until_delay = false;            ///< cycles do not change the set: see ChoiceLifetime
+    Id<Network::Variable> stable = {};   ///< if valid: all valuations are possible again as soon as the PLC is stable
+    Id<Network::Location> waiting = {};  ///< in this location
     std::vector<Id<Network::Edge>> widened = {};  ///< edges of the PLC after which all valuations are possible again
 };
 
 /// Defines how long a chosen valuation remains the input of a PLC. `Cycle`: until the cycle ends. `Instant`: until time
 /// passes or the instance moves, so that the urgent edges of the abstraction are those of the loop while the instances
 /// rest.
-enum class ChoiceLifetime : std::uint8_t { Cycle, Instant };
+/// `Evolution`: until the PLC is stable or an instance moves; clocks are ignored, and timers stay urgent.
+enum class ChoiceLifetime : std::uint8_t { Cycle, Instant, Evolution };
 
 struct InputAbstraction {
     Network network = {};  ///< processes, variables and edges keep the indices that they have in the original network

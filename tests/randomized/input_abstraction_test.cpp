@@ -11,6 +11,7 @@
 #include "check/inputs/inputs.hpp"
 #include "compose/observe.hpp"
 #include "support/random_loop.hpp"
+#include "support/random_panel.hpp"
 #include "support/read_loop.hpp"
 #include "support/row_counts.hpp"
 #include "support/test_size.hpp"
@@ -34,8 +35,9 @@ struct Element {
 /// Returns a chart of three steps with a panel of two or three elements: push buttons with and without a bound on the
 /// time pressed, a selector, a free input, an integer input. The loop also has an actuator of the plant, times and
 /// edges of inputs, and conditional, stored and counting actions. In some loops a lamp reads a button itself, or a
-/// second chart reads the same panel.
-std::string panel_loop(Random& random) {
+/// second chart reads the same panel; the charts may read outputs of each other. The plant is one of `plants`:
+/// components with an order and a sensor. In some loops a second instance reads the sensor.
+std::string panel_loop(Random& random, const std::vector<std::string>& plants) {
     std::vector<Element> panel{{"environment EA = push_button(OUT = A);", "A", {"A", "rise(A)", "fall(A)", "1s/A"}},
                                {"environment EB = free(OUT = B);", "B", {"B", "rise(B)"}},
                                {"environment EP = push_button_released(OUT = P, HOLD = 2s);", "P", {"P", "fall(P)"}},
@@ -43,13 +45,17 @@ std::string panel_loop(Random& random) {
                                 "S1, S2",
                                 {"S1", "S2", "!S1 && !S2", "S1 && S2", "rise(S2)"}},
                                {"environment EN = level(V = N);", "N: int 0..2", {"N > 1", "N == 0", "N == 1"}}};
+    if (chance(random, 20)) panel.push_back({"environment EO = once(OUT = O);", "O", {"O", "!O", "rise(O)"}});
     if (chance(random, 15)) panel.push_back({"environment EX = expiring(OUT = Z);", "Z", {"Z", "rise(Z)"}});
     while (panel.size() > 3 || (panel.size() > 2 && chance(random, 60)))
         panel.erase(panel.begin() + random_number(random, 0, static_cast<std::int64_t>(panel.size()) - 1));
     const std::string& first = panel[0].conditions[0];
-    const bool two = chance(random, 15), reader = panel[0].ports == "A" && chance(random, 40);
+    const bool two = chance(random, 20), reader = panel[0].ports == "A" && chance(random, 40);
+    const bool chain = chance(random, 20), linked = two && chance(random, 60);
+    std::vector<std::string> sensors{"D"};
+    if (chain) sensors.emplace_back("G");
     const auto state = [&](bool edges) {
-        std::string found = "D";
+        std::string found = one_of(random, sensors);
         if (chance(random, 85)) {
             const Element& element =
                 panel[static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(panel.size()) - 1))];
@@ -63,7 +69,7 @@ std::string panel_loop(Random& random) {
         const std::string x = "X" + std::to_string(step);
         return one_of(random,
                       {state(true), state(true), state(true) + " && " + state(true), state(true) + " || " + state(true),
-                       "1s/" + x, "2s/" + x + " && " + state(true), "true"});
+                       "1s/" + x, "2s/" + x + " && " + state(true), "1s/" + x + "/1s", "true"});
     };
     const auto actions = [&](const std::string& lamp, const std::string& order) {
         return one_of(random,
@@ -71,8 +77,11 @@ std::string panel_loop(Random& random) {
                        order + " if " + state(false) + ";", "C := C + 1 on activation;", "C := 0 on activation;",
                        "M := true on activation;", "M := false on deactivation;", lamp + " after 1s;"});
     };
-    const auto chart = [&](const std::string& name, const std::string& lamp, const std::string& order) {
-        std::string text = "grafcet " + name + " {\ninput D;\n";
+    const auto chart = [&](const std::string& name, const std::string& lamp, const std::string& order,
+                           const std::string& other) {
+        if (linked) sensors.push_back(other);
+        std::string text = "grafcet " + name + " {\n";
+        for (const std::string& sensor : sensors) text += "input " + sensor + ";\n";
         for (const Element& element : panel) text += "input " + element.ports + ";\n";
         text += "output " + lamp + ", " + order + "; internal C: int 0..2 = 0; internal M;\n";
         for (int step = 0; step < 3; ++step)
@@ -82,21 +91,42 @@ std::string panel_loop(Random& random) {
             text += "transition t" + std::to_string(step) + ": " + std::to_string(step) + " -> " +
                     std::to_string((step + 1) % 3) + " when " + condition(step) + ";\n";
         if (chance(random, 50)) text += "transition back: 1 -> 0 when " + condition(1) + ";\n";
+        if (linked) sensors.pop_back();
         return text + "}\n";
     };
-    std::string text = chart("c", "L", "Q") + (two ? chart("d", "K", "R") : "");
+    std::string text = chart("c", "L", "Q", "K") + (two ? chart("d", "K", "R", "L") : "");
     text +=
         "component follower(input P; output S) { clock t; initial location off; location going invariant t <= 1s; "
         "location on; urgent off -> going when P do t := 0; timed going -> on when t == 1s do S := true; "
         "urgent on -> off when !P do S := false; }\n"
+        "component echo(input P; output S) { initial location off; location on; urgent off -> on when P do S := true; "
+        "urgent on -> off when !P do S := false; }\n"
+        "component stuck(input P; output S) { clock t; initial location off; location going invariant t <= 1s; "
+        "location on; urgent off -> going when P do t := 0; timed going -> on when P && t == 1s do S := true; "
+        "urgent on -> off when !P do S := false; }\n"
+        "component spin(input P; output S) { clock t; initial location off; location on; urgent off -> on when P; "
+        "urgent on -> off when P; timed on -> off when t >= 1s do S := !S, t := 0; }\n"
+        "component race(input P; output S) { clock t, u; initial location off; location one invariant u <= 1s && "
+        "t <= 2s; location both invariant u <= 2s && t <= 2s; location good; location bad; "
+        "urgent off -> one when P do t := 0, u := 0; timed one -> both when u == 1s do u := 0; "
+        "timed one -> bad when t == 2s; timed both -> bad when t == 2s; timed both -> good when u == 2s do S := true; "
+        "urgent bad -> off when !P; urgent good -> off when !P do S := false; }\n"
+        "component early(input P; output S) { clock t; initial location off; location wait; location on; "
+        "urgent off -> wait when P do t := 0; timed wait -> on when t <= 1s do S := true; "
+        "urgent on -> off when !P do S := false; }\n"
+        "component counter(input P; output S) { variable N: int 0..2; clock t; initial location off; location on; "
+        "urgent off -> on when P do t := 0; timed on -> on when P && t >= 1s do N := N + 1, S := true, t := 0; "
+        "urgent on -> off when !P do N := 0, S := false; }\n"
         "component level(output V: int 0..2) { clock t; initial location any; "
         "timed any -> any when V < 2 && t >= 1s do V := V + 1, t := 0; timed any -> any when V > 0 do V := V - 1; }\n"
         "component expiring(output OUT) { clock t; initial location off; location on invariant t <= 3s; "
         "timed off -> on when t >= 1s do OUT := true, t := 0; }\n"
+        "component once(output OUT) { initial location off; location on; timed off -> on do OUT := true; }\n"
         "component pulse(input P) { initial location off; location on; urgent off -> on when P; timed on -> off; }\n";
     text += "closed_loop panel {\ncontroller c" + std::string(chance(random, 30) ? " with every_cycle" : "") + ";\n";
     if (two) text += "controller d;\n";
-    text += "plant Fol = follower(P = Q, S = D);\n";
+    text += "plant Fol = " + one_of(random, plants) + "(P = Q, S = D);\n";
+    if (chain) text += "plant Seen = " + one_of(random, {"echo", "echo", "follower"}) + "(P = D, S = G);\n";
     if (reader) text += "plant Lamp = pulse(P = A);\n";
     for (const Element& element : panel) text += element.instance + "\n";
     const auto atom = [&] {
@@ -108,14 +138,27 @@ std::string panel_loop(Random& random) {
     text += "property p1: never " + term() + when + ";\nproperty p2: always " + term() + ";\nproperty p3: reachable " +
             term() + when +
             ";\nproperty p4: exactly one of {c.X0, c.X1, c.X2};\n"
-            "property p5: reachable all steps;\nproperty d: no deadlock;\nproperty p6: never c.X1 && L && !Q" +
-            when + ";\n";
+            "property p5: reachable all steps;\nproperty d: no deadlock;\nproperty g1: always possible " +
+            term() + when + ";\nproperty g2: always possible " + atom() + ";\nproperty g3: (" + atom() +
+            ") leads to (" + term() + ");\nproperty g4: inevitable " + term() +
+            ";\nproperty p6: never c.X1 && L && !Q" + when + ";\n";
     text += "property w1: " +
             one_of(random, {"(" + atom() + ") leads to (" + term() + ") within 2s", "(" + atom() + ") holds for 1s",
                             "never " + atom() + " between (" + atom() + ") and (" + atom() + ")",
                             "(" + atom() + ") at most 2 times", "(" + atom() + ") precedes (" + atom() + ")"}) +
+            ";\nproperty w2: " +
+            one_of(random, {"inevitable (" + atom() + ")", "(" + atom() + ") leads to (" + atom() + ")"}) +
+            one_of(random, {" before (" + atom() + ")", " after (" + atom() + ")", " after (" + atom() + ")",
+                            " after (" + atom() + ") until (" + atom() + ")"}) +
             ";\n";
     return text + "}\n";
+}
+
+/// Returns true for a property that holds although integer time alone may not show it.
+bool is_progress(const Network& network, const Verdict& verdict) {
+    if (!verdict.about.valid() || verdict.outcome != Outcome::Holds) return false;
+    const Pattern pattern = network.properties[verdict.about].pattern;
+    return pattern == Pattern::AlwaysPossible || pattern == Pattern::LeadsTo || pattern == Pattern::Inevitable;
 }
 
 /// Compares the verdicts of the input abstractions with those of the complete search.
@@ -123,12 +166,33 @@ struct Compared {
     int wrong = 0;
     std::map<std::string, int>& seen;
 
+    /// A property that holds is not violated in finer time: n clocks need a unit of 1 / (n + 1).
+    void compare_finer(const Network& network, const Verdict& here, bool expected) {
+        const bool possible = network.properties[here.about].pattern == Pattern::AlwaysPossible;
+        const std::string name = possible ? "always possible" : "leads to";
+        ++seen[name];
+        ++seen["verdicts on " + here.property];
+        for (const std::int64_t factor : {1, 2, 3, 5}) {
+            const TimedResult finer = check_timed(refined(network, factor),
+                                                  {.properties = {here.property}, .max_states = 4 * complete_limit});
+            const bool differs = verdict(finer, here.property).outcome == Outcome::Violated;
+            wrong += differs ? 1 : 0;
+            seen[name + " in finer time"] += finer.complete ? 1 : 0;
+            if (expected) {
+                EXPECT_FALSE(differs) << here.property << " in units finer by " << factor;
+            }
+            if (!finer.complete || differs) return;
+        }
+    }
+
     void compare(const Network& network, const TimedResult& complete, const TimedResult& inputs, bool expected) {
         for (std::size_t i = 0; i < inputs.verdicts.size(); ++i) {
             const Verdict& here = inputs.verdicts[i];
             const Verdict& there = complete.verdicts[i];
             const bool faulty = there.obstacle == UnknownReason::Faulty;
+            if (here.abstraction && is_progress(network, here) && !faulty) compare_finer(network, here, expected);
             if (!here.abstraction || (there.outcome == Outcome::Unknown && !faulty)) continue;
+            if (!is_progress(network, here)) ++seen["verdicts on " + here.property];
             ++seen[std::string(word(here.outcome)) + (here.run ? " with a run" : " without a run")];
             if (*here.abstraction == InputsAbstracted{}) ++seen["with a run of the novelty search"];
             if (here.property == "no_timelock" || here.property == "d") ++seen[here.property];
@@ -183,9 +247,12 @@ int compare(const Network& loop, const InputAblations& ablations, bool expected,
     return compared.wrong;
 }
 
-Network panel_network(std::uint64_t seed) {
+const std::vector<std::string> plants{"follower", "follower", "follower", "follower",
+                                      "stuck",    "race",     "early",    "counter"};
+
+Network panel_network(std::uint64_t seed, const std::vector<std::string>& of = plants) {
     Random random(seed);
-    return expand(read_loop(panel_loop(random), {.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased}).network);
+    return expand(read_loop(panel_loop(random, of), {.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased}).network);
 }
 
 TEST(InputAbstraction, PanelLoopsGetTheVerdictsOfTheCompleteLoop) {
@@ -201,6 +268,23 @@ TEST(InputAbstraction, PanelLoopsGetTheVerdictsOfTheCompleteLoop) {
     EXPECT_GT(seen["with a chosen plant"], test_size(5));
     EXPECT_GT(seen["no_timelock"], test_size(5));
     EXPECT_GT(seen["d"], test_size(5));
+    EXPECT_GT(seen["always possible in finer time"], test_size(10));
+    EXPECT_GT(seen["leads to in finer time"], test_size(10));
+}
+
+/// Panels of all components of the library, and of instances that read each other.
+TEST(InputAbstraction, LibraryPanelsGetTheVerdictsOfTheCompleteLoop) {
+    std::map<std::string, int> seen;
+    for (int seed = 1; seed <= test_size(40) && !testing::Test::HasFailure(); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        const std::string text = random_panel(random, {.faulty = chance(random, 10), .progress = true});
+        const Grain grain = chance(random, 50) ? Grain::Atomic : Grain::Phased;
+        compare(expand(read_loop(text, {.grain = grain}).network), {}, true, seen, seed % 4 < 2 ? 0 : 2000);
+    }
+    print_counts(seen);
+    EXPECT_GT(seen["holds without a run"], test_size(3));
+    EXPECT_GT(seen["always possible in finer time"], 0);
 }
 
 TEST(InputAbstraction, RandomLoopsGetTheVerdictsOfTheCompleteLoop) {
@@ -223,20 +307,35 @@ TEST(InputAbstraction, EachPremiseIsNeeded) {
     struct Premise {
         const char* name = "";
         bool InputAblations::*omitted = nullptr;
+        std::vector<std::string> plants = {"follower"};
+        std::uint64_t first = 1001;  // seed of the first loop
     };
-    for (const Premise& premise : {Premise{"a change of an input begins a cycle", &InputAblations::no_cycle_on_change},
-                                   Premise{"all reachable values are chosen", &InputAblations::initial_values},
-                                   Premise{"readers see the instance", &InputAblations::ignore_readers},
-                                   Premise{"guards on other variables may hold", &InputAblations::own_guards_only},
-                                   Premise{"an abstracted instance can rest", &InputAblations::all_can_rest}}) {
+    std::map<std::string, int> last;  // seed of the loop with a wrong verdict
+    for (const Premise& premise :
+         {Premise{"a change of an input begins a cycle", &InputAblations::no_cycle_on_change, {"follower"}, 1121},
+          Premise{"all reachable values are chosen", &InputAblations::initial_values},
+          Premise{"readers see the instance", &InputAblations::ignore_readers},
+          Premise{"guards on other variables may hold", &InputAblations::own_guards_only},
+          Premise{"an abstracted instance can rest", &InputAblations::all_can_rest, {"follower"}, 1061},
+          Premise{"bounds are left", &InputAblations::ignore_bounds, {"stuck"}},
+          Premise{"urgent edges end", &InputAblations::ignore_moves, {"spin"}},
+          Premise{"evolutions end", &InputAblations::ignore_evolutions},
+          Premise{"each bound may be the first", &InputAblations::one_bound, {"race"}, 1036},
+          Premise{"moves depend on no clock", &InputAblations::any_edge, {"early"}, 1036},
+          Premise{"time diverges", &InputAblations::need_not_diverge, {"stuck"}, 1131},
+          Premise{"moves take time", &InputAblations::need_not_take_time, {"follower"}, 1076},
+          Premise{"the panel returns", &InputAblations::need_not_return, {"follower"}, 1081}}) {
         InputAblations ablations;
         ablations.*premise.omitted = true;
         std::map<std::string, int> seen;
         int wrong = 0;
-        for (std::uint64_t seed = 1; wrong == 0 && seed <= 200; ++seed)
-            wrong += compare(panel_network(1'000 + seed), ablations, false, seen);
+        std::uint64_t seed = premise.first;
+        for (; wrong == 0 && seed < premise.first + 200; ++seed)
+            wrong += compare(panel_network(seed, premise.plants), ablations, false, seen);
         EXPECT_GT(wrong, 0) << premise.name;
+        last[premise.name] = static_cast<int>(seed) - 1;
     }
+    print_counts(last);
 }
 
 }  // namespace

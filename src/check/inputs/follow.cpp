@@ -20,8 +20,6 @@ namespace {
 
 using timed::Word;
 
-constexpr std::size_t poll_every = 1024;  // number of states between two polls
-
 using Signature = std::vector<std::int64_t>;
 
 /// A stage of the abstract run, with the requirements for reaching the next one.
@@ -279,7 +277,7 @@ public:
         if (!layout_.fits()) return {};
         add(timed::packed_initial(network_, layout_).data(), 0, 0, Delay{0});
         for (std::size_t polls = 0; !shown_ && !open_.empty() && states_.size() < limits_.states; ++polls) {
-            if (polls % poll_every == 0 && is_over(limits_.deadline, limits_.stop)) break;
+            if (polls % search_poll_interval == 0 && is_over(limits_.deadline, limits_.stop)) break;
             const std::size_t node = open_.top().node;
             open_.pop();
             expand(node);

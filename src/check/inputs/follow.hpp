@@ -29,6 +29,8 @@ struct AbstractRun {
     const std::vector<AbstractState>& path;
 };
 
+inline constexpr std::size_t search_poll_interval = 1024;  ///< states after which a search tests its limit of time
+
 struct FollowLimits {
     std::size_t states = 200'000;
     std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max();  ///< memory limit of a NoveltySearch

@@ -1,130 +1,38 @@
 // SPDX-License-Identifier: MIT
 #include "check/inputs/inputs.hpp"
 
-#include <algorithm>
-#include <deque>
-#include <iterator>
 #include <map>
-#include <set>
-#include <string>
-#include <utility>
 
-#include "check/inputs/follow.hpp"
-#include "check/inputs/novelty.hpp"
-#include "check/timed/property_queries.hpp"
+#include "check/inputs/input_check.hpp"
+#include "check/timed/program.hpp"
 #include "ir/patterns.hpp"
-#include "ir/slots.hpp"
 
 namespace grafverif {
-
-namespace {
-
-using Levels = std::vector<InputLevel>;
-
-}  // namespace
-
-class InputAbstractionCheck {
-public:
-    InputAbstractionCheck(const Network& loop, const Observe& observe, const TimedOptions& options, TimedResult& result,
-                          const InputLimits& limits, const InputAblations& ablations)
-        : loop_(loop),
-          observe_(observe),
-          options_(options),
-          result_(result),
-          limits_(limits),
-          ablations_(ablations),
-          instances_(abstractable_processes(loop, ablations)),
-          observed_(expand(observe(loop))),
-          complete_(in_longest_unit(observed_)),
-          writers_(observed_.variables.size()) {
-        // This is required because a property that holds in an abstraction may hold vacuously in the loop.
-        if (!instances_.empty() && result_.errors.empty() && result_.time_passes) collect();
-    }
-
-    bool run(std::uint64_t states, const Deadline& deadline) {
-        round_ = states;
-        deadline_ = deadline;
-        const bool explores = explore();
-        while (!tasks_.empty() && !stopped()) {
-            const Task task = std::move(tasks_.front());
-            tasks_.pop_front();
-            if (task.passing) search_passing(task);
-            else search(task);
-        }
-        std::ranges::move(std::exchange(postponed_, {}), std::back_inserter(tasks_));
-        return !tasks_.empty() || explores;
-    }
-
-private:
-    /// Properties to decide on one abstraction, as indices of verdicts.
-    struct Task {
-        Levels levels = {};
-        std::vector<std::size_t> verdicts = {};
-        std::size_t rounds = 0;
-        bool coarse = false;   // true if instances that read the loop, and timers, are also abstracted
-        bool passing = false;  // true for verdicts on `no timelock` and `no deadlock`
-    };
-
-    bool stopped() const { return is_over(deadline_, options_.stop); }
-    /// Returns the bound on the states of a complete search for the task.
-    std::uint64_t bound_of(const Task& task) const {
-        return std::min(options_.max_states, task.coarse ? limits_.coarse_states : limits_.states);
-    }
-    /// True if the bound of the round ended the search of the task.
-    bool ends_with_round(const Task& task, const TimedResult& found) const {
-        return round_ < bound_of(task) && !found.complete && found.states >= round_;
-    }
-
-    bool is_open(std::size_t verdict) const { return result_.verdicts[verdict].outcome == Outcome::Unknown; }
-
-    void collect();
-    bool explore();
-    bool search_for_runs(std::uint64_t states);
-    Levels first_levels(const Property& property, bool coarse) const;
-    void begin_with_known(const Property& property, Levels& levels) const;
-    void refine(std::size_t verdict, const Task& task, const Levels& levels, std::vector<Task>& tasks) const;
-    void search(const Task& task);
-    void search_passing(const Task& task);
-    Levels levels_of_resting() const;
-    TimedResult searched(const Network& network, const InputAbstraction& abstraction, TimedOptions options,
-                         const Task& task);
-    void conclude(std::size_t verdict, const Verdict& found, const Levels& levels);
-    std::optional<Run> real_run(std::size_t verdict, const AbstractRun& abstract, const Task& task, Levels& raised);
-    Run in_units(Run run) const;
-    bool first_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const;
-    InputsAbstracted abstracted(const Levels& levels) const;
-    Property single(std::size_t verdict) const;
-    bool is_about_passing(const Verdict& verdict) const;
-
-    const Network& loop_;
-    const Observe& observe_;
-    const TimedOptions& options_;
-    TimedResult& result_;
-    const InputLimits limits_;
-    const InputAblations ablations_;
-    const std::vector<AbstractableProcess> instances_;
-    const Network observed_;
-    const Network complete_;                        // complete network in its longest time unit
-    std::vector<std::set<std::uint32_t>> writers_;  // processes that write each variable of observed_
-    std::deque<Task> tasks_ = {}, postponed_ = {};
-    std::vector<std::size_t> explored_ = {};  // verdicts for which `novelty_` searches, in its order
-    std::optional<NoveltySearch> novelty_ = {};
-    std::uint64_t round_ = 0;  // bound of the searches of the current round
-    Deadline deadline_ = {};
-};
 
 void InputAbstractionCheck::collect() {
     for (const Id<Network::Process> id : observed_.processes.ids())
         for (const Id<Network::Variable> variable : Slots(observed_, id).written())
             writers_[variable.index].insert(id.index);
     std::map<std::pair<bool, Levels>, Task> groups;
-    Task passing{levels_of_resting(), {}, 0, false, true};
+    Task passing = passing_task(), possible{.kind = Kind::Possible}, response{.kind = Kind::Response};
     for (std::size_t k = 0; k < result_.verdicts.size(); ++k) {
         const Verdict& verdict = result_.verdicts[k];
-        if (verdict.obstacle != UnknownReason::Bound && verdict.obstacle != UnknownReason::Stopped) continue;
-        if (is_about_passing(verdict)) passing.verdicts.push_back(k);
+        const bool is_limited = verdict.obstacle == UnknownReason::Bound || verdict.obstacle == UnknownReason::Stopped;
+        if (is_limited && is_about_passing(verdict)) passing.verdicts.push_back(k);
         if (!verdict.about.valid()) continue;
         const Property& property = observed_.properties[verdict.about];
+        // A property with an observer has another pattern in the loop; its proof would have to include the observer.
+        const bool is_of_loop = std::ranges::any_of(loop_.properties, [&](const Property& of_loop) {
+            return of_loop.name == property.name && of_loop.pattern == property.pattern;
+        });
+        if (is_of_loop && (is_limited || verdict.obstacle == UnknownReason::Inexact)) {
+            if (property.pattern == Pattern::AlwaysPossible && (!property.at_stable || result_.settles))
+                possible.verdicts.push_back(k);
+            if ((property.pattern == Pattern::Inevitable || property.pattern == Pattern::LeadsTo) &&
+                !property.at_stable)
+                response.verdicts.push_back(k);
+        }
+        if (!is_limited) continue;
         if (!is_about_single_states(property.pattern) && property.pattern != Pattern::ReachableAllSteps) continue;
         if (property.at_stable && !result_.settles) continue;
         explored_.push_back(k);
@@ -139,7 +47,10 @@ void InputAbstractionCheck::collect() {
         task.verdicts.push_back(k);
     }
     for (auto& [order, task] : groups) tasks_.push_back(std::move(task));
-    if (!passing.verdicts.empty()) tasks_.push_front(std::move(passing));
+    const bool progress = !possible.verdicts.empty() || !response.verdicts.empty();  // uses that time passes
+    if (!possible.verdicts.empty()) tasks_.push_front(std::move(possible));
+    if (!response.verdicts.empty()) tasks_.push_front(std::move(response));
+    if (!passing.verdicts.empty() || progress) tasks_.push_front(std::move(passing));
 }
 
 /// Searches for runs of the complete loop. Returns false if another round would find no further run. An observer
@@ -178,7 +89,7 @@ bool InputAbstractionCheck::search_for_runs(std::uint64_t states) {
 }
 
 /// `property` is a property of observe(loop): it also reads the variables and processes that its observer reads.
-Levels InputAbstractionCheck::first_levels(const Property& property, bool coarse) const {
+InputAbstractionCheck::Levels InputAbstractionCheck::first_levels(const Property& property, bool coarse) const {
     std::set<std::uint32_t> variables, processes;
     const auto read = [&](Id<Expr> term) {
         for (const Id<Expr> leaf : leaves(observed_.exprs, term)) {
@@ -249,10 +160,10 @@ void InputAbstractionCheck::begin_with_known(const Property& property, Levels& l
 void InputAbstractionCheck::refine(std::size_t verdict, const Task& task, const Levels& levels,
                                    std::vector<Task>& tasks) const {
     const Property& property = observed_.properties[result_.verdicts[verdict].about];
-    Task next{levels, {verdict}, task.rounds + 1, task.coarse};
+    Task next{levels, {verdict}, task.rounds + 1, task.coarse, Kind::SingleStates};
     const bool ends = levels == task.levels || next.rounds == (task.coarse ? limits_.coarse_rounds : limits_.rounds);
     if (ends && !task.coarse) return;
-    if (ends) next = {first_levels(property, false), {verdict}, 0, false};
+    if (ends) next = {first_levels(property, false), {verdict}, 0, false, Kind::SingleStates};
     const auto joins = [&](const Task& other) {
         if (other.coarse != next.coarse) return false;
         const Pattern first = observed_.properties[result_.verdicts[other.verdicts.front()].about].pattern;
@@ -265,25 +176,6 @@ void InputAbstractionCheck::refine(std::size_t verdict, const Task& task, const 
     for (std::size_t i = 0; i < next.levels.size(); ++i)
         joined->levels[i] = std::max(joined->levels[i], next.levels[i]);
     if (!ablations_.ignore_readers) store_what_is_read(instances_, joined->levels);
-}
-
-/// True for `no timelock`, declared or not, and for `no deadlock`.
-bool InputAbstractionCheck::is_about_passing(const Verdict& verdict) const {
-    if (!verdict.about.valid()) return true;
-    const Property& property = observed_.properties[verdict.about];
-    return property.pattern == Pattern::NoDeadlock || timed::about_time(property);
-}
-
-/// Returns the coarsest levels that the premises of ir/network_inputs.hpp allow.
-Levels InputAbstractionCheck::levels_of_resting() const {
-    Levels levels;
-    for (const AbstractableProcess& process : instances_) {
-        const bool abstracted = process.autonomous && process.can_rest;
-        const bool chosen = abstracted && !process.valuations.empty();
-        levels.push_back(chosen ? InputLevel::Chosen : abstracted ? InputLevel::Untimed : InputLevel::Complete);
-    }
-    if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
-    return levels;
 }
 
 TimedResult InputAbstractionCheck::searched(const Network& network, const InputAbstraction& abstraction,
@@ -299,28 +191,6 @@ TimedResult InputAbstractionCheck::searched(const Network& network, const InputA
     result_.bytes = std::max(result_.bytes, found.bytes);
     result_.seconds += found.seconds;
     return found;
-}
-
-void InputAbstractionCheck::search_passing(const Task& task) {
-    const InputAbstraction abstraction =
-        abstract_inputs(loop_, instances_, task.levels, ablations_, ChoiceLifetime::Instant);
-    TimedOptions options = options_;
-    options.properties = {timed::undeclared_timelock(loop_).name};
-    options.timelock = true;
-    const TimedResult found = searched(in_longest_unit(expand(abstraction.network)), abstraction, options, task);
-    const auto passes = std::ranges::find_if(found.verdicts, [&](const Verdict& verdict) {
-        return !verdict.about.valid() || timed::about_time(abstraction.network.properties[verdict.about]);
-    });
-    const bool open = passes == found.verdicts.end() || passes->outcome == Outcome::Unknown;
-    if (ends_with_round(task, found) || (open && stopped())) return postponed_.push_back(task);
-    if (passes == found.verdicts.end() || passes->outcome != Outcome::Holds || !found.complete) return;
-    const bool lively = std::ranges::any_of(instances_, &AbstractableProcess::lively);
-    for (const std::size_t k : task.verdicts) {
-        const Verdict& verdict = result_.verdicts[k];
-        const bool about_deadlock =
-            verdict.about.valid() && observed_.properties[verdict.about].pattern == Pattern::NoDeadlock;
-        if (!about_deadlock || lively) conclude(k, *passes, task.levels);
-    }
 }
 
 void InputAbstractionCheck::search(const Task& task) {

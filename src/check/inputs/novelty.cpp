@@ -15,6 +15,26 @@
 
 namespace grafverif {
 
+std::vector<timed::Field> signature_fields(const Network& network, const timed::Layout& layout,
+                                           const std::vector<bool>& omitted) {
+    std::vector<timed::Field> fields;
+    for (const Id<Network::Variable> id : signature_variables(network)) fields.push_back(layout.variables[id.index]);
+    for (const Id<Network::Process> id : network.processes.ids()) {
+        if (omitted[id.index] || network.processes[id].kind != Network::ProcessKind::Plant) continue;
+        fields.push_back(layout.locations[id.index]);
+        for (const Id<Network::Variable> variable : Slots(network, id).written())
+            if (!network.variables[variable].scratch) fields.push_back(layout.variables[variable.index]);
+    }
+    return fields;
+}
+
+std::uint64_t signature_of(const std::vector<timed::Field>& fields, const timed::Word* words) {
+    std::uint64_t hash = 0;
+    for (const timed::Field& field : fields)
+        hash = (hash ^ static_cast<std::uint64_t>(field.get(words))) * 0x9E3779B97F4A7C15U + (hash >> 29U);
+    return hash;
+}
+
 class NoveltySearch::States {
 public:
     States(const Network& network, std::vector<Property> properties, const std::vector<AbstractableProcess>& instances)
@@ -23,22 +43,14 @@ public:
         is_autonomous_.resize(network.processes.size());
         for (const AbstractableProcess& instance : instances)
             is_autonomous_[instance.process.index] = instance.autonomous;
-        for (const Id<Network::Variable> id : signature_variables(network))
-            signature_.push_back(machine_.layout().variables[id.index]);
-        for (const Id<Network::Process> id : network.processes.ids()) {
-            if (is_autonomous_[id.index] || network.processes[id].kind != Network::ProcessKind::Plant) continue;
-            signature_.push_back(machine_.layout().locations[id.index]);
-            for (const Id<Network::Variable> variable : Slots(network, id).written())
-                if (!network.variables[variable].scratch)
-                    signature_.push_back(machine_.layout().variables[variable.index]);
-        }
+        signature_ = signature_fields(network, machine_.layout(), is_autonomous_);
         if (machine_.layout().fits()) add(timed::packed_initial(network, machine_.layout()).data(), 0, {}, Delay{0});
     }
 
     bool run(const FollowLimits& limits) {
         for (std::size_t polls = 0; states_.size() < limits.states; ++polls) {
             if (open_.empty() || monitor_.is_over() || bytes() > limits.bytes) return false;
-            if (polls % poll_every == 0 && is_over(limits.deadline, limits.stop)) return true;
+            if (polls % search_poll_interval == 0 && is_over(limits.deadline, limits.stop)) return true;
             const std::size_t state = open_.top().state;
             open_.pop();
             expand(state);
@@ -54,8 +66,6 @@ public:
     }
 
 private:
-    static constexpr std::size_t poll_every = 1024;  // number of states between two polls
-
     struct Open {
         std::size_t cost = 0, state = 0;
         auto operator<=>(const Open&) const = default;
@@ -66,18 +76,11 @@ private:
         std::size_t moves = 0;  // number of moves of autonomous instances since the signature changed
     };
 
-    std::uint64_t signature_of(const timed::Word* words) const {
-        std::uint64_t hash = 0;
-        for (const timed::Field& field : signature_)
-            hash = (hash ^ static_cast<std::uint64_t>(field.get(words))) * 0x9E3779B97F4A7C15U + (hash >> 29U);
-        return hash;
-    }
-
     void add(const timed::Word* words, std::size_t parent, std::optional<Id<Network::Process>> moved,
              const Move& move) {
         const std::optional<std::size_t> state = states_.add(words, parent, 0, move);
         if (!state) return;
-        Situation now{signature_of(words), 0};
+        Situation now{signature_of(signature_, words), 0};
         if (*state > 0 && now.signature == situations_[parent].signature)
             now.moves = situations_[parent].moves + (moved && is_autonomous_[moved->index] ? 1 : 0);
         situations_.push_back(now);

@@ -12,8 +12,15 @@
 #include <vector>
 
 #include "check/inputs/follow.hpp"
+#include "check/timed/layout.hpp"
 
 namespace grafverif {
+
+/// The fields of a signature: steps and internal variables, and the instances of the plant that are not `omitted` (per
+/// process).
+std::vector<timed::Field> signature_fields(const Network& network, const timed::Layout& layout,
+                                           const std::vector<bool>& omitted);
+std::uint64_t signature_of(const std::vector<timed::Field>& fields, const timed::Word* words);
 
 class NoveltySearch {
 public:

@@ -204,7 +204,8 @@ void PropertyQueries::decide_deadlock(PropertyQuery& question, Graph& graph, con
 
 /// In an input abstraction, urgent edges must lead to a state in which time passes for all chosen valuations
 /// (ir/network_inputs.hpp). It is not sufficient that they do so for some valuations.
-void PropertyQueries::decide_timelock_of_choices(PropertyQuery& question, Graph& graph, const Limits& limits) const {
+void PropertyQueries::decide_timelock_of_abstraction(PropertyQuery& question, Graph& graph,
+                                                     const Limits& limits) const {
     holds_if_dense(question, graph, graph.locked_bound);
     if (question.verdict.outcome != Outcome::Holds) return;
     std::vector<std::uint32_t> successors;
@@ -222,7 +223,7 @@ void PropertyQueries::decide_timelock_of_choices(PropertyQuery& question, Graph&
 void PropertyQueries::decide_timelock(PropertyQuery& question, Graph& graph, const Limits& limits) {
     if (outcomes_.obstacle == UnknownReason::Stopped)
         return unknown(question.verdict, UnknownReason::Stopped, outcomes_.reason);
-    if (!machine_.choices().empty()) return decide_timelock_of_choices(question, graph, limits);
+    if (abstracted_) return decide_timelock_of_abstraction(question, graph, limits);
     StateSet passes = states_of_kind(
         graph, limits, [](StateKind kind) { return kind == StateKind::Passes || kind == StateKind::PassesOrActs; });
     auto locked = out_of_reach(graph, passes, Transitions::Actions, limits);

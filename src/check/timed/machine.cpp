@@ -93,7 +93,8 @@ void Machine::fire_each_way(std::uint32_t edge, const Word* words, Moves& moves)
                 if (moves.record_choices)
                     moves.chosen[moves.chosen.size() - choices_.size() + choice] = static_cast<Word>(set);
                 const Field& kept = layout_.choices[choice];
-                if (kept.width != 0) kept.set(next, sets_[i].widened ? static_cast<std::int64_t>(sets_[i].all) : set);
+                const bool all = sets_[i].widened || (rests_[choice] && rests_[choice]->is_reached(next));
+                if (kept.width != 0) kept.set(next, all ? static_cast<std::int64_t>(sets_[i].all) : set);
             }
         }
         auto split = static_cast<std::size_t>(*(registers - Choices::depth));

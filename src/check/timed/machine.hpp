@@ -117,7 +117,6 @@ private:
     Edge compile_edge(Id<Network::Process> process, Id<Network::Edge> edge);
     std::uint32_t compile_effect(Id<Network::Process> process, const Network::Edge& edge);
     void compile_guard(Id<Expr> guard, Edge& compiled);
-    void check_bounds(Id<Network::Process> process, const Network::Edge& edge, Edge& compiled) const;
     void add_sets(Id<Network::Process> process, Id<Network::Edge> edge, Edge& compiled);
     void fire(std::uint32_t edge, const Word* words, Moves& moves) const;
     void fire_each_way(std::uint32_t edge, const Word* words, Moves& moves) const;
@@ -135,6 +134,12 @@ private:
     std::vector<Row> rows_ = {};
     std::vector<Place> places_ = {};
     std::vector<Field> until_delay_ = {};  // possible valuations of choices; a delay makes all of them possible again
+    struct Rest {                          // a PLC waits and is stable: all valuations of the choice are possible again
+        Field stable = {}, location = {};
+        Word waiting = 0;
+        bool is_reached(const Word* words) const { return stable.raw(words) != 0 && location.raw(words) == waiting; }
+    };
+    std::vector<std::optional<Rest>> rests_ = {};  // per choice
     bool timed_ = false;
 };
 

@@ -30,6 +30,12 @@ Machine::Machine(const Network& network, std::vector<InputChoice> choices)
     if (!choices_.empty()) program_.below = Choices::set(choices_.size()) - 1;
     for (std::size_t i = 0; i < choices_.size(); ++i)
         if (choices_[i].until_delay) until_delay_.push_back(layout_.choices[i]);
+    for (const InputChoice& choice : choices_) {
+        rests_.emplace_back();
+        if (choice.stable.valid())
+            rests_.back() =
+                Rest{layout_.variables[choice.stable.index], layout_.locations[choice.plc.index], choice.waiting.index};
+    }
     for (const Id<Network::Process> process : network.processes.ids()) compile(process);
 }
 
@@ -111,7 +117,10 @@ Machine::Edge Machine::compile_edge(Id<Network::Process> process, Id<Network::Ed
     }
     compiled.effect = compile_effect(process, edge);
     add_sets(process, id, compiled);
-    check_bounds(process, edge, compiled);
+    const EdgeTiming timing = timing_of(network_, clocks_[process.index], automaton, edge);
+    compiled.covers = timing.covers;
+    compiled.frees = timing.frees;
+    compiled.always = timing.always;
     return compiled;
 }
 
@@ -177,37 +186,6 @@ std::uint32_t Machine::compile_effect(Id<Network::Process> process, const Networ
         assign(automaton.procedures[*call].assignments);
     assign(edge.assignments);
     return next;
-}
-
-/// Determines which bounds of the source this edge covers (see UncoveredBound). It is enabled at `c == d` if c is the
-/// only clock that affects its constraint and the target's invariant after the resets. A bound of the target that the
-/// source implies has no effect. The edge frees the bound if it resets c, or if c is not bounded before its next reset.
-void Machine::check_bounds(Id<Network::Process> process, const Network::Edge& edge, Edge& compiled) const {
-    const Network::Template& automaton = network_.templates[network_.processes[process].automaton];
-    const std::size_t clocks = automaton.clocks.size();
-    const auto& invariant = automaton.locations[edge.from].invariant;
-    const std::vector<Interval> wanted = admitted(network_, edge.constraint, clocks);
-    const std::vector<Interval> given = admitted(network_, invariant, clocks);
-    const std::vector<Interval> after = admitted(network_, automaton.locations[edge.to].invariant, clocks);
-    // True if the clock has no effect for all values that the source permits.
-    const auto free = [&](std::uint32_t clock) {
-        if (wanted[clock].low > 0 || wanted[clock].high < given[clock].high) return false;
-        return resets(edge, {clock}) ? after[clock].high >= 0 : given[clock].high <= after[clock].high;
-    };
-    std::vector<std::uint32_t> speaking;
-    for (std::uint32_t clock = 0; clock < clocks; ++clock)
-        if (!free(clock)) speaking.push_back(clock);
-    compiled.always = speaking.empty();
-    for (std::size_t bound = 0; bound < std::min<std::size_t>(invariant.size(), 63);
-         ++bound) {  // further bounds are treated as uncovered
-        const std::uint32_t clock = invariant[bound].clock.index;
-        const std::int64_t value = admitted(network_, invariant[bound]).high;
-        const bool reset = resets(edge, {clock});
-        const bool other = std::ranges::any_of(speaking, [&](std::uint32_t one) { return one != clock; });
-        if (other || !wanted[clock].contains(value) || (reset ? 0 : value) > after[clock].high) continue;
-        compiled.covers |= Word{1} << bound;
-        if (reset || !clocks_[process.index].bounded[edge.to.index][clock]) compiled.frees |= Word{1} << bound;
-    }
 }
 
 }  // namespace grafverif::timed

@@ -34,8 +34,8 @@ bool is_selected(const TimedOptions& options, const Property& property) {
            std::ranges::find(options.properties, property.name) != options.properties.end();
 }
 
-PropertyQueries::PropertyQueries(const Network& network, Machine& machine, PropertyMonitor& watch)
-    : network_(network), machine_(machine), watch_(watch), inexact_(inexact_place(network)) {}
+PropertyQueries::PropertyQueries(const Network& network, Machine& machine, PropertyMonitor& watch, bool abstracted)
+    : network_(network), machine_(machine), watch_(watch), abstracted_(abstracted), inexact_(inexact_place(network)) {}
 
 std::uint32_t PropertyQueries::settled_and(const Property& property, Id<Expr> operand) {
     const std::uint32_t code = machine_.compiler().condition(operand, Program::yes, Program::no);

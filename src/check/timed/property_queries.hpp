@@ -21,7 +21,8 @@ bool is_selected(const TimedOptions& options, const Property& property);
 
 class PropertyQueries {
 public:
-    PropertyQueries(const Network& network, Machine& machine, PropertyMonitor& watch);
+    /// `abstracted`: the network is an input abstraction.
+    PropertyQueries(const Network& network, Machine& machine, PropertyMonitor& watch, bool abstracted = false);
 
     void ask(Id<Property> about, const Property& property);
     /// True if some selected property needs the edges of many states.
@@ -68,7 +69,7 @@ private:
     void decide_liveness(PropertyQuery& question, Graph& graph, const Limits& limits);
     void decide_deadlock(PropertyQuery& question, Graph& graph, const Limits& limits);
     void decide_timelock(PropertyQuery& question, Graph& graph, const Limits& limits);
-    void decide_timelock_of_choices(PropertyQuery& question, Graph& graph, const Limits& limits) const;
+    void decide_timelock_of_abstraction(PropertyQuery& question, Graph& graph, const Limits& limits) const;
     void decide_possible(PropertyQuery& question, Graph& graph, const Limits& limits);
     void report_never_again(const PropertyQuery& question, Graph& graph, const Limits& limits, Verdict& verdict) const;
     void holds_unless(PropertyQuery& question, UnknownReason obstacle, const std::string& reason) const;
@@ -82,6 +83,7 @@ private:
     const Network& network_;
     Machine& machine_;
     PropertyMonitor& watch_;
+    const bool abstracted_;
     std::optional<std::string> inexact_;
     std::size_t settled_watch_ = none;
     std::vector<PropertyQuery> questions_ = {};

@@ -59,7 +59,7 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     const Network flat = expand(network);
     timed::Machine machine(flat, options.choices);
     timed::PropertyMonitor watch;
-    timed::PropertyQueries questions(flat, machine, watch);
+    timed::PropertyQueries questions(flat, machine, watch, options.abstracted || !options.choices.empty());
     const Property timelock = timed::undeclared_timelock(flat);
     bool timelock_requested = !options.timelock;
     for (const Id<Property> id : flat.properties.ids()) {

@@ -54,8 +54,11 @@ struct TimedOptions {
     bool timelock = true;                   ///< if false, `no timelock` is decided only if a property requires it
     bool premises = false;                  ///< compute TimedResult::premises
     std::vector<InputChoice> choices = {};  ///< choices of an input abstraction
-    bool until_decided = false;             ///< end the search when the deciding state of each property is found
-    bool paths = false;                     ///< report TimedResult::paths
+    /// The network is an input abstraction, with or without choices: `no timelock` holds only if no sequence of urgent
+    /// edges is infinite.
+    bool abstracted = false;
+    bool until_decided = false;  ///< end the search when the deciding state of each property is found
+    bool paths = false;          ///< report TimedResult::paths
     std::function<void(const TimedProgress&)> progress = {};  ///< called a few times per second
     bool profile = false;                                ///< compute TimedResult::profile for any outcome of the search
     std::function<void(const StateProfile&)> many = {};  ///< called once when the search has found `many_states`

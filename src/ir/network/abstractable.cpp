@@ -52,6 +52,7 @@ public:
         made.autonomous = alone && !made.outputs.empty() && reads_itself(slots, made.outputs);
         if (!alone || made.outputs.empty() || !sets_flags_only(slots) || !explore(slots, made)) made.valuations = {};
         made.lively = made.lively && made.autonomous && made.can_rest;
+        made.returns = made.returns && made.autonomous && made.can_rest;
         std::set<Id<Network::Process>> readers;
         for (const Id<Network::Variable> variable : made.outputs)
             for (const Id<Network::Process> reader : users_.readers[variable.index])
@@ -128,6 +129,19 @@ private:
         return own;
     }
 
+    /// True if the moves lead from each of the states, of this number, to `initial`.
+    template <class State>
+    static bool all_return(const std::vector<std::pair<State, State>>& moves, const State& initial,
+                           std::size_t states) {
+        std::set<State> returning{initial};
+        for (bool grows = true; grows;) {
+            grows = false;
+            for (const auto& [from, to] : moves)
+                if (returning.contains(to)) grows = returning.insert(from).second || grows;
+        }
+        return returning.size() == states;
+    }
+
     /// Enumerates the reachable combinations of locations and outputs for arbitrary values of other variables and
     /// clocks. Returns false if there are too many combinations, or if a value is out of range or depends on another
     /// process.
@@ -145,6 +159,7 @@ private:
         }
         std::set<State> seen{initial};
         std::vector<State> open{initial};
+        std::vector<std::pair<State, State>> waiting;  // moves that only wait
         made.lively = true;
         while (!open.empty()) {
             const State now = std::move(open.back());
@@ -180,12 +195,14 @@ private:
                     if (!result || *result < type.low || *result > type.high) return false;
                     next.values[column.at(target)] = *result;
                 }
+                if (waits_only(edge)) waiting.emplace_back(now, next);
                 if (!seen.insert(next).second) continue;
                 if (seen.size() > most_states) return false;
                 open.push_back(std::move(next));
             }
             made.lively = made.lively && moves;
         }
+        made.returns = all_return(waiting, initial, seen.size());
         std::set<std::vector<std::int64_t>> valuations;
         for (const State& state : seen) valuations.insert(state.values);
         made.valuations.assign(valuations.begin(), valuations.end());

@@ -24,7 +24,7 @@ public:
 
     InputAbstraction build() {
         for (std::size_t i = 0; i < instances_.size(); ++i) {
-            if (levels_[i] == InputLevel::Untimed) ignore_clocks(automaton(instances_[i].process));
+            if (levels_[i] == InputLevel::Untimed) make_untimed(instances_[i].process);
             if (levels_[i] == InputLevel::Paced) made_.paced.push_back(instances_[i].process);
             if (levels_[i] == InputLevel::Chosen) remove(i);
         }
@@ -38,10 +38,15 @@ private:
         return made_.network.templates[made_.network.processes[id].automaton];
     }
 
-    static void ignore_clocks(Network::Template& automaton) {
+    void make_untimed(Id<Network::Process> id) {
+        const bool is_timer = made_.network.processes[id].kind == Network::ProcessKind::Timer;
+        ignore_clocks(automaton(id), is_timer && lifetime_ == ChoiceLifetime::Evolution);
+    }
+
+    static void ignore_clocks(Network::Template& automaton, bool stays_urgent = false) {
         for (Network::Location& location : automaton.locations) location.invariant.clear();
         for (Network::Edge& edge : automaton.edges) {
-            edge.urgent = false;
+            edge.urgent = edge.urgent && stays_urgent;
             edge.constraint.clear();
             edge.resets.clear();
         }
@@ -88,7 +93,7 @@ private:
             });
         for (std::size_t choice = first; choice < made_.choices.size(); ++choice)
             keep(controller, made_.choices[choice]);
-        if (lifetime_ == ChoiceLifetime::Instant) move_instances(controller, plc);
+        if (lifetime_ != ChoiceLifetime::Cycle) move_instances(controller, plc);
         if (!ablations_.no_cycle_on_change) begin_cycles(controller, plc);
     }
 
@@ -167,9 +172,13 @@ private:
             }
         }
         choice.kept = std::ranges::find(live, true) != live.end();
-        if (lifetime_ == ChoiceLifetime::Instant) {
+        if (lifetime_ != ChoiceLifetime::Cycle) {
             live_.push_back(std::move(live));
-            choice.kept = choice.until_delay = true;
+            choice.kept = true;
+            choice.until_delay = lifetime_ == ChoiceLifetime::Instant;
+            if (choice.until_delay) return;
+            choice.stable = controller.stable;
+            choice.waiting = controller.waiting;
             return;
         }
         for (const Id<Network::Edge> id : plc.edges.ids())

@@ -120,6 +120,24 @@ TEST(Check, DecidesAFragmentOfALineAndNamesTheOmittedParts) {
     EXPECT_EQ(Json::parse(grafverif(whole).out)["properties"][0]["verdict"], "unknown");
 }
 
+TEST(Check, ProvesThatAStateIsAlwaysPossibleUnlessTheCheckIsMonolithic) {
+    const auto verdicts = [](const std::vector<std::string>& more) {
+        std::vector<std::string> command = {"check",        (root / "bench/stations/lift.grafcet").string(),
+                                            "--format",     "json",
+                                            "--grain",      "atomic",
+                                            "--property",   "back",
+                                            "--property",   "no_deadlock",
+                                            "--max-states", "200000"};
+        command.insert(command.end(), more.begin(), more.end());
+        const Json report = Json::parse(grafverif(command).out);
+        std::vector<std::string> found;
+        for (const Json& property : report["properties"]) found.push_back(property["verdict"]);
+        return found;
+    };
+    EXPECT_EQ(verdicts({}), (std::vector<std::string>{"holds", "holds", "holds"})) << "the last is `no timelock`";
+    EXPECT_EQ(verdicts({"--monolithic"}), (std::vector<std::string>{"unknown", "unknown", "unknown"}));
+}
+
 TEST(Check, StatesOmittedSubsystemsWithTheReason) {
     const Folder folder;
     const std::string file = folder.write("lamps.grafcet", two_lamps);

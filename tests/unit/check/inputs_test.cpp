@@ -35,6 +35,14 @@ Verdict decided(const std::string& text, const InputLimits& limits = {.explored 
     return found;
 }
 
+/// Returns the verdict of the complete search.
+Outcome outcome_in_complete_loop(const std::string& text) {
+    const Network loop = expand(read_loop(text).network);
+    return check_timed(observed(loop, watched(loop)), {.max_states = 100'000, .timelock = false})
+        .verdicts.front()
+        .outcome;
+}
+
 std::string loop(const std::string& ports, const std::string& body, const std::string& panel,
                  const std::string& property) {
     return "grafcet c {\n" + ports + "\n" + body + "}\nclosed_loop panel {\ncontroller c;\n" + panel +
@@ -216,6 +224,95 @@ TEST(InputAbstraction, ProvesThatTimePassesForAllValuations) {
                   Outcome::Holds)
             << "the test would not detect that the premise is violated";
     }
+}
+
+TEST(InputAbstraction, ProvesNoAbsenceOfTimelockIfAnInputFollowsAnOutputAtOnce) {
+    const std::string text =
+        "component echo(input P; output S) { initial location off; location on; urgent off -> on when P do S := true; "
+        "urgent on -> off when !P do S := false; }\n" +
+        loop("input A, D; output Q;",
+             "initial step 0 { Q; } step 1; transition t0: 0 -> 1 when A && D; transition t1: 1 -> 0 when !D;",
+             "plant Echo = echo(P = Q, S = D);\nenvironment EA = push_button(OUT = A);", "no timelock");
+    EXPECT_EQ(decided(text).outcome, Outcome::Unknown);
+    EXPECT_EQ(outcome_in_complete_loop(text), Outcome::Violated);
+    EXPECT_EQ(decided(text, {.explored = 0}, {.ignore_outputs = true}).outcome, Outcome::Holds)
+        << "the test would not detect that the premise is violated";
+}
+
+TEST(InputAbstraction, ProvesNoAbsenceOfTimelockIfAnEvolutionMayNotEnd) {
+    const std::string text = unstable("A && B", "no timelock");
+    EXPECT_EQ(decided(text).outcome, Outcome::Unknown);
+    EXPECT_EQ(outcome_in_complete_loop(text), Outcome::Violated);
+    EXPECT_EQ(decided(text, {.explored = 0}, {.ignore_evolutions = true}).outcome, Outcome::Holds)
+        << "the test would not detect that the premise is violated";
+}
+
+/// A plant with two clocks. The bound that is reached first decides the target of `both`. It is always the bound of t.
+std::string race_of_bounds(const std::string& property) {
+    return "component two(input P; output S, F) { clock t, u; initial location off; location one invariant u <= 1s && "
+           "t <= 2s; location both invariant u <= 2s && t <= 2s; location good; location bad; "
+           "urgent off -> one when P do t := 0, u := 0; timed one -> both when u == 1s do u := 0; "
+           "timed one -> bad when t == 2s do F := true; timed both -> bad when t == 2s do F := true; "
+           "timed both -> good when u == 2s do S := true; "
+           "urgent good -> off when !P do S := false; urgent bad -> off when !P do F := false; }\n" +
+           loop("input A, S, F; output Q;",
+                "initial step 0; step 1 { Q; } step 2; step 3; transition t0: 0 -> 1 when A; transition t1: 1 -> 2 "
+                "when S; transition t2: 1 -> 3 when F; transition t3: 2 -> 0 when !S; transition t4: 3 -> 0 when !F;",
+                "plant Two = two(P = Q, S = S, F = F);\nenvironment EA = push_button(OUT = A);", property);
+}
+
+TEST(InputAbstraction, ProvesThatAStateIsPossibleOnlyByAnEdgeForEachBound) {
+    const std::string text = race_of_bounds("always possible X2");
+    EXPECT_EQ(decided(text).outcome, Outcome::Unknown);
+    EXPECT_EQ(outcome_in_complete_loop(text), Outcome::Violated);
+    EXPECT_EQ(decided(text, {.explored = 0}, {.one_bound = true}).outcome, Outcome::Holds)
+        << "the test would not detect that the premise is violated";
+    EXPECT_EQ(decided(race_of_bounds("always possible X1")).outcome, Outcome::Holds);
+}
+
+TEST(InputAbstraction, ProvesNoResponseThatAnObserverDecides) {
+    const std::string plant =
+        "component follower(input P; output S) { clock t; initial location off; location going invariant t <= 2s; "
+        "location on; urgent off -> going when P do t := 0; timed going -> on when t == 2s do S := true; "
+        "urgent on -> off when !P do S := false; }\n";
+    const auto text = [&](const std::string& property) {
+        return plant + loop("input A, D; output Q;",
+                            "initial step 0; step 1 { Q; } step 2; transition t0: 0 -> 1 when A; transition t1: 1 "
+                            "-> 2 when D; transition t2: 2 -> 0 when !A;",
+                            "plant Fol = follower(P = Q, S = D);\nenvironment EA = push_button(OUT = A);", property);
+    };
+    EXPECT_EQ(decided(text("X1 leads to X2")).outcome, Outcome::Holds);
+    EXPECT_EQ(outcome_in_complete_loop(text("inevitable X1 after X2")), Outcome::Violated);
+    EXPECT_NE(decided(text("inevitable X1 after X2")).outcome, Outcome::Holds) << "its operands are X1 and X2";
+}
+
+/// Two urgent edges, one of which repeats forever within an instant: time may pass, but need not.
+TEST(InputAbstraction, ProvesNoResponseIfUrgentEdgesMayRepeat) {
+    const std::string text =
+        "component turning(input P; output S) { initial location off; location on; location done; "
+        "urgent off -> on when P; urgent on -> off when P; urgent on -> done when P do S := true; "
+        "urgent done -> off when !P do S := false; }\n"
+        "component lamp(input P) { initial location off; location on; urgent off -> on when P; "
+        "urgent on -> off when !P; }\n" +
+        loop("input A, D; output Q;",
+             "initial step 0; step 1 { Q; } step 2; transition t0: 0 -> 1 when A; transition t1: 1 -> 2 when D; "
+             "transition t2: 2 -> 0 when !A;",
+             "plant Fol = turning(P = Q, S = D);\nplant Lamp = lamp(P = A);\nenvironment EA = push_button(OUT = A);",
+             "X1 leads to X2");
+    EXPECT_EQ(outcome_in_complete_loop(text), Outcome::Violated);
+    EXPECT_NE(decided(text).outcome, Outcome::Holds) << "no instance is chosen";
+}
+
+TEST(InputAbstraction, ProvesNoAbsenceOfDeadlockIfASubsystemHasNoLivelyInstance) {
+    const auto text = [](const std::string& other) {
+        return "component once(output OUT) { initial location off; location on; timed off -> on do OUT := true; }\n" +
+               loop("input A; output L;",
+                    "initial step 0; step 1 { L; } transition t0: 0 -> 1 when A; transition t1: 1 -> 0 when !A;",
+                    "environment EA = push_button(OUT = A);\nenvironment Other = " + other + "(OUT = B);",
+                    "no deadlock");
+    };
+    EXPECT_EQ(decided(text("push_button")).outcome, Outcome::Holds);
+    EXPECT_NE(decided(text("once")).outcome, Outcome::Holds);
 }
 
 TEST(InputAbstraction, ProvesNoAbsenceOfDeadlockWithoutALivelyInstance) {

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "check/inputs/abstract_states.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace grafverif {
+
+using timed::Word;
+
+std::vector<InputLevel> panel_levels(const Network& loop, const std::vector<AbstractableProcess>& instances,
+                                     const std::set<Id<Network::Process>>& read, bool all) {
+    std::vector<InputLevel> levels;
+    std::size_t splits = 0;
+    for (const AbstractableProcess& instance : instances) {
+        const std::size_t more = instance.valuations.size() * std::max<std::size_t>(loop.controllers.size(), 1);
+        const bool returns = all ? instance.autonomous && instance.can_rest : instance.returns;
+        const bool is_chosen = returns && !instance.valuations.empty() && !read.contains(instance.process) &&
+                               splits + more <= timed::Choices::most_splits;
+        if (is_chosen) splits += more;
+        levels.push_back(is_chosen ? InputLevel::Chosen : InputLevel::Untimed);
+    }
+    store_what_is_read(instances, levels);
+    return levels;
+}
+
+AbstractStates::AbstractStates(const Network& loop, const std::vector<AbstractableProcess>& instances,
+                               const std::vector<InputLevel>& levels) {
+    InputAbstraction abstraction = abstract_inputs(loop, instances, levels);
+    network_ = grafverif::expand(abstraction.network);
+    machine_.emplace(network_, std::move(abstraction.choices));
+    const timed::Layout& layout = machine_->layout();
+    states_ = std::make_unique<PackedStates>(layout.stored);
+    now_.assign(layout.words, 0);
+    failed_ = !layout.fits() || machine_->timed();
+    if (!failed_) states_->add(timed::packed_initial(network_, layout).data());
+}
+
+bool AbstractStates::all_wait(const Word* words) const {
+    return std::ranges::all_of(network_.controllers, [&](const Network::Controller& controller) {
+        return machine_->layout().locations[controller.process.index].get(words) == controller.waiting.index;
+    });
+}
+
+const timed::Moves& AbstractStates::expand(std::uint32_t state) {
+    std::copy_n(states_->words(state), machine_->layout().stored, now_.begin());
+    machine_->expand(now_.data(), moves_);
+    return moves_;
+}
+
+std::uint32_t AbstractStates::successor(std::size_t move) {
+    return states_->add(moves_.words.data() + move * machine_->layout().words).state;
+}
+
+/// False if the state that has been expanded excludes the use of the abstraction.
+bool AbstractStates::is_supported() const {
+    if (moves_.fault || moves_.cut) return false;
+    const timed::Layout& layout = machine_->layout();
+    if (network_.race.valid() && layout.variables[network_.race.index].get(now_.data()) != 0) return false;
+    return std::ranges::all_of(network_.controllers, [&](const Network::Controller& controller) {
+        if (layout.locations[controller.process.index].get(now_.data()) == controller.waiting.index) return true;
+        return std::ranges::any_of(moves_.edges, [&](std::uint32_t edge) {
+            return machine_->process_of(edge) == controller.process && machine_->urgent(edge);
+        });
+    });
+}
+
+std::optional<bool> AbstractStates::run(const FollowLimits& limits) {
+    for (std::size_t polls = 0; !failed_ && next_ < states_->size(); ++polls) {
+        if (states_->size() >= limits.states || states_->bytes() > limits.bytes) return {};
+        if (polls % search_poll_interval == 0 && is_over(limits.deadline, limits.stop)) return {};
+        expand(static_cast<std::uint32_t>(next_++));
+        failed_ = !is_supported();
+        for (std::size_t move = 0; move < moves_.edges.size() && !failed_; ++move) successor(move);
+    }
+    return !failed_;
+}
+
+}  // namespace grafverif

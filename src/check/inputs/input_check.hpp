@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// InputAbstractionCheck: the searches of an InputSearch (inputs.hpp).
+#pragma once
+
+#include <algorithm>
+#include <deque>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check/inputs/follow.hpp"
+#include "check/inputs/inputs.hpp"
+#include "check/inputs/novelty.hpp"
+#include "check/inputs/possible.hpp"
+#include "ir/slots.hpp"
+
+namespace grafverif {
+
+class InputAbstractionCheck {
+    using Levels = std::vector<InputLevel>;
+
+public:
+    InputAbstractionCheck(const Network& loop, const Observe& observe, const TimedOptions& options, TimedResult& result,
+                          const InputLimits& limits, const InputAblations& ablations)
+        : loop_(loop),
+          observe_(observe),
+          options_(options),
+          result_(result),
+          limits_(limits),
+          ablations_(ablations),
+          instances_(abstractable_processes(loop, ablations)),
+          observed_(expand(observe(loop))),
+          complete_(in_longest_unit(observed_)),
+          writers_(observed_.variables.size()) {
+        // This is required because a property that holds in an abstraction may hold vacuously in the loop.
+        if (!instances_.empty() && result_.errors.empty() && result_.time_passes) collect();
+    }
+
+    bool run(std::uint64_t states, const Deadline& deadline) {
+        round_ = states;
+        deadline_ = deadline;
+        const bool explores = explore();
+        while (!tasks_.empty() && !stopped()) {
+            const Task task = std::move(tasks_.front());
+            tasks_.pop_front();
+            switch (task.kind) {
+            case Kind::SingleStates: search(task); break;
+            case Kind::Evolution:
+            case Kind::Passing: search_passing(task); break;
+            case Kind::Possible:
+            case Kind::Response: search_progress(task); break;
+            }
+        }
+        std::ranges::move(std::exchange(postponed_, {}), std::back_inserter(tasks_));
+        return !tasks_.empty() || explores;
+    }
+
+private:
+    /// SingleStates: properties about single states. Evolution, Passing: `no timelock` and `no deadlock`, with the
+    /// choices of an evolution or an instant. Possible: `always possible`. Response: `leads to` and `inevitable`.
+    enum class Kind : std::uint8_t { SingleStates, Evolution, Passing, Possible, Response };
+
+    /// Properties to decide on one abstraction, as indices of verdicts.
+    struct Task {
+        Levels levels = {};
+        std::vector<std::size_t> verdicts = {};
+        std::size_t rounds = 0;
+        bool coarse = false;  // true if instances that read the loop, and timers, are also abstracted
+        Kind kind = Kind::SingleStates;
+    };
+
+    bool stopped() const { return is_over(deadline_, options_.stop); }
+    /// Returns the bound on the states of a complete search for the task.
+    std::uint64_t bound_of(const Task& task) const {
+        return std::min(options_.max_states, task.coarse ? limits_.coarse_states : limits_.states);
+    }
+    /// True if the bound of the round ended the search of the task.
+    bool ends_with_round(const Task& task, const TimedResult& found) const {
+        return round_ < bound_of(task) && !found.complete && found.states >= round_;
+    }
+
+    bool is_open(std::size_t verdict) const { return result_.verdicts[verdict].outcome == Outcome::Unknown; }
+
+    void collect();
+    bool explore();
+    bool search_for_runs(std::uint64_t states);
+    Levels first_levels(const Property& property, bool coarse) const;
+    void begin_with_known(const Property& property, Levels& levels) const;
+    void refine(std::size_t verdict, const Task& task, const Levels& levels, std::vector<Task>& tasks) const;
+    void search(const Task& task);
+    void search_passing(const Task& task);
+    void search_progress(const Task& task);
+    std::optional<bool> prove_possible(std::size_t verdict, const FollowLimits& limits);
+    std::optional<bool> prove_response(std::size_t verdict, const FollowLimits& limits);
+    Task passing_task() const;
+    Levels levels_of_resting() const;
+    bool each_part_is_lively() const;
+    TimedResult searched(const Network& network, const InputAbstraction& abstraction, TimedOptions options,
+                         const Task& task);
+    void conclude(std::size_t verdict, const Verdict& found, const Levels& levels);
+    std::optional<Run> real_run(std::size_t verdict, const AbstractRun& abstract, const Task& task, Levels& raised);
+    Run in_units(Run run) const;
+    bool first_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const;
+    InputsAbstracted abstracted(const Levels& levels) const;
+    Property single(std::size_t verdict) const;
+    const Property& property_of_loop(std::size_t verdict) const;
+    bool is_about_passing(const Verdict& verdict) const;
+
+    const Network& loop_;
+    const Observe& observe_;
+    const TimedOptions& options_;
+    TimedResult& result_;
+    const InputLimits limits_;
+    const InputAblations ablations_;
+    const std::vector<AbstractableProcess> instances_;
+    const Network observed_;
+    const Network complete_;                        // complete network in its longest time unit
+    std::vector<std::set<std::uint32_t>> writers_;  // processes that write each variable of observed_
+    std::deque<Task> tasks_ = {}, postponed_ = {};
+    std::vector<std::size_t> explored_ = {};  // verdicts for which `novelty_` searches, in its order
+    std::optional<NoveltySearch> novelty_ = {};
+    std::optional<PossibleProof> possible_ = {};
+    bool time_diverges_ = false;           // true if this is proved, while instances that can rest do not move
+    std::optional<bool> takes_time_ = {};  // the premise of a proof of a response
+    std::uint64_t round_ = 0;              // bound of the searches of the current round
+    Deadline deadline_ = {};
+};
+
+}  // namespace grafverif

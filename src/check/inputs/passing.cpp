@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// InputAbstractionCheck: properties that require that something can happen.
+#include "check/inputs/input_check.hpp"
+#include "check/inputs/response.hpp"
+#include "check/inputs/resting.hpp"
+#include "check/timed/property_queries.hpp"
+#include "ir/network_subsystems.hpp"
+
+namespace grafverif {
+
+/// True for `no timelock`, declared or not, and for `no deadlock`.
+bool InputAbstractionCheck::is_about_passing(const Verdict& verdict) const {
+    if (!verdict.about.valid()) return true;
+    const Property& property = observed_.properties[verdict.about];
+    return property.pattern == Pattern::NoDeadlock || timed::about_time(property);
+}
+
+/// Returns the coarsest levels that the premises of the argument by instants allow.
+InputAbstractionCheck::Levels InputAbstractionCheck::levels_of_resting() const {
+    Levels levels;
+    for (const AbstractableProcess& process : instances_) {
+        const bool abstracted = process.autonomous && process.can_rest;
+        const bool chosen = abstracted && !process.valuations.empty();
+        levels.push_back(chosen ? InputLevel::Chosen : abstracted ? InputLevel::Untimed : InputLevel::Complete);
+    }
+    if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
+    return levels;
+}
+
+/// True if each independent subsystem has an instance that can always move after some time.
+bool InputAbstractionCheck::each_part_is_lively() const {
+    const NetworkSubsystems parts = parts_of(loop_);
+    std::vector<bool> lively(parts.count, false);
+    for (const AbstractableProcess& instance : instances_)
+        if (instance.lively) lively[parts.of_process[instance.process.index]] = true;
+    return std::ranges::find(lively, false) == lively.end();
+}
+
+/// A proof for evolutions of the PLCs requires that each process alone lets time pass.
+InputAbstractionCheck::Task InputAbstractionCheck::passing_task() const {
+    if (timed::inexact_place(loop_) || !lets_time_pass(loop_, ablations_))
+        return {levels_of_resting(), {}, 0, false, Kind::Passing};
+    return {first_levels({}, true), {}, 0, false, Kind::Evolution};
+}
+
+void InputAbstractionCheck::search_passing(const Task& task) {
+    const bool by_evolutions = task.kind == Kind::Evolution;
+    const InputAbstraction abstraction =
+        abstract_inputs(loop_, instances_, task.levels, ablations_,
+                        by_evolutions ? ChoiceLifetime::Evolution : ChoiceLifetime::Instant);
+    TimedOptions options = options_;
+    options.properties = {timed::undeclared_timelock(loop_).name};
+    options.timelock = true;
+    options.abstracted = true;
+    const TimedResult found = searched(in_longest_unit(expand(abstraction.network)), abstraction, options, task);
+    const auto passes = std::ranges::find_if(found.verdicts, [&](const Verdict& verdict) {
+        return !verdict.about.valid() || timed::about_time(abstraction.network.properties[verdict.about]);
+    });
+    const bool open = passes == found.verdicts.end() || passes->outcome == Outcome::Unknown;
+    if (ends_with_round(task, found) || (open && stopped())) return postponed_.push_back(task);
+    const bool holds = passes != found.verdicts.end() && passes->outcome == Outcome::Holds && found.complete;
+    if (!holds && !(by_evolutions && ablations_.ignore_evolutions)) {
+        if (by_evolutions) tasks_.push_front({levels_of_resting(), task.verdicts, 0, false, Kind::Passing});
+        return;
+    }
+    time_diverges_ = true;
+    Verdict proof;
+    proof.outcome = Outcome::Holds;
+    proof.states = std::to_string(found.states);
+    proof.transitions = found.transitions;
+    const bool lively = each_part_is_lively();
+    for (const std::size_t k : task.verdicts) {
+        const Verdict& verdict = result_.verdicts[k];
+        const bool about_deadlock =
+            verdict.about.valid() && observed_.properties[verdict.about].pattern == Pattern::NoDeadlock;
+        if (!about_deadlock || lively) conclude(k, proof, task.levels);
+    }
+}
+
+/// `always possible` (possible.hpp), `inevitable` and `leads to` (response.hpp). The premise: a search of the same round,
+/// before this one, has proved that time diverges.
+void InputAbstractionCheck::search_progress(const Task& task) {
+    if (!time_diverges_ && !ablations_.need_not_diverge) {
+        if (std::ranges::any_of(postponed_, [](const Task& other) {
+                return other.kind == Kind::Evolution || other.kind == Kind::Passing;
+            }))
+            postponed_.push_back(task);
+        return;
+    }
+    if (timed::inexact_place(loop_)) return;
+    const FollowLimits limits{.states = std::min(round_, limits_.states),
+                              .bytes = options_.max_memory / 4,
+                              .deadline = deadline_,
+                              .stop = options_.stop};
+    std::vector<std::size_t> open;
+    for (const std::size_t k : task.verdicts) {
+        if (!is_open(k)) continue;
+        const auto proved = task.kind == Kind::Possible ? prove_possible(k, limits) : prove_response(k, limits);
+        if (!proved) open.push_back(k);
+    }
+    if (open.empty()) return;
+    postponed_.push_back(task);
+    postponed_.back().verdicts = std::move(open);
+}
+
+/// Terms of a property belong to its network.
+const Property& InputAbstractionCheck::property_of_loop(std::size_t k) const {
+    const std::string& name = observed_.properties[result_.verdicts[k].about].name;
+    return *std::ranges::find(loop_.properties, name, &Property::name);
+}
+
+std::optional<bool> InputAbstractionCheck::prove_possible(std::size_t k, const FollowLimits& limits) {
+    if (!possible_) possible_.emplace(loop_, instances_, ablations_);
+    const std::size_t before = possible_->states();
+    const std::optional<bool> proved = possible_->proves(property_of_loop(k), limits);
+    result_.states += possible_->states() - before;
+    if (!proved || !*proved) return proved;
+    Verdict found;
+    found.outcome = Outcome::Holds;
+    found.states = std::to_string(possible_->states());
+    found.notes = {"proved by edges that can be taken for all values of the clocks"};
+    conclude(k, found, possible_->levels());
+    return true;
+}
+
+std::optional<bool> InputAbstractionCheck::prove_response(std::size_t k, const FollowLimits& limits) {
+    if (!takes_time_) takes_time_ = takes_time(loop_);
+    if (!*takes_time_ && !ablations_.need_not_take_time) return false;
+    const ResponseResult result = grafverif::prove_response(loop_, instances_, property_of_loop(k), limits);
+    result_.states += result.states;
+    if (!result.holds || !*result.holds) return result.holds;
+    Verdict found;
+    found.outcome = Outcome::Holds;
+    found.vacuous = result.vacuous;
+    found.states = std::to_string(result.states);
+    if (result.vacuous) found.notes = {"the premise is never true"};
+    else if (property_of_loop(k).pattern == Pattern::LeadsTo)
+        found.notes = {"vacuity is unknown: the abstraction does not show that the premise is ever true"};
+    conclude(k, found, result.levels);
+    return true;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: MIT
+#include "check/inputs/possible.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <deque>
+#include <functional>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+
+#include "check/inputs/abstract_states.hpp"
+#include "check/inputs/novelty.hpp"
+#include "check/inputs/packed_states.hpp"
+#include "check/timed/machine.hpp"
+#include "ir/network_clocks.hpp"
+#include "ir/slots.hpp"
+
+namespace grafverif {
+
+/// What the clocks of the loop permit, per process.
+struct LoopTiming {
+    std::vector<std::vector<EdgeTiming>> edges = {};    // per edge
+    std::vector<std::vector<std::size_t>> bounds = {};  // per location, their number
+};
+
+namespace {
+
+using timed::Word;
+
+/// The loop without clocks, in which p is `goal`.
+struct Untimed {
+    Network network = {};
+    Id<Expr> goal = {};
+};
+
+Untimed untimed(const Network& loop, const Property& property) {
+    Untimed made{loop, property.operands[0]};
+    if (property.at_stable) made.goal = made.network.exprs.conjunction(loop.settled, made.goal);
+    for (Network::Template& automaton : made.network.templates) {
+        for (Network::Location& location : automaton.locations) location.invariant.clear();
+        for (Network::Edge& edge : automaton.edges) {
+            edge.constraint.clear();
+            edge.resets.clear();
+        }
+    }
+    return made;
+}
+
+LoopTiming timing_of_loop(const Network& loop) {
+    LoopTiming made;
+    const std::vector<ProcessClocks> clocks = analyse_clocks(loop);
+    for (const Id<Network::Process> id : loop.processes.ids()) {
+        const Network::Template& automaton = loop.templates[loop.processes[id].automaton];
+        made.edges.emplace_back();
+        for (const Network::Edge& edge : automaton.edges)
+            made.edges.back().push_back(timing_of(loop, clocks[id.index], automaton, edge));
+        made.bounds.emplace_back();
+        for (const Network::Location& location : automaton.locations)
+            made.bounds.back().push_back(location.invariant.size());
+    }
+    return made;
+}
+
+/// Finds good states, beginning with the states to be proved, and goes no further than needed. Rule 4 is applied last,
+/// in the order of NoveltySearch: few moves of the panel, and rare situations, come first.
+class GoodStates {
+public:
+    GoodStates(const Untimed& loop, const LoopTiming& timing, const std::vector<bool>& is_panel,
+               const InputAblations& ablations)
+        : loop_(loop.network),
+          timing_(timing),
+          is_panel_(is_panel),
+          ablations_(ablations),
+          machine_(loop.network),
+          goal_(machine_.compiler().condition(loop.goal, timed::Program::yes, timed::Program::no)),
+          signature_(signature_fields(loop.network, machine_.layout(), is_panel)),
+          states_(machine_.layout().stored) {}
+
+    const timed::Layout& layout() const { return machine_.layout(); }
+    bool fits() const { return machine_.layout().fits(); }
+
+    void require(const Word* words) {
+        const std::uint32_t state = add(words, {}, false);
+        if (nodes_[state].is_required) return;
+        nodes_[state].is_required = true;
+        if (!nodes_[state].is_good) ++open_;
+    }
+
+    /// True: all required states are good. False: some cannot be shown to be good. Nothing: a limit is reached.
+    std::optional<bool> run(const FollowLimits& limits) {
+        for (std::size_t polls = 0; open_ > 0; ++polls) {
+            if (states_.size() >= limits.states || bytes() > limits.bytes) return {};
+            if (polls % search_poll_interval == 0 && is_over(limits.deadline, limits.stop)) return {};
+            if (!forced_.empty()) {
+                const std::uint32_t state = forced_.front();
+                forced_.pop_front();
+                if (!nodes_[state].is_good) expand(state);
+            } else if (!resting_.empty()) {
+                const std::uint32_t state = resting_.top().second;
+                resting_.pop();
+                if (!nodes_[state].is_good) move_at_rest(state);
+            } else {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    std::size_t size() const { return states_.size(); }
+
+private:
+    struct Node {
+        std::uint64_t open = 1;  // bounds for which no edge to a good state is known; 1 for rules 2 and 4
+        std::uint64_t signature = 0;
+        std::uint32_t users = none;  // the first of users_
+        std::uint32_t moves = 0;     // of the panel, since the signature has changed
+        bool is_good = false, is_required = false;
+    };
+    struct User {  // a state with an edge for one of its bounds to the state that the list belongs to
+        std::uint32_t state = 0, next = none;
+        std::uint8_t bound = 0;
+    };
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+    std::uint64_t bytes() const {
+        return states_.bytes() + nodes_.capacity() * sizeof(Node) + users_.capacity() * sizeof(User) +
+               forced_.size() * sizeof(std::uint32_t) + resting_.size() * sizeof(resting_.top());
+    }
+
+    std::uint32_t add(const Word* words, std::optional<std::uint32_t> parent, bool by_panel) {
+        const auto [state, is_new] = states_.add(words);
+        if (!is_new) return state;
+        Node node{.signature = signature_of(signature_, words)};
+        if (parent && nodes_[*parent].signature == node.signature)
+            node.moves = nodes_[*parent].moves + (by_panel ? 1 : 0);
+        nodes_.push_back(node);
+        if (machine_.holds(goal_, words, registers_) == timed::End::Yes) nodes_.back().is_good = true;
+        else forced_.push_back(state);
+        return state;
+    }
+
+    /// Records that an edge for `bound` leads from one state to another.
+    void link(std::uint32_t from, std::uint8_t bound, std::size_t move) {
+        const bool by_panel = is_panel_[machine_.process_of(moves_.edges[move]).index];
+        const std::uint32_t to = add(moves_.words.data() + move * machine_.layout().words, from, by_panel);
+        if (nodes_[to].is_good) return satisfy(from, bound);
+        users_.push_back({from, nodes_[to].users, bound});
+        nodes_[to].users = static_cast<std::uint32_t>(users_.size() - 1);
+    }
+
+    void satisfy(std::uint32_t state, std::uint8_t bound) {
+        std::vector<std::pair<std::uint32_t, std::uint8_t>> met{{state, bound}};
+        while (!met.empty()) {
+            Node& node = nodes_[met.back().first];
+            node.open &= ~(std::uint64_t{1} << met.back().second);
+            met.pop_back();
+            if (node.open != 0 || node.is_good) continue;
+            node.is_good = true;
+            if (node.is_required) --open_;
+            for (std::uint32_t user = node.users; user != none; user = users_[user].next)
+                met.emplace_back(users_[user].state, users_[user].bound);
+        }
+    }
+
+    void load(std::uint32_t state) {
+        now_.assign(machine_.layout().words, 0);
+        std::copy_n(states_.words(state), machine_.layout().stored, now_.begin());
+        machine_.expand(now_.data(), moves_);
+    }
+
+    std::size_t bounds_of(std::size_t process) const {
+        const auto location = machine_.layout().locations[process].get(now_.data());
+        return timing_.bounds[process][static_cast<std::size_t>(location)];
+    }
+
+    const EdgeTiming& timing(std::size_t move) const {
+        return timing_.edges[machine_.process_of(moves_.edges[move]).index][machine_.edge_of(moves_.edges[move]).index];
+    }
+
+    /// Rules 2 and 3.
+    void expand(std::uint32_t state) {
+        load(state);
+        if (moves_.urgent) {
+            for (std::size_t move = 0; move < moves_.edges.size(); ++move)
+                if (machine_.urgent(moves_.edges[move])) return link(state, 0, move);
+            return;
+        }
+        std::vector<std::size_t> first(loop_.processes.size() + 1, 0);  // per process, the number of its first bound
+        for (std::size_t process = 0; process < loop_.processes.size(); ++process)
+            first[process + 1] = first[process] + bounds_of(process);
+        const std::size_t bounds = first.back();
+        if (bounds > 64) return;
+        if (bounds == 0) return rest(state);
+        nodes_[state].open = ablations_.one_bound ? 1 : ~std::uint64_t{0} >> (64 - bounds);
+        for (std::size_t move = 0; move < moves_.edges.size(); ++move) {
+            const std::size_t process = machine_.process_of(moves_.edges[move]).index;
+            for (std::size_t bound = first[process]; bound < first[process + 1]; ++bound)
+                if (ablations_.any_edge || (timing(move).covers >> (bound - first[process]) & 1) != 0)
+                    link(state, static_cast<std::uint8_t>(bound), move);
+        }
+    }
+
+    void rest(std::uint32_t state) {
+        const std::size_t earlier = visits_[nodes_[state].signature]++;
+        resting_.emplace(std::size_t(std::bit_width(earlier)) + 2 * nodes_[state].moves, state);
+    }
+
+    /// Rule 4.
+    void move_at_rest(std::uint32_t state) {
+        load(state);
+        for (std::size_t move = 0; move < moves_.edges.size() && !nodes_[state].is_good; ++move)
+            if (ablations_.any_edge || timing(move).at_last) link(state, 0, move);
+    }
+
+    using Resting = std::pair<std::size_t, std::uint32_t>;  // cost, state
+
+    const Network& loop_;
+    const LoopTiming& timing_;
+    const std::vector<bool>& is_panel_;  // per process
+    const InputAblations& ablations_;
+    timed::Machine machine_;
+    const std::uint32_t goal_;
+    const std::vector<timed::Field> signature_;
+    PackedStates states_;
+    std::vector<Node> nodes_ = {};
+    std::vector<User> users_ = {};
+    std::size_t open_ = 0;                   // required states that are not known to be good
+    std::deque<std::uint32_t> forced_ = {};  // not yet expanded
+    std::priority_queue<Resting, std::vector<Resting>, std::greater<>> resting_ = {};
+    std::unordered_map<std::uint64_t, std::size_t> visits_ = {};
+    timed::Moves moves_ = {};
+    std::vector<Word> now_ = {};
+    std::vector<std::int64_t> registers_ = {};
+};
+
+}  // namespace
+
+class PossibleProof::States {
+public:
+    States(const Network& loop, const std::vector<AbstractableProcess>& instances, const InputAblations& ablations)
+        : loop_(loop),
+          ablations_(ablations),
+          timing_(timing_of_loop(loop)),
+          levels_(panel_levels(loop, instances, {}, ablations.need_not_return)),
+          abstraction_(loop, instances, levels_),
+          is_panel_(loop.processes.size(), false) {
+        for (std::size_t i = 0; i < instances.size(); ++i)
+            if (levels_[i] == InputLevel::Chosen) add_to_panel(instances[i]);
+    }
+
+    std::optional<bool> proves(const Property& property, const FollowLimits& limits) {
+        if (requests_.size() > most_requests) return false;
+        const std::optional<bool> found = abstraction_.run(limits);
+        if (!found || !*found) return found;
+        const Untimed loop = untimed(loop_, property);
+        GoodStates good(loop, timing_, is_panel_, ablations_);
+        if (!good.fits()) return false;
+        require_waiting(good);
+        const std::optional<bool> proved = good.run(limits);
+        states_ += good.size();
+        return proved;
+    }
+
+    const std::vector<InputLevel>& levels() const { return levels_; }
+    std::size_t states() const { return states_ + abstraction_.size(); }
+
+private:
+    static constexpr std::size_t most_requests = 4;  // flags of the panel
+
+    void add_to_panel(const AbstractableProcess& instance) {
+        is_panel_[instance.process.index] = true;
+        for (const Id<Network::Variable> variable : Slots(loop_, instance.process).written())
+            if (std::ranges::find(instance.outputs, variable) == instance.outputs.end() &&
+                std::ranges::find(requests_, variable) == requests_.end())
+                requests_.push_back(variable);
+    }
+
+    /// The states in which all PLCs wait and the panel is in its initial state. The flags that the panel sets may have
+    /// both values.
+    void require_waiting(GoodStates& good) const {
+        const timed::Layout &from = abstraction_.machine().layout(), &to = good.layout();
+        std::vector<Word> words(to.words, 0);
+        for (std::uint32_t state = 0; state < abstraction_.size(); ++state) {
+            const Word* const now = abstraction_.words(state);
+            if (!abstraction_.all_wait(now)) continue;
+            for (const Id<Network::Process> process : loop_.processes.ids())
+                to.locations[process.index].set(words.data(), from.locations[process.index].get(now));
+            for (const Id<Network::Variable> variable : loop_.variables.ids())
+                if (!loop_.variables[variable].scratch)
+                    to.variables[variable.index].set(words.data(), from.variables[variable.index].get(now));
+            for (std::size_t subset = 0; subset < std::size_t{1} << requests_.size(); ++subset) {
+                for (std::size_t i = 0; i < requests_.size(); ++i) {
+                    const std::int64_t kept = from.variables[requests_[i].index].get(now);
+                    to.variables[requests_[i].index].set(words.data(), (subset >> i & 1) != 0 ? 1 : kept);
+                }
+                good.require(words.data());
+            }
+        }
+    }
+
+    const Network& loop_;
+    const InputAblations ablations_;
+    const LoopTiming timing_;
+    const std::vector<InputLevel> levels_;
+    AbstractStates abstraction_;
+    std::vector<bool> is_panel_;                        // per process
+    std::vector<Id<Network::Variable>> requests_ = {};  // flags that the panel sets
+    std::size_t states_ = 0;
+};
+
+PossibleProof::PossibleProof(const Network& loop, const std::vector<AbstractableProcess>& instances,
+                             const InputAblations& ablations)
+    : states_(std::make_unique<States>(loop, instances, ablations)) {}
+
+PossibleProof::~PossibleProof() = default;
+
+const std::vector<InputLevel>& PossibleProof::levels() const { return states_->levels(); }
+
+std::optional<bool> PossibleProof::proves(const Property& property, const FollowLimits& limits) {
+    return states_->proves(property, limits);
+}
+
+std::size_t PossibleProof::states() const { return states_->states(); }
+
+}  // namespace grafverif

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "check/inputs/response.hpp"
+
+#include <algorithm>
+#include <set>
+#include <unordered_map>
+
+#include "check/inputs/abstract_states.hpp"
+#include "check/timed/components.hpp"
+#include "ir/slots.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using timed::End;
+using timed::Word;
+
+/// The instances whose variables or locations the property reads.
+std::set<Id<Network::Process>> instances_read_by(const Network& loop, const std::vector<AbstractableProcess>& instances,
+                                                 const Property& property) {
+    std::set<Id<Network::Process>> found;
+    for (const Id<Expr> operand : property.operands)
+        for (const Id<Expr> leaf : leaves(loop.exprs, operand)) {
+            const Expr& node = loop.exprs[leaf];
+            if (node.op == Op::At) found.insert({at_process(node)});
+            for (const AbstractableProcess& instance : instances)
+                for (const Id<Network::Variable> output : instance.outputs)
+                    if (node.op == Op::Variable && static_cast<std::uint32_t>(node.value) == output.index)
+                        found.insert(instance.process);
+        }
+    return found;
+}
+
+class Response {
+public:
+    Response(const Network& loop, const std::vector<AbstractableProcess>& instances, const Property& property,
+             const std::vector<InputLevel>& levels)
+        : loop_(loop),
+          states_(loop, instances, levels),
+          property_(*std::ranges::find(states_.network().properties, property.name, &Property::name)),
+          is_inevitable_(property.pattern == Pattern::Inevitable),
+          p_(is_inevitable_ ? timed::Program::yes : compiled(property_.operands.front())),
+          q_(compiled(property_.operands.back())) {}
+
+    std::optional<bool> run(const FollowLimits& limits) {
+        if (const std::optional<bool> found = states_.run(limits); !found || !*found) return found;
+        TimedOptions options;
+        options.deadline = limits.deadline;
+        options.stop = limits.stop;
+        const timed::Limits polled(options);
+        try {
+            return no_run_avoids(polled);
+        } catch (const timed::Limits::Stop&) {
+            return {};
+        }
+    }
+
+    bool vacuous() const { return !requested_; }
+    std::size_t states() const { return states_.size(); }
+
+private:
+    /// What the states of a component without q have in common.
+    struct Component {
+        bool urgent = true;                // an urgent edge is enabled in each state
+        std::vector<bool> moves = {};      // per process: by an edge within the component
+        std::vector<bool> unbounded = {};  // per process: in some state no bound is in force
+    };
+
+    std::uint32_t compiled(Id<Expr> term) {
+        return states_.machine().compiler().condition(term, timed::Program::yes, timed::Program::no);
+    }
+
+    /// True if `term` may be true: an undefined value counts as that.
+    bool may_hold(std::uint32_t term, std::uint32_t state) {
+        return states_.machine().holds(term, states_.words(state), registers_) != End::No;
+    }
+    bool is_goal(std::uint32_t state) {
+        return states_.machine().holds(q_, states_.words(state), registers_) == End::Yes;
+    }
+
+    bool is_urgent(const timed::Moves& moves) const {
+        return std::ranges::any_of(moves.edges, [&](std::uint32_t move) {
+            const auto process = states_.machine().process_of(move);
+            const auto edge = states_.machine().edge_of(move);
+            const Network::Template& automaton = loop_.templates[loop_.processes[process].automaton];
+            return edge.index < automaton.edges.size() && automaton.edges[edge].urgent;
+        });
+    }
+
+    bool is_bounded(std::uint32_t process, std::uint32_t state) const {
+        const auto location = states_.machine().layout().locations[process].get(states_.words(state));
+        const Network::Template& automaton = loop_.templates[loop_.processes[{process}].automaton];
+        return !automaton.locations[{static_cast<std::uint32_t>(location)}].invariant.empty();
+    }
+
+    bool no_run_avoids(const timed::Limits& limits) {
+        timed::Components components(states_.size(), limits, [&](std::uint32_t state, const auto& take) {
+            const std::size_t moves = states_.expand(state).edges.size();
+            for (std::size_t move = 0; move < moves; ++move)
+                if (const std::uint32_t next = states_.successor(move); !is_goal(next)) take(next);
+        });
+        for (std::uint32_t state = 0; state < (is_inevitable_ ? 1 : states_.size()); ++state) {
+            if (!may_hold(p_, state)) continue;
+            requested_ = true;
+            if (!is_goal(state)) components.visit(state);
+        }
+        std::unordered_map<std::uint32_t, Component> found;
+        for (std::uint32_t state = 0; state < states_.size(); ++state) {
+            limits.poll();
+            if (components.of(state) == timed::Store::none) continue;
+            if (may_stay(state)) return false;
+            if (components.has_cycle(state)) add(state, components, found[components.of(state)]);
+        }
+        return std::ranges::none_of(found, [&](const auto& entry) { return may_repeat(entry.second); });
+    }
+
+    /// True if time may pass forever in the state.
+    bool may_stay(std::uint32_t state) {
+        if (is_urgent(states_.expand(state))) return false;
+        for (std::uint32_t process = 0; process < loop_.processes.size(); ++process)
+            if (is_bounded(process, state)) return false;
+        return true;
+    }
+
+    template <class Components>
+    void add(std::uint32_t state, const Components& components, Component& component) {
+        component.moves.resize(loop_.processes.size());
+        component.unbounded.resize(loop_.processes.size());
+        const timed::Moves& moves = states_.expand(state);
+        component.urgent = component.urgent && is_urgent(moves);
+        for (std::size_t move = 0; move < moves.edges.size(); ++move)
+            if (components.of(states_.successor(move)) == components.of(state))
+                component.moves[states_.machine().process_of(moves.edges[move]).index] = true;
+        for (std::uint32_t process = 0; process < loop_.processes.size(); ++process)
+            if (!is_bounded(process, state)) component.unbounded[process] = true;
+    }
+
+    /// True if a run may remain in the component.
+    bool may_repeat(const Component& component) const {
+        if (component.urgent) return false;
+        for (std::size_t process = 0; process < loop_.processes.size(); ++process)
+            if (!component.unbounded[process] && !component.moves[process]) return false;
+        return true;
+    }
+
+    const Network& loop_;
+    AbstractStates states_;
+    const Property& property_;  // of the abstraction
+    const bool is_inevitable_;
+    const std::uint32_t p_, q_;
+    bool requested_ = false;
+    std::vector<std::int64_t> registers_ = {};
+};
+
+}  // namespace
+
+ResponseResult prove_response(const Network& loop, const std::vector<AbstractableProcess>& instances,
+                              const Property& property, const FollowLimits& limits) {
+    ResponseResult result;
+    result.levels = panel_levels(loop, instances, instances_read_by(loop, instances, property));
+    Response response(loop, instances, property, result.levels);
+    result.holds = response.run(limits);
+    result.vacuous = response.vacuous();
+    result.states = response.states();
+    return result;
+}
+
+}  // namespace grafverif
