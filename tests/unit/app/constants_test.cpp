@@ -18,8 +18,8 @@ const std::string plant =
     "    controller filling;\n    environment S = free(OUT = START);\n    environment F = free(OUT = FULL);\n"
     "    plant Main = valve(ORDER = COARSE or FINE, FLOW = FLOW, TRAVEL = N * UNIT);\n";
 const std::string tank =
-    filling_chart + "closed_loop tank {\n    constant N: int 1..8 = 2, UNIT = 1s;\n    constant TWICE = 2 * N;\n" + plant +
-    "    property small: never TWICE > 8;\n    property prompt: COARSE leads to FLOW or X0 within 2s;\n}\n";
+    filling_chart + "closed_loop tank {\n    constant N: int 1..8 = 2, UNIT = 1s;\n    constant TWICE = 2 * N;\n" +
+    plant + "    property small: never TWICE > 8;\n    property prompt: COARSE leads to FLOW or X0 within 2s;\n}\n";
 
 nlohmann::json checked_with(const std::string& file, const std::vector<std::string>& settings) {
     std::vector<std::string> arguments{"check", file, "--format", "json"};
