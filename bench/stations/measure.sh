@@ -18,7 +18,7 @@ run() {
     begin=$(date +%s%N)
     "$program" check "$@" --timeout "${limit}s" --max-memory 2G >"$folder/out" 2>"$folder/err" || true
     end=$(date +%s%N)
-    printf '%-40s %6s s  %s\n' "$name" "$(bc <<<"scale=1; $((end - begin)) / 1000000000")" "$(tail -1 "$folder/out")"
+    printf '%-40s %6s s  %s\n' "$name" "$(bc <<<"scale=1; $((end - begin)) / 1000000000")" "$(grep -E '^[^ ]+: .*(holds?|violated|unknown|no properties)' "$folder/out" | tail -1)"
 }
 
 for station in bench/stations/*.grafcet; do

@@ -2,13 +2,16 @@
 #include "app/decide.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <ostream>
 #include <sstream>
 
 #include "app/engines.hpp"
 #include "app/stop_text.hpp"
+#include "app/system/watchdog.hpp"
 #include "check/shares.hpp"
 #include "pipeline/models.hpp"
+#include "pipeline/remedies.hpp"
 #include "pipeline/why.hpp"
 #include "report/profile.hpp"
 #include "report/report.hpp"
@@ -96,6 +99,19 @@ bool keep_requested(const std::vector<std::string>& requested, Report& report, D
     return true;
 }
 
+/// Tries remedies for a check of a loop that a limit ended.
+void try_remedies(const Model& model, CommandContext& job, const ResourceLimits& bounds, CheckOptions options,
+                  Deadline end, Decided& decided) {
+    if (!decided.loop.valid() || bounds.interrupted() || !job.options.disabled_corrections.empty()) return;
+    if (job.options.engine == Engine::Hwmcc || !needs_remedies(decided.report)) return;
+    const ModelOptions how = model_options(job.options);
+    const bool by_default = job.options.engine == Engine::Embedded || job.options.engine == Engine::Auto ||
+                            job.options.engine == Engine::Timed;
+    const LimitedCheck check{model, decided.loop, how, decided.timed, by_default, options};
+    decided.trials = tried_remedies(check, decided.report, end);
+    keep_memory_back();  // a trial may have used the reserve
+}
+
 }  // namespace
 
 std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceLimits& bounds, bool witnesses,
@@ -111,13 +127,18 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
             print_profile(profile, text);
             bounds.print(std::move(text).str());
         };
+    const bool timed = job.options.engine == Engine::Timed || job.options.engine == Engine::Verifyta;
+    const bool of_chart = is_of_a_chart(model, job.options) && !timed;
+    const Deadline deadline = options.limits.deadline;
+    const auto begin = std::chrono::steady_clock::now();
+    const auto reserved = trial_time(of_chart ? Deadline{} : deadline);
+    if (deadline) options.limits.deadline = *deadline - reserved;
     // Half of the time is for the dependencies of the proofs.
     CheckOptions of_check = options;
     if (job.options.why) of_check.limits.deadline = share_of(options.limits.deadline, 2);
     Decided decided;
     std::optional<Report> found;
-    const bool timed = job.options.engine == Engine::Timed || job.options.engine == Engine::Verifyta;
-    if (is_of_a_chart(model, job.options) && !timed) {
+    if (of_chart) {
         const auto chart = chosen_chart(model, job);
         if (!chart) return {};
         if (!job.options.quiet)
@@ -135,6 +156,9 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
     if (!found) return {};
     if (!keep_requested(job.options.properties, *found, job.diagnostics)) return {};
     decided.report = std::move(*found);
+    const auto used = std::chrono::steady_clock::now() - begin;
+    try_remedies(model, job, bounds, options, end_of_trials(deadline, reserved, used), decided);
+    options.limits.deadline = deadline;
     if (job.options.why && decided.timed)
         decided.why = why_it_holds(model, decided.loop, model_options(job.options), options, decided.report);
     name_places(decided.report, job.sources);

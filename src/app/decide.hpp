@@ -4,16 +4,19 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "app/command_context.hpp"
 #include "grafverif/ir/why.hpp"
+#include "report/remedies/trials.hpp"
 
 namespace grafverif::app {
 
 struct Decided {
     Report report = {};
-    Id<ClosedLoop> loop = {};  ///< invalid for a chart without a loop
-    Id<Chart> chart = {};      ///< valid only for a chart without a loop
+    std::vector<Trial> trials = {};  ///< of remedies, if a limit ended the check
+    Id<ClosedLoop> loop = {};        ///< invalid for a chart without a loop
+    Id<Chart> chart = {};            ///< valid only for a chart without a loop
     bool timed = false;
     std::optional<ProofExplanation> why = {};  ///< proof explanation of a loop, if requested
 };

@@ -20,6 +20,7 @@
 #include "grafverif/ir/finding.hpp"
 #include "grafverif/ir/report.hpp"
 #include "grafverif/support/source.hpp"
+#include "report/remedies/trials.hpp"
 
 namespace grafverif {
 
@@ -50,6 +51,7 @@ struct PageContent {
     std::vector<ChartContent> charts = {};          ///< charts of the controllers, in order
     std::vector<ComponentContent> components = {};  ///< components of the plant, each once
     Report report = {};
+    std::vector<Trial> trials = {};    ///< of remedies, if a limit ended the check
     std::vector<ChartRun> tests = {};  ///< runs of the test sequences of the only chart
     std::string warnings = {};         ///< diagnostics as text
 };

@@ -81,6 +81,16 @@ void add_result(const PageContent& content, const PropertyResult& answer, Html& 
     html.close("details");
 }
 
+/// Without durations, so that the same input gives the same page.
+void add_remedies(const PageContent& content, Html& html) {
+    const std::vector<std::string> lines = remedies_text(content.trials, false);
+    if (lines.empty()) return;
+    html.open("div", {{"class", "remedies"}}).open("p").prose("Options of `check`: " + lines.front()).close("p");
+    html.open("ul");
+    for (std::size_t i = 1; i < lines.size(); ++i) html.open("li").prose(lines[i]).close("li");
+    html.close("ul").close("div");
+}
+
 void add_run_as_text(const Playable& playable, Html& html) {
     html.put("h3", playable.title);
     if (playable.run->rows.size() > longest_table) {
@@ -181,6 +191,7 @@ void add_verdicts(const PageContent& content, Html& html) {
     }
     for (const PropertyResult& answer : content.report.answers)
         if (look_of(answer.verdict).first != std::string_view("ok")) add_result(content, answer, html);
+    add_remedies(content, html);
     for (const PropertyResult& answer : content.report.answers)
         if (look_of(answer.verdict).first == std::string_view("ok")) add_result(content, answer, html);
     html.close("section");

@@ -77,9 +77,26 @@ Json property(const Report& report, const PropertyResult& answer, const Sources&
     return made;
 }
 
+/// One object per trial of a remedy.
+Json trials_json(const std::vector<Trial>& trials) {
+    Json list = Json::array();
+    for (const Trial& trial : trials) {
+        Json decided = Json::array();
+        for (const PropertyResult& answer : trial.decided)
+            decided.push_back({{"name", answer.verdict.property},
+                               {"verdict", word(answer.verdict.outcome)},
+                               {"vacuous", answer.verdict.vacuous},
+                               {"states", number(answer.verdict.states)},
+                               {"preservation", text_or_null(answer.preservation)}});
+        list.push_back({{"options", trial.options}, {"decided", std::move(decided)}, {"seconds", trial.seconds}});
+    }
+    return list;
+}
+
 }  // namespace
 
-void print_json(const Report& report, const Sources& sources, std::ostream& out, const ProofExplanation* why) {
+void print_json(const Report& report, const Sources& sources, std::ostream& out, const ProofExplanation* why,
+                const std::vector<Trial>& trials) {
     Json properties = Json::array();
     for (const PropertyResult& answer : report.answers) properties.push_back(property(report, answer, sources));
     Json document = {{"model", report.model}};
@@ -92,6 +109,7 @@ void print_json(const Report& report, const Sources& sources, std::ostream& out,
                 {{"code", breakdown.code}, {"message", breakdown.message}, {"trace", trace_json(breakdown.trace)}});
         document["errors"] = std::move(errors);
     }
+    if (!trials.empty()) document["remedies"] = trials_json(trials);
     if (report.profile) document["profile"] = profile_json(*report.profile);
     if (why != nullptr) document["why"] = why_json(*why);
     out << json_text(document) << '\n';

@@ -5,9 +5,10 @@
 // available. In a trace, inputs and outputs are objects by name, all of them in every step. `run` is the complete run
 // (docs/reference/trace-format.md).
 //
-//   {"model", "properties":[PROPERTY], "errors":[{"code", "message", "trace"}], "profile", "why"}
+//   {"model", "properties":[PROPERTY], "errors":[{"code", "message", "trace"}], "remedies":[REMEDY], "profile", "why"}
 //   PROPERTY  {"name", "text", "file", "line", "column", "verdict", "expected", "declared", "engine", "mode", "grain",
 //             "states", "transitions", "seconds", "reason", "vacuous", "notes", "trace"}
+//   REMEDY    {"options", "decided":[{"name", "verdict", "vacuous", "states", "preservation"}], "seconds"}
 //   trace     {"loop_from", "steps":[{"time", "kind", "component", "inputs", "fired", "situation", "outputs",
 //             "moment"}], "run"}
 //
@@ -24,13 +25,15 @@
 
 #include "grafverif/ir/why.hpp"
 #include "grafverif/support/diagnostic.hpp"
+#include "report/remedies/trials.hpp"
 #include "report/report.hpp"
 #include "report/report_source.hpp"
 
 namespace grafverif {
 
 /// `sources` are the sources of the model; without them, the report has no positions.
-void print_json(const Report& report, const Sources& sources, std::ostream& out, const ProofExplanation* why = nullptr);
+void print_json(const Report& report, const Sources& sources, std::ostream& out, const ProofExplanation* why = nullptr,
+                const std::vector<Trial>& trials = {});
 void print_json_lines(const Report& report, const ReportSource& written, std::ostream& out);
 /// Prints the errors among `diagnostics`. `file` is the checked file.
 void print_json_lines(const std::string& file, const std::vector<Diagnostic>& diagnostics, const Sources& sources,

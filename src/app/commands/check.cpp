@@ -79,7 +79,7 @@ ExitCode show(const Decided& decided, const Model& model, CommandContext& job, R
     const Report& report = decided.report;
     work_is_done();
     if (requested.format == Format::Json)
-        print_json(report, job.sources, streams.out, decided.why ? &*decided.why : nullptr);
+        print_json(report, job.sources, streams.out, decided.why ? &*decided.why : nullptr, decided.trials);
     else if (requested.format == Format::JsonLines)
         print_json_lines(report, {job.sources, model, decided.loop, decided.chart}, streams.out);
     else
@@ -89,6 +89,7 @@ ExitCode show(const Decided& decided, const Model& model, CommandContext& job, R
             streams.out);
     if (decided.why && requested.format == Format::Text && !requested.quiet)
         print_why(*decided.why, requested.verbose, streams.out);
+    if (requested.format == Format::Text && !requested.quiet) print_remedies(decided.trials, streams.out);
     streams.out.flush();
     for (const std::string& failure : report.failures)
         streams.err << "grafverif: internal error: " << printable(failure) << '\n';
@@ -170,6 +171,9 @@ CliCommand check_usage() {
         "  NuSMV, nuXmv       external, from the PATH\n"
         "  abc                external hardware model checker; --engine-command CMD for others\n"
         "The implication of an untimed verdict for the real plant is printed before the verdicts.\n"
+        "\n"
+        "If a limit leaves a property open, other options are tried for a tenth of the time limit (docs/how-to/"
+        "large-models.md).\n"
         "\n"
         "With --properties FILE, each FILE operand is a PLC program (IEC 61131-3) in Structured Text or PLCopen XML.\n"
         "Its properties are decided for all input sequences, and counterexamples are replayed on an interpreter of\n"

@@ -68,6 +68,7 @@ ExitCode report(CommandContext& job, const Streams& streams) {
     content.requested = job.options.properties;
     note(*decided, *model, job);
     content.report = std::move(decided->report);
+    content.trials = std::move(decided->trials);
     content.warnings = warnings_of(job);
     deliver(page_of(content), job, streams);
     const bool faulty =
