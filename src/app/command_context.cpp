@@ -46,13 +46,16 @@ std::optional<Id<Source>> read_source(const std::string& path, CommandContext& j
 }
 
 std::optional<Model> read_model(const std::string& path, CommandContext& job) {
+    const auto file = read_source(path, job);
+    return file ? read_model(*file, path, job) : std::nullopt;
+}
+
+std::optional<Model> read_model(Id<Source> file, const std::string& path, CommandContext& job) {
     for (const std::string& folder : job.options.include_folders) {
         if (std::filesystem::is_directory(folder)) continue;
         job.diagnostics.add(messages::cannot_read(folder, "the directory does not exist"));
         return {};
     }
-    const auto file = read_source(path, job);
-    if (!file) return {};
     const Reach reach(path == "-" ? "./-" : path,
                       job.options.include_folders);  // standard input is treated as a file in the current folder
     const auto load = [&](const std::string& included, std::string& why) -> std::optional<std::string> {
@@ -64,7 +67,7 @@ std::optional<Model> read_model(const std::string& path, CommandContext& job) {
     ReadContext context = context_of(reach, job.options.include_folders, job.options.lossy);
     context.load = load;
     context.constants.insert(job.options.constants.begin(), job.options.constants.end());
-    return read_text(*file, job.sources, context, job.diagnostics);
+    return read_text(file, job.sources, context, job.diagnostics);
 }
 
 namespace {

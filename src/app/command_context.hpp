@@ -77,6 +77,8 @@ std::optional<Id<Source>> read_source(const std::string& path, CommandContext& j
 
 /// Reads the text at `path` to a Model.
 std::optional<Model> read_model(const std::string& path, CommandContext& job);
+/// Reads `file`, which read_source has returned for `path`, to a Model.
+std::optional<Model> read_model(Id<Source> file, const std::string& path, CommandContext& job);
 
 /// True if the options select a chart without a loop, or `model` has no loop.
 bool is_of_a_chart(const Model& model, const Options& options);

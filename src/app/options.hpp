@@ -61,6 +61,10 @@ struct Options {
     bool all_modes = false;                           ///< option of `compare`
     std::optional<std::string> from_situation = {};   ///< option of `compare`: names of steps, separated by commas
     std::optional<std::uint64_t> resolution_ms = {};  ///< option of `compare`
+    bool settled = false;                             ///< option of `compare`: compare after programs have settled
+    bool imported_charts = false;                     ///< option of `compare`: import charts of IEC 61131-3
+    std::vector<std::string> renamings = {}, ignored_outputs = {};  ///< options of `compare`
+    std::string stop_output = {};                                   ///< option of `compare`
     std::optional<ExecutionMode> mode = {};
     std::optional<Grain> grain = {};
     ScheduleOptions untimed = {};             ///< options of untimed models; `mode` above replaces its mode

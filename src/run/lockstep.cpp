@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "run/lockstep.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "run/scanner.hpp"
@@ -17,43 +20,82 @@ std::vector<Comparison::Variable> plugs(const Chart& chart, Chart::VariableKind 
 
 namespace {
 
-/// Returns, for each input or output of `chart`, the index of the variable with the same name in `first`.
-std::vector<std::size_t> places(const Chart& chart, const Chart& first, Chart::VariableKind kind) {
-    const std::vector<Comparison::Variable> known = plugs(first, kind);
-    std::vector<std::size_t> found;
-    for (const Comparison::Variable& plug : plugs(chart, kind))
-        found.push_back(
-            static_cast<std::size_t>(std::ranges::find(known, plug.name, &Comparison::Variable::name) - known.begin()));
-    return found;
-}
+constexpr std::size_t most_repetitions = 100'000;  ///< maximum number of repetitions of a scan of a program
+
+/// Executes one of the controllers.
+class Runner {
+public:
+    Runner(const LockstepSide& side, ExecutionMode mode) : side_(side) {
+        if (side.chart != nullptr) chart_.emplace(*side.chart, mode);
+        else program_.emplace(*side.program);
+    }
+
+    Comparison::ScanOutputs scan(const Comparison::Scan& scan) {
+        std::vector<std::int64_t> inputs;
+        for (const std::size_t place : side_.inputs) inputs.push_back(scan.inputs[place]);
+        return chart_ ? scan_chart(inputs, scan.wait_ms) : scan_program(inputs, scan.wait_ms);
+    }
+
+private:
+    Comparison::ScanOutputs scan_chart(const std::vector<std::int64_t>& inputs, std::int64_t wait_ms) {
+        chart_->wait(wait_ms);
+        Comparison::ScanOutputs answer;
+        answer.stop = chart_->scan(inputs);
+        answer.situation = situation_text(*side_.chart, chart_->state().situation);
+        const std::vector<std::int64_t> outputs = chart_->outputs();
+        for (const std::size_t own : side_.outputs) answer.outputs.push_back(outputs[own]);
+        return answer;
+    }
+
+    Comparison::ScanOutputs scan_program(const std::vector<std::int64_t>& inputs, std::int64_t wait_ms) {
+        Comparison::ScanOutputs answer;
+        program_->scan(inputs, wait_ms);
+        if (!program_->fault() && side_.settled) answer.stop = repeat(inputs);
+        for (const std::size_t cell : side_.outputs) answer.outputs.push_back(program_->cells()[cell]);
+        if (program_->fault()) answer.stop = side_.fault_text(*program_->fault());
+        else if (is_stopped()) answer.stop = "the output for a stop is not zero";
+        return answer;
+    }
+
+    bool is_stopped() const { return side_.stop && program_->cells()[*side_.stop] != 0; }
+
+    /// Repeats the scan until nothing changes. Returns the reason why this does not happen, or an empty string.
+    std::string repeat(const std::vector<std::int64_t>& inputs) {
+        std::set<std::vector<std::int64_t>> seen;
+        std::vector<std::int64_t> before = settling_values();
+        for (std::size_t count = 0; count < most_repetitions && !is_stopped(); ++count) {
+            if (!seen.insert(before).second)
+                return "with these inputs, the program repeats its states forever [total-instability]";
+            program_->scan(inputs, 0);
+            std::vector<std::int64_t> after = settling_values();
+            if (program_->fault() || after == before) return {};
+            before = std::move(after);
+        }
+        if (is_stopped()) return {};
+        return fmt::format("the program has not settled after {} scans [total-instability]", most_repetitions);
+    }
+    std::vector<std::int64_t> settling_values() const {
+        std::vector<std::int64_t> values;
+        for (const std::size_t cell : *side_.settled) values.push_back(program_->cells()[cell]);
+        return values;
+    }
+
+    const LockstepSide& side_;
+    std::optional<Scanner> chart_ = {};
+    std::optional<ProgramRun> program_ = {};
+};
 
 }  // namespace
 
-Lockstep::Lockstep(const Chart& a, const Chart& b, ExecutionMode mode) : charts_{&a, &b}, mode_(mode) {
-    for (const std::size_t k : {0U, 1U}) {
-        inputs_[k] = places(*charts_[k], a, Chart::VariableKind::Input);
-        outputs_[k] = places(*charts_[k], a, Chart::VariableKind::Output);
-    }
-}
-
 std::array<std::vector<Comparison::ScanOutputs>, 2> Lockstep::answers(
     const std::vector<Comparison::Scan>& scans) const {
-    std::array<Scanner, 2> runs{Scanner(*charts_[0], mode_), Scanner(*charts_[1], mode_)};
+    std::array<Runner, 2> runs{Runner(sides_[0], mode_), Runner(sides_[1], mode_)};
     std::array<std::vector<Comparison::ScanOutputs>, 2> result;
     for (const Comparison::Scan& scan : scans) {
         bool stopped = false;
         for (const std::size_t k : {0U, 1U}) {
-            std::vector<std::int64_t> inputs;
-            for (const std::size_t place : inputs_[k]) inputs.push_back(scan.inputs[place]);
-            runs[k].wait(scan.wait_ms);
-            Comparison::ScanOutputs answer;
-            answer.stop = runs[k].scan(inputs);
-            answer.situation = situation_text(*charts_[k], runs[k].state().situation);
-            const std::vector<std::int64_t> outputs = runs[k].outputs();
-            answer.outputs.resize(outputs.size());
-            for (std::size_t plug = 0; plug < outputs.size(); ++plug) answer.outputs[outputs_[k][plug]] = outputs[plug];
-            stopped = stopped || !answer.stop.empty();
-            result[k].push_back(std::move(answer));
+            result[k].push_back(runs[k].scan(scan));
+            stopped = stopped || !result[k].back().stop.empty();
         }
         if (stopped) break;
     }
@@ -69,13 +111,14 @@ std::optional<std::size_t> Lockstep::difference(const std::vector<Comparison::Sc
 
 /// True if the constraints of both charts are satisfied by the inputs.
 bool Lockstep::possible(const Comparison::Scan& scan) const {
-    for (const std::size_t k : {0U, 1U}) {
-        std::vector<std::int64_t> values(charts_[k]->variables.size());
-        const std::vector<Id<Chart::Variable>> inputs = variables_of_kind(*charts_[k], Chart::VariableKind::Input);
+    for (const LockstepSide& side : sides_) {
+        if (side.chart == nullptr) continue;
+        std::vector<std::int64_t> values(side.chart->variables.size());
+        const std::vector<Id<Chart::Variable>> inputs = variables_of_kind(*side.chart, Chart::VariableKind::Input);
         for (std::size_t plug = 0; plug < inputs.size(); ++plug)
-            values[inputs[plug].index] = scan.inputs[inputs_[k][plug]];
-        for (const Chart::Constraint& constraint : charts_[k]->constraints)
-            if (evaluate(charts_[k]->exprs, constraint.condition, [&](const Expr& leaf) {
+            values[inputs[plug].index] = scan.inputs[side.inputs[plug]];
+        for (const Chart::Constraint& constraint : side.chart->constraints)
+            if (evaluate(side.chart->exprs, constraint.condition, [&](const Expr& leaf) {
                     return values[static_cast<std::size_t>(leaf.value)];
                 }).value_or(0) == 0)
                 return false;
@@ -93,14 +136,14 @@ std::vector<Comparison::Scan> Lockstep::simplified(std::vector<Comparison::Scan>
         return good;
     };
     for (Comparison::Scan& scan : scans) {
+        if (times.empty()) break;
         if (attempt(scan, scan.wait_ms, 0)) continue;
         for (const std::int64_t time : times)
             if (time >= scan.wait_ms || attempt(scan, scan.wait_ms, time)) break;
     }
-    const std::vector<Comparison::Variable> inputs = plugs(*charts_[0], Chart::VariableKind::Input);
     for (std::size_t scan = 0; scan < scans.size(); ++scan)
         for (std::size_t input = 0; input < scans[scan].inputs.size(); ++input) {
-            const Type type = inputs[input].type;
+            const Type type = inputs_[input].type;
             const std::int64_t usual = std::clamp(std::int64_t{0}, type.low, type.high);
             attempt(scans[scan], scans[scan].inputs[input], scan == 0 ? usual : scans[scan - 1].inputs[input]);
         }

@@ -1,43 +1,60 @@
 // SPDX-License-Identifier: MIT
-// Lockstep execution of two charts according to IEC 60848 on the same scans.
+// Lockstep execution of two controllers on the same scans: charts according to IEC 60848, and PLC programs on the
+// interpreter of programs.
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "grafverif/ir/chart.hpp"
 #include "grafverif/ir/comparison.hpp"
+#include "run/program/interpreter.hpp"
 
 namespace grafverif {
 
 /// Returns the inputs or outputs of a chart, in order.
 std::vector<Comparison::Variable> plugs(const Chart& chart, Chart::VariableKind kind);
 
-/// Two charts with the same inputs and outputs, which may be in different orders. The charts must outlive this object.
+/// One of the controllers. The chart or program must outlive the execution.
+struct LockstepSide {
+    const Chart* chart = nullptr;
+    const Program* program = nullptr;      ///< if there is no chart
+    std::vector<std::size_t> inputs = {};  ///< for each input of the controller: its index in Comparison::inputs
+    /// For each of Comparison::outputs: index among the outputs of the chart, or cell of the program.
+    std::vector<std::size_t> outputs = {};
+    std::optional<std::size_t> stop = {};  ///< cell of a program that reports a stop by a value other than 0
+    /// Cells that must not change in a settled program; empty if each scan is executed once.
+    std::optional<std::vector<std::size_t>> settled = {};
+    std::function<std::string(const ProgramRun::Fault&)> fault_text = {};
+};
+
 class Lockstep {
 public:
-    Lockstep(const Chart& a, const Chart& b, ExecutionMode mode);
+    Lockstep(std::array<LockstepSide, 2> sides, ExecutionMode mode, std::vector<Comparison::Variable> inputs)
+        : sides_(std::move(sides)), mode_(mode), inputs_(std::move(inputs)) {}
 
-    /// Returns the responses of both charts to each scan, in the order of the first chart's inputs and outputs. The
-    /// last scan is the first one in which a chart stops.
+    /// Returns the responses of both to each scan, in the order of Comparison::inputs and outputs. The last scan is the
+    /// first one in which one of them stops.
     std::array<std::vector<Comparison::ScanOutputs>, 2> answers(const std::vector<Comparison::Scan>& scans) const;
 
-    /// Returns the first scan with different responses. Both charts have responded to all scans before it.
+    /// Returns the first scan with different responses. Both have responded to all scans before it.
     std::optional<std::size_t> difference(const std::vector<Comparison::Scan>& scans) const;
 
     /// Returns a shorter or simpler sequence of scans with a difference in the last scan. It has less time between
-    /// scans (0, or one of `times`) and fewer input changes, and satisfies the constraints of both charts.
+    /// scans (0, or one of `times`; no other time if `times` is empty) and fewer input changes, and satisfies the
+    /// constraints of both charts.
     std::vector<Comparison::Scan> simplified(std::vector<Comparison::Scan> scans,
                                              const std::vector<std::int64_t>& times) const;
 
 private:
     bool possible(const Comparison::Scan& scan) const;
 
-    std::array<const Chart*, 2> charts_;
+    std::array<LockstepSide, 2> sides_;
     ExecutionMode mode_;
-    /// For each input or output of the chart: its index in the first chart.
-    std::array<std::vector<std::size_t>, 2> inputs_ = {}, outputs_ = {};
+    std::vector<Comparison::Variable> inputs_;
 };
 
 }  // namespace grafverif

@@ -8,6 +8,7 @@
 
 #include "schedule/controller_module.hpp"
 #include "schedule/main.hpp"
+#include "schedule/program/scan_module.hpp"
 
 namespace grafverif {
 
@@ -18,8 +19,8 @@ using Role = Equations::Role;
 
 class PairBuilder {
 public:
-    PairBuilder(const Equations& a, const Equations& b, const ProductOptions& options)
-        : equations_{&a, &b}, options_(options), main_(a.name) {}
+    PairBuilder(const ProductSide& a, const ProductSide& b, const ProductOptions& options)
+        : sides_{a, b}, equations_{a.equations, b.equations}, options_(options), main_(a.equations->name) {}
 
     ProductMachine build() && {
         for (const Equations* chart : equations_)
@@ -30,8 +31,9 @@ public:
         const Id<Symbol> turn = main_.draft.define("turn", exprs().negation(waits()));
         add_inputs();
         add_passed();
-        for (const std::size_t k : {0U, 1U}) add_chart(k);
-        for (const std::size_t k : {0U, 1U}) wire(k, turn);
+        const Id<Symbol> first_turn = add_first_turn(turn);
+        for (const std::size_t k : {0U, 1U}) add_module(k);
+        for (const std::size_t k : {0U, 1U}) wire(k, is_program(k) && !options_.settles ? first_turn : turn);
         add_waits();
         assume();
         keep_twins_together();
@@ -45,19 +47,38 @@ private:
     Id<Expr> inner(std::size_t k, Id<Symbol> symbol) { return main_.inner(instances_[k], symbol); }
     Id<Expr> inner(std::size_t k, Id<Equations::Variable> id) { return inner(k, modules_[k].symbols[id.index]); }
 
+    bool is_program(std::size_t k) const { return sides_[k].scan != nullptr; }
+    bool searches() const { return options_.mode == ExecutionMode::StabilitySearch; }
+    bool is_elapsed(std::size_t k, Id<Equations::Variable> id) const {
+        return is_program(k) && sides_[k].scan->elapsed == id;
+    }
+
+    /// Returns the inputs of the first chart, or those of the first program in the order of its cells.
+    std::vector<Id<Equations::Variable>> first_inputs() const {
+        std::vector<Id<Equations::Variable>> found;
+        const auto add = [&](Id<Equations::Variable> id) {
+            if (id.valid() && equations_[0]->variables[id].role == Role::Input) found.push_back(id);
+        };
+        if (is_program(0))
+            for (const Id<Equations::Variable> id : sides_[0].scan->variables) add(id);
+        else
+            for (const Id<Equations::Variable> id : equations_[0]->variables.ids()) add(id);
+        return found;
+    }
+
     /// Returns the symbol of the first chart's input with this name.
     Id<Symbol> input(const std::string& name) const {
         std::size_t place = 0;
-        for (const Equations::Variable& variable : equations_[0]->variables)
-            if (variable.role == Role::Input && variable.name == name) break;
-            else place += variable.role == Role::Input ? 1 : 0;
+        for (const Id<Equations::Variable> id : first_inputs())
+            if (equations_[0]->variables[id].name == name) break;
+            else ++place;
         return inputs_[place];
     }
 
     /// Adds the inputs, which are chosen freely for each scan.
     void add_inputs() {
-        for (const Equations::Variable& variable : equations_[0]->variables) {
-            if (variable.role != Role::Input) continue;
+        for (const Id<Equations::Variable> id : first_inputs()) {
+            const Equations::Variable& variable = equations_[0]->variables[id];
             const Id<Symbol> chosen = main_.draft.add(variable.name + "_next", variable.type,
                                                       TransitionSystem::ChoiceSymbol{}, "inputs of the next scan");
             const Id<Symbol> now = main_.draft.module.symbols.add(
@@ -73,12 +94,47 @@ private:
         std::int64_t most = 0;
         for (const Equations* chart : equations_)
             for (const Equations::Timer& timer : chart->timers) most = std::max({most, timer.rise_ms, timer.fall_ms});
-        if (most == 0) return;
-        passed_ = main_.draft.add("passed", integer_type(0, most / options_.unit_ms), TransitionSystem::ChoiceSymbol{},
-                                  "time until the next scan");
+        for (const ProductSide& side : sides_)
+            if (side.scan != nullptr) most = std::max(most, side.scan->layout.longest);
+        if (most == 0 || options_.interval_ms) return;
+        passed_ = main_.draft.add("passed", integer_type(0, (most + options_.unit_ms - 1) / options_.unit_ms),
+                                  TransitionSystem::ChoiceSymbol{}, "time until the next scan");
     }
 
-    void add_chart(std::size_t k) {
+    /// Returns the time until the next scan, in units.
+    Id<Expr> passed_units() {
+        return passed_.valid() ? main_.draft.leaf(passed_)
+                               : exprs().integer(options_.interval_ms.value_or(0) / options_.unit_ms);
+    }
+
+    /// Under stability search, returns the parameter `turn` of a program that executes one scan in the first step.
+    Id<Symbol> add_first_turn(Id<Symbol> turn) {
+        if (!searches() || options_.settles || (!is_program(0) && !is_program(1))) return turn;
+        fresh_ = main_.draft.add("fresh", Type{}, TransitionSystem::StateSymbol{exprs().constant(true), waits()},
+                                 "programs have not yet executed the scan");
+        return main_.draft.define("first_turn", exprs().conjunction(main_.draft.leaf(turn), main_.draft.leaf(fresh_)));
+    }
+
+    /// Adds the time that passed before the scan, for a program that reads it. It is 0 in repetitions of the scan.
+    Id<Symbol> add_elapsed(std::size_t k) {
+        const Type type = equations_[k]->variables[sides_[k].scan->elapsed].type;
+        const Id<Expr> most = exprs().integer(type.high);
+        const Id<Expr> passed = exprs().apply(Op::Times, passed_units(), exprs().integer(options_.unit_ms));
+        const Id<Expr> capped = exprs().conditional(exprs().apply(Op::Less, passed, most), passed, most);
+        elapsed_[k] = main_.draft.add(
+            k == 0 ? "a_elapsed" : "b_elapsed", type,
+            TransitionSystem::StateSymbol{exprs().integer(std::min(options_.interval_ms.value_or(0), type.high)),
+                                          exprs().conditional(waits(), capped, exprs().integer(0))},
+            "time since the previous scan");
+        return elapsed_[k];
+    }
+
+    void add_module(std::size_t k) {
+        if (is_program(k)) {
+            modules_[k] = schedule::scan_module(*sides_[k].scan, sides_[k].stop, options_.settles, exprs());
+            instances_[k] = main_.add_instance(k == 0 ? "a" : "b", main_.add_module(modules_[k].module));
+            return;
+        }
         const ControllerStyle style{.mode = options_.mode, .turns = true, .scans = true};
         modules_[k] = controller_module(*equations_[k], style, exprs());
         instances_[k] = main_.add_instance(k == 0 ? "a" : "b", main_.add_module(modules_[k].module));
@@ -88,7 +144,9 @@ private:
         std::vector<Id<Symbol>> arguments;
         for (const Id<Equations::Variable> id : modules_[k].parameters) {
             const Equations::Variable& variable = equations_[k]->variables[id];
-            arguments.push_back(variable.role == Role::Input ? input(variable.name) : end_of(k, id));
+            arguments.push_back(is_elapsed(k, id)              ? add_elapsed(k)
+                                : variable.role == Role::Input ? input(variable.name)
+                                                               : end_of(k, id));
         }
         arguments.push_back(turn);
         main_.system.instances[instances_[k]].arguments = std::move(arguments);
@@ -96,7 +154,7 @@ private:
 
     /// Returns `count` minus the time until the next scan.
     Id<Expr> counted_down(Id<Expr> count) {
-        const Id<Expr> passed = main_.draft.leaf(passed_);
+        const Id<Expr> passed = passed_units();
         const Id<Expr> rest = exprs().conditional(exprs().apply(Op::Greater, count, passed),
                                                   exprs().apply(Op::Minus, count, passed), exprs().integer(0));
         return exprs().conditional(waits(), rest, count);
@@ -149,7 +207,8 @@ private:
     /// Returns the condition that the chart is quiescent and that the current evolution causes no fault: an output that
     /// divides by zero has no value to write.
     Id<Expr> settled(std::size_t k) {
-        const Id<Expr> settled = inner(k, modules_[k].settled);
+        Id<Expr> settled = inner(k, modules_[k].settled);
+        if (elapsed_[k].valid()) settled = exprs().conjunction(settled, is_zero(main_.draft.leaf(elapsed_[k])));
         const Id<Symbol> faulting = modules_[k].faulting;
         return faulting.valid() ? exprs().conjunction(settled, exprs().negation(inner(k, faulting))) : settled;
     }
@@ -157,9 +216,10 @@ private:
     void add_waits() {
         Id<Expr> done = exprs().constant(true);
         for (const std::size_t k : {0U, 1U}) {
-            const Id<Expr> answered = options_.mode == ExecutionMode::EveryCycle
-                                          ? exprs().constant(true)
-                                          : exprs().disjunction(settled(k), fault(k));
+            const bool once = is_program(k) && !options_.settles;
+            const Id<Expr> answered = !searches() ? exprs().constant(true)
+                                      : once      ? exprs().negation(main_.draft.leaf(fresh_))
+                                                  : exprs().disjunction(settled(k), fault(k));
             answered_[k] = main_.draft.leaf(main_.draft.define(k == 0 ? "a_answered" : "b_answered", answered,
                                                                "charts that have completed the scan"));
             done = exprs().conjunction(done, answered_[k]);
@@ -187,7 +247,9 @@ private:
                 const Equations::Variable& one = equations_[0]->variables[of_a];
                 const Equations::Variable& other = equations_[1]->variables[of_b];
                 const bool plugs = one.role == Role::Input || one.role == Role::TimerEnd;
-                if (plugs || one.role != other.role || one.name != other.name || one.type != other.type) continue;
+                const bool mixed = is_program(0) != is_program(1);
+                if (plugs || other.role == Role::Input || other.role == Role::TimerEnd) continue;
+                if ((one.role != other.role && !mixed) || one.name != other.name || one.type != other.type) continue;
                 if (!modules_[0].symbols[of_a.index].valid() || !modules_[1].symbols[of_b.index].valid()) continue;
                 const Id<Expr> same = exprs().apply(Op::Equal, inner(0, of_a), inner(1, of_b));
                 main_.draft.module.transitions.push_back(exprs().disjunction(same, exprs().negation(same)));
@@ -202,6 +264,7 @@ private:
                 const Equations::Variable& one = equations_[0]->variables[of_a];
                 const Equations::Variable& other = equations_[1]->variables[of_b];
                 if (one.role != Role::Output || other.role != Role::Output || one.name != other.name) continue;
+                if (std::ranges::find(options_.outputs, one.name) == options_.outputs.end()) continue;
                 pairs.push_back(exprs().apply(Op::NotEqual, inner(0, of_a), inner(1, of_b)));
             }
         return exprs().disjunction(pairs);
@@ -222,6 +285,7 @@ private:
     void add_properties() {
         const Id<Expr> of_a = fault(0), of_b = fault(1);
         const Id<Expr> sound = exprs().conjunction(exprs().negation(of_a), exprs().negation(of_b));
+        add_fault_property();
         const Id<Expr> one_breaks = exprs().apply(Op::NotEqual, of_a, of_b);
         Id<Expr> apart = exprs().disjunction(one_breaks, exprs().conjunction(sound, differing()));
         if (options_.fewer_scans) apart = exprs().conjunction(apart, scans_are_fewer(*options_.fewer_scans));
@@ -229,7 +293,7 @@ private:
         main_.system.properties.add({.name = "same", .pattern = Pattern::Never, .operands = {differ}});
         main_.system.properties.add(
             {.name = "possible", .pattern = Pattern::Reachable, .operands = {exprs().constant(true)}});
-        if (options_.mode == ExecutionMode::EveryCycle) return;
+        if (!searches()) return;
         const auto with_outputs = [&](std::size_t k, Id<Expr> fault) {
             return exprs().conjunction(answered_[k], exprs().negation(fault));
         };
@@ -237,8 +301,22 @@ private:
             {.name = "a_follows", .pattern = Pattern::LeadsTo, .operands = {with_outputs(1, of_b), answered_[0]}});
         main_.system.properties.add(
             {.name = "b_follows", .pattern = Pattern::LeadsTo, .operands = {with_outputs(0, of_a), answered_[1]}});
+        if (!options_.settles) return;
+        main_.system.properties.add(
+            {.name = "one_follows",
+             .pattern = Pattern::LeadsTo,
+             .operands = {exprs().constant(true), exprs().disjunction(answered_[0], answered_[1])}});
     }
 
+    void add_fault_property() {
+        std::vector<Id<Expr>> run_time;
+        for (const std::size_t k : {0U, 1U})
+            if (is_program(k) && modules_[k].race.valid()) run_time.push_back(inner(k, modules_[k].race));
+        main_.system.properties.add(
+            {.name = "run_time_fault", .pattern = Pattern::Never, .operands = {exprs().disjunction(run_time)}});
+    }
+
+    const std::array<ProductSide, 2> sides_;
     const std::array<const Equations*, 2> equations_;
     const ProductOptions& options_;
     Main main_;
@@ -246,12 +324,13 @@ private:
     std::array<Id<TransitionSystem::Instance>, 2> instances_ = {};
     std::array<Id<Expr>, 2> answered_ = {};
     std::vector<Id<Symbol>> inputs_ = {};
-    Id<Symbol> waits_ = {}, passed_ = {};
+    Id<Symbol> waits_ = {}, passed_ = {}, fresh_ = {};
+    std::array<Id<Symbol>, 2> elapsed_ = {};
 };
 
 }  // namespace
 
-ProductMachine schedule_both(const Equations& a, const Equations& b, const ProductOptions& options) {
+ProductMachine schedule_both(const ProductSide& a, const ProductSide& b, const ProductOptions& options) {
     return PairBuilder(a, b, options).build();
 }
 

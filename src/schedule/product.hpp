@@ -1,47 +1,65 @@
 // SPDX-License-Identifier: MIT
 // schedule_both: translates the Equations of two charts to a TransitionSystem, their product. Both are executed scan by
 // scan as by a PLC: inputs are read, the chart computes its outputs, and time passes. Inputs and times are arbitrary,
-// but the same for both charts.
+// but the same for both charts. Either of them can be a PLC program, whose scan is one step.
 //
 // A step of the system is one evolution of both charts or, if both have answered the scan (`waits`), the time until the
 // next scan and its inputs. Under stability search the inputs are constant until both charts are quiescent; a chart
 // that is quiescent earlier continues without changes. In every_cycle mode a scan is one evolution. A fault (race,
-// value out of range, undefined value) is also an answer, and permanent.
+// value out of range, undefined value) is also an answer, and permanent. If the mode is stability search, a program
+// executes one scan in the first step of a scan. With `settles`, it repeats its scan, without time between the
+// repetitions, until nothing changes. A run-time fault is a fault of a program.
 //
 //   timer        counts down in units of `unit_ms`: the remaining t1 while its term holds, the remaining t2 after it
 //                fell; scans occur at multiples of the unit. The caller chooses the unit, and hence the resolution
 //   same         never: both have answered, and exactly one has a fault, or an output differs
+//   run_time_fault   never: a program has a run-time fault
 //   possible     reachable: there are inputs that satisfy the constraints of both
 //   a_follows, b_follows   if b has answered without a fault, a answers eventually. Otherwise a never becomes stable
 //                although b does. A fault in one chart and instability of the other do not count as a difference. Only
 //                under stability search
+//   one_follows  true leads to: one of them has answered. Only for programs with `settles`
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "grafverif/ir/equations.hpp"
 #include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/transition_system.hpp"
+#include "ir/program/scan.hpp"
 
 namespace grafverif {
 
+/// A chart, or a program.
+struct ProductSide {
+    const Equations* equations = nullptr;
+    const Scan* scan = nullptr;  ///< of a program; `equations` are its equations
+    /// A term over the values before a scan of the program: it stops in this scan. Invalid if it never stops.
+    Id<Expr> stop = {};
+};
+
 struct ProductOptions {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    std::int64_t unit_ms = 1;                      ///< divides all durations of both charts
+    std::int64_t unit_ms = 1;                      ///< divides all durations of the charts, and the interval
     std::optional<std::int64_t> fewer_scans = {};  ///< restricts `same` to runs with fewer scans than this
+    std::optional<std::int64_t> interval_ms = {};  ///< time between two scans; arbitrary if empty
+    bool settles = false;                          ///< see above; requires stability search
+    std::vector<std::string> outputs = {};         ///< names of the outputs that are compared
 };
 
 struct ProductMachine {
     TransitionSystem system = {};
-    std::vector<Id<TransitionSystem::Symbol>> inputs = {};  ///< inputs in the order of the first chart
+    std::vector<Id<TransitionSystem::Symbol>> inputs = {};  ///< inputs in the order of the first chart or program
     Id<TransitionSystem::Symbol> waits = {};                ///< true if both charts have answered the scan
     Id<TransitionSystem::Symbol> passed =
         {};  ///< in a step from such a state: time units until the next scan; invalid if there are no timers
 };
 
-/// Requires that both charts have equal inputs and outputs with equal types, and that verify is empty for both.
-ProductMachine schedule_both(const Equations& a, const Equations& b, const ProductOptions& options);
+/// Requires that both have the same inputs with equal types, and each of the compared outputs, and that verify is empty
+/// for both charts.
+ProductMachine schedule_both(const ProductSide& a, const ProductSide& b, const ProductOptions& options);
 
 }  // namespace grafverif

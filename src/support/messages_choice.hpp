@@ -27,6 +27,8 @@ Diagnostic not_in_both(Span where, std::string_view kind, std::string_view name,
 /// In two compared charts, the `kind` called `name` has different ranges, which are given as text.
 Diagnostic other_type(Span where, std::string_view kind, std::string_view name, std::string_view range,
                       std::string_view other);
+/// Two controllers cannot be compared. `remedy` is in the imperative.
+Diagnostic not_comparable(Span where, std::string_view problem, std::string_view remedy);
 Diagnostic nothing_to_compare(Span where, std::string_view chart);
 /// A chart cannot start in the requested situation.
 Diagnostic no_such_beginning(Span where, std::string_view chart, std::string_view why);

@@ -84,6 +84,10 @@ Diagnostic other_type(Span where, std::string_view kind, std::string_view name, 
                     kind, clipped(name), range, other));
 }
 
+Diagnostic not_comparable(Span where, std::string_view problem, std::string_view remedy) {
+    return error("not-comparable", where, fmt::format("{}; {}", problem, remedy));
+}
+
 Diagnostic nothing_to_compare(Span where, std::string_view chart) {
     return error(
         "not-comparable", where,

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Comparison: result of comparing two charts with the same inputs and outputs. It states if their outputs are equal for
-// every sequence of scans, and lists the textual differences.
-//
+// every sequence of scans, and lists the textual differences. Either of them can be a PLC program.
 // A scan is one cycle of a PLC: inputs are read, outputs are written according to the mode. The charts are equal if,
 // after every scan of every sequence, both have written the same outputs or both have stopped. Inputs are arbitrary,
 // and the time between scans is any multiple of `resolution_ms`. A chart stops at a race, at an undefined or
-// out-of-range value, or if no stable situation exists. Scans after a stop are not compared.
+// out-of-range value, or without a stable situation; a program stops at a run-time fault. The rest is not compared.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,7 +56,11 @@ struct Comparison {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     std::array<std::string, 2> from = {};  ///< selected initial situations; those of the charts if empty
     std::int64_t resolution_ms = 0;        ///< time between scans is a multiple of it; 0 if nothing depends on time
-    bool constrained = false;              ///< true if the constraints of both charts are assumed
+    std::array<bool, 2> programs = {};     ///< true for a PLC program in place of a chart
+    std::optional<std::int64_t> interval_ms = {};            ///< fixed time between two scans
+    std::vector<std::string> ignored = {}, restricted = {};  ///< outputs not compared; inputs with the chart's range
+    bool settles = false;                                    ///< programs repeat each scan until nothing changes
+    bool faulty = false, constrained = false;  ///< a run-time fault is in the last scan; constraints are assumed
     std::vector<Variable> inputs = {}, outputs = {};
     Outcome outcome = Outcome::Unknown;
     std::string reason = {};       ///< reason for an unknown outcome
@@ -70,9 +74,8 @@ struct Comparison {
     bool operator==(const Comparison&) const = default;
 };
 
-/// Returns `equal`, `different` or `unknown`.
+/// Returns words such as `equal` and `added`.
 std::string_view word(Comparison::Outcome outcome);
-/// Returns `added`, `removed`, `changed` or `renamed`.
 std::string_view word(ChartChange::Kind kind);
 
 }  // namespace grafverif

@@ -22,16 +22,6 @@ std::string no_fault_reason(Outcome outcome) {
     return outcome == Outcome::Violated ? "a run-time fault is possible" : "run-time faults are not excluded";
 }
 
-std::string text_of(ProgramFault fault) {
-    switch (fault) {
-    case ProgramFault::DivisionByZero: return "the program divides by zero";
-    case ProgramFault::ArrayBounds: return "the program uses an index outside of its array";
-    case ProgramFault::Chart: return "a chart activates an active step, or an action has two durations";
-    case ProgramFault::Range: break;
-    }
-    return "the program computes a value outside of the range of its type";
-}
-
 class Check {
 public:
     Check(const Program& program, Scan scan, const std::vector<ProgramProperty>& properties)
@@ -175,6 +165,16 @@ private:
 };
 
 }  // namespace
+
+std::string text_of(ProgramFault fault) {
+    switch (fault) {
+    case ProgramFault::DivisionByZero: return "the program divides by zero";
+    case ProgramFault::ArrayBounds: return "the program uses an index outside of its array";
+    case ProgramFault::Chart: return "a chart activates an active step, or an action has two durations";
+    case ProgramFault::Range: break;
+    }
+    return "the program computes a value outside of the range of its type";
+}
 
 std::optional<Report> check_program(Id<Source> source, Id<Source> property_source, Sources& sources,
                                     const CheckOptions& options, Diagnostics& diagnostics) {

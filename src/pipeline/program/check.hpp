@@ -4,10 +4,15 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "grafverif/grafverif.hpp"
+#include "ir/program/program.hpp"
 
 namespace grafverif {
+
+/// Returns a sentence about a run-time fault, without a full stop.
+std::string text_of(ProgramFault fault);
 
 /// `program` is Structured Text; `properties` is a property file (docs/reference/programs.md). The result is empty
 /// after an error.

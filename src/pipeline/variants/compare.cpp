@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Compares two charts: translates both to Equations, builds the TransitionSystem of their product, and returns a
-// Comparison.
+// Compares two charts or programs: translates both to Equations, builds the TransitionSystem of their product, and
+// returns a Comparison.
+#include "pipeline/variants/compare.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,32 +30,6 @@ namespace {
 
 // -- preconditions
 // -------------------------------------------------------------------------------------------------------
-
-std::string range_text(Type type) {
-    return type.boolean ? "a Boolean" : fmt::format("an integer from {} to {}", type.low, type.high);
-}
-
-/// Returns false after reporting, as an error, each input or output that only one chart has.
-bool same_plugs(const Chart& a, const Chart& b, Diagnostics& diagnostics) {
-    using Kind = Chart::VariableKind;
-    const std::size_t before = diagnostics.errors();
-    for (const auto& [kind, word] : {std::pair(Kind::Input, "input"), std::pair(Kind::Output, "output")})
-        for (const auto& [one, other] : {std::pair(&a, &b), std::pair(&b, &a)})
-            for (const Chart::Variable& variable : one->variables) {
-                if (variable.kind != kind) continue;
-                const auto twin = std::ranges::find_if(other->variables, [&, kind = kind](const auto& each) {
-                    return each.kind == kind && each.name == variable.name;
-                });
-                if (twin == other->variables.end())
-                    diagnostics.add(messages::not_in_both(variable.origin, word, variable.name, one->name));
-                else if (one == &a && twin->type != variable.type)
-                    diagnostics.add(messages::other_type(variable.origin, word, variable.name,
-                                                         range_text(variable.type), range_text(twin->type)));
-            }
-    if (diagnostics.errors() == before && plugs(a, Kind::Output).empty())
-        diagnostics.add(messages::nothing_to_compare(a.origin, a.name));
-    return diagnostics.errors() == before;
-}
 
 /// Returns `chart` with `steps` as its initial steps, or nothing after an error. Forcing orders to {INIT} would have
 /// another meaning.
@@ -84,17 +60,19 @@ std::optional<Chart> beginning_with(Chart chart, const std::vector<Id<Chart::Ste
 
 // -- time -------------------------------------------------------------------------------------------------------------
 
-/// Returns all durations of both charts, increasing.
-std::vector<std::int64_t> durations(const Equations& a, const Equations& b) {
+/// Returns all durations of the charts, increasing.
+std::vector<std::int64_t> durations(const std::array<CompareSide, 2>& sides) {
     std::vector<std::int64_t> found;
-    for (const Equations* chart : {&a, &b})
-        for (const Equations::Timer& timer : chart->timers)
+    for (const CompareSide& side : sides)
+        for (const Equations::Timer& timer : side.equations().timers)
             for (const std::int64_t time : {timer.rise_ms, timer.fall_ms})
                 if (time > 0) found.push_back(time);
     std::ranges::sort(found);
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
+
+constexpr std::int64_t most_program_units = 1'000'000'000;  ///< greatest duration in time units, with a program
 
 std::int64_t common_divisor(const std::vector<std::int64_t>& times) {
     return std::accumulate(times.begin(), times.end(), std::int64_t{0},
@@ -104,39 +82,98 @@ std::int64_t common_divisor(const std::vector<std::int64_t>& times) {
 /// Returns the time unit, which divides all durations; 0 if no condition depends on time. If this is possible with
 /// whole milliseconds, the number of scans is sufficient to separate the starts of all timers. No timer counts beyond
 /// 30000.
-std::int64_t unit_of(const Equations& a, const Equations& b) {
-    const std::vector<std::int64_t> times = durations(a, b);
+std::int64_t unit_of(const std::array<CompareSide, 2>& sides) {
+    const std::vector<std::int64_t> times = durations(sides);
     if (times.empty()) return 0;
     const std::int64_t whole = common_divisor(times);
-    const auto wanted = static_cast<std::int64_t>(std::max(a.timers.size(), b.timers.size())) + 1;
+    const auto wanted =
+        static_cast<std::int64_t>(std::max(sides[0].equations().timers.size(), sides[1].equations().timers.size())) + 1;
     std::int64_t best = 1;
     for (std::int64_t parts = 1; parts <= std::min<std::int64_t>(whole, 1000) && best < wanted; ++parts)
         if (whole % parts == 0 && times.back() / (whole / parts) <= greatest_integer) best = parts;
     return whole / best;
 }
 
-/// True if both charts become stable for all inputs, so that the comparison need not check this.
-bool surely_stable(const Chart& chart, const Equations& equations, const Limits& limits) {
+/// Determines the time between two scans. Returns false after an error: the options do not permit an exact comparison.
+bool set_times(const std::array<CompareSide, 2>& sides, const CompareOptions& options, Comparison& result,
+               Diagnostics& diagnostics) {
+    const std::vector<std::int64_t> times = durations(sides);
+    bool timed_program = false;
+    std::array<std::optional<std::int64_t>, 2> intervals;
+    for (const std::size_t k : {0U, 1U}) {
+        if (!sides[k].is_program()) continue;
+        timed_program = timed_program || sides[k].scan->layout.longest > 0;
+        intervals[k] = sides[k].program().interval_ms;
+    }
+    if (times.empty() && !timed_program) return true;  // nothing depends on time
+    if (intervals[0] && intervals[1] && *intervals[0] != *intervals[1]) {
+        diagnostics.add(messages::not_comparable(
+            sides[0].origin,
+            fmt::format("the task of `{}` is executed every {} ms, and that of `{}` every {} ms", sides[0].name,
+                        *intervals[0], sides[1].name, *intervals[1]),
+            "give both tasks the same INTERVAL"));
+        return false;
+    }
+    result.interval_ms = intervals[0] ? intervals[0] : intervals[1];
+    if (result.interval_ms && (options.resolution_ms || result.settles)) {
+        const CompareSide& owner = sides[intervals[0] ? 0 : 1];
+        diagnostics.add(messages::not_comparable(
+            owner.origin,
+            fmt::format("`{}` cannot be used, because the task of `{}` is executed every {} ms",
+                        result.settles ? "--compare settled" : "--resolution", owner.name, *result.interval_ms),
+            "remove the option, or remove INTERVAL from the task"));
+        return false;
+    }
+    if (result.interval_ms) result.resolution_ms = std::gcd(*result.interval_ms, common_divisor(times));
+    else if (options.resolution_ms) {
+        if (*options.resolution_ms == 0 && times.empty()) {
+            diagnostics.add(messages::not_comparable({}, "`--resolution 0ms` is not a time between two scans",
+                                                     "use at least `1ms`"));
+            return false;
+        }
+        for (const std::int64_t time : times)
+            if (*options.resolution_ms == 0 || time % *options.resolution_ms != 0) {
+                diagnostics.add(messages::coarse_resolution(duration_text(*options.resolution_ms), duration_text(time),
+                                                            duration_text(common_divisor(times))));
+                return false;
+            }
+        result.resolution_ms = *options.resolution_ms;
+    } else result.resolution_ms = timed_program ? 1 : unit_of(sides);
+    return true;
+}
+
+/// True if the side answers each scan for all inputs, so that the comparison need not check this.
+bool surely_stable(const CompareSide& side, bool settles, const Limits& limits) {
+    if (side.is_program()) return !settles;
     AnalyseOptions options;
     options.instability_only = true;
     set_limits(options, limits);
-    const Analysis found = analyse(chart, equations, options);
+    const Analysis found = analyse(*side.chart, side.equations(), options);
     return found.findings.empty() && found.obstacle.empty() && found.failures.empty();
 }
 
 // -- comparison
 // ----------------------------------------------------------------------------------------------------------
 
-class ChartComparison {
+class SideComparison {
 public:
-    ChartComparison(const Chart& a, const Chart& b, const Equations& of_a, const Equations& of_b,
-                    const CompareOptions& options, Comparison& result)
-        : charts_{&a, &b}, equations_{&of_a, &of_b}, options_(options), result_(result) {}
+    SideComparison(const std::array<CompareSide, 2>& sides, const CompareOptions& options, const Sources* sources,
+                   Comparison& result)
+        : sides_(sides), options_(options), sources_(sources), result_(result) {}
 
-    /// Returns the result for two charts with the same equations: equal, provided that the constraints permit some
-    /// inputs.
+    /// True if both have the same equations, and no run-time faults.
+    bool are_identical() const {
+        if (sides_[0].is_program() != sides_[1].is_program() || result_.settles) return false;
+        if (!identical_up_to_names(sides_[0].equations(), sides_[1].equations())) return false;
+        if (!sides_[0].is_program()) return true;
+        return sides_[0].scan->faults.empty() && sides_[1].scan->faults.empty() && sides_[0].stop == sides_[1].stop &&
+               sides_[0].scan->elapsed == sides_[1].scan->elapsed;
+    }
+
+    /// Returns the result for two charts or programs with the same equations: equal, provided that the constraints
+    /// permit some inputs.
     void answer_identical() {
-        const ProductMachine both = schedule_both(*equations_[0], *equations_[1], {result_.mode, unit(), {}});
+        const ProductMachine both = product({});
         PdrOptions engine;
         engine.method = PdrOptions::Method::Bmc;
         engine.max_steps = 0;
@@ -152,8 +189,10 @@ public:
         Answered same = ask({"same", "possible"}, {});
         if (same.outcome == Comparison::Outcome::Equal && searches && !both_stable())
             same = ask({"a_follows", "b_follows"}, {});
+        if (same.outcome == Comparison::Outcome::Equal && result_.settles) same = ask_settling();
         result_.outcome = same.outcome;
         result_.reason = same.reason;
+        if (same.outcome == Comparison::Outcome::Equal) report_faults();
         if (same.outcome != Comparison::Outcome::Different) return;
         take(std::move(same.scans));
         if (options_.shortest && result_.outcome == Comparison::Outcome::Different) shorten();
@@ -168,16 +207,66 @@ private:
 
     std::int64_t unit() const { return std::max<std::int64_t>(result_.resolution_ms, 1); }
 
-    /// True if both charts become stable, for stability search; computed once.
+    ProductMachine product(std::optional<std::int64_t> fewer_scans) const {
+        ProductOptions made{result_.mode, unit(), fewer_scans, result_.interval_ms, result_.settles, {}};
+        for (const Comparison::Variable& output : result_.outputs) made.outputs.push_back(output.name);
+        return schedule_both(sides_[0].product(), sides_[1].product(), made);
+    }
+
+    /// True if both answer each scan, for stability search; computed once.
     bool both_stable() {
         if (!stable_)
-            stable_ = surely_stable(*charts_[0], *equations_[0], options_.limits) &&
-                      surely_stable(*charts_[1], *equations_[1], options_.limits);
+            stable_ = surely_stable(sides_[0], result_.settles, options_.limits) &&
+                      surely_stable(sides_[1], result_.settles, options_.limits);
         return *stable_;
     }
 
+    /// If neither of two programs settles, nothing is compared.
+    Answered ask_settling() {
+        Answered one = ask({"one_follows"}, {});
+        if (one.outcome == Comparison::Outcome::Different)
+            one = {Comparison::Outcome::Unknown,
+                   "with constant inputs, the outputs of neither settle, so they cannot be compared",
+                   {}};
+        return one;
+    }
+
+    /// If no scan distinguishes both, they stop in the same scan. A run-time fault is then a model error, not equality.
+    void report_faults() {
+        if (std::ranges::none_of(
+                sides_, [](const CompareSide& side) { return side.is_program() && !side.scan->faults.empty(); }))
+            return;
+        const Answered found = ask({"run_time_fault"}, {});
+        if (found.outcome == Comparison::Outcome::Equal) return;
+        result_.outcome = Comparison::Outcome::Unknown;
+        result_.reason = found.reason;
+        if (found.outcome != Comparison::Outcome::Different) return;
+        result_.reason = "both stop because of a run-time fault; they are equal in all scans before a fault";
+        result_.faulty = true;
+        const Lockstep rules = lockstep();
+        result_.answers = rules.answers(found.scans);
+        const bool confirmed = !result_.answers[0].empty() && !result_.answers[0].back().stop.empty() &&
+                               !result_.answers[1].back().stop.empty() && !rules.difference(found.scans);
+        if (confirmed) {
+            result_.scans = found.scans;
+            result_.scans.resize(result_.answers[0].size());
+            return;
+        }
+        result_.answers = {};
+        result_.faulty = false;
+        result_.reason = "internal error: the interpreter does not confirm the run-time fault";
+        result_.failures.emplace_back(result_.reason);
+    }
+
+    Lockstep lockstep() const {
+        return {
+            {lockstep_side(sides_[0], result_.settles, sources_), lockstep_side(sides_[1], result_.settles, sources_)},
+            result_.mode,
+            result_.inputs};
+    }
+
     Answered ask(const std::vector<std::string>& properties, std::optional<std::int64_t> fewer_scans) {
-        const ProductMachine both = schedule_both(*equations_[0], *equations_[1], {result_.mode, unit(), fewer_scans});
+        const ProductMachine both = product(fewer_scans);
         PortfolioOptions engines;
         engines.properties = properties;
         engines.witnesses = false;
@@ -191,6 +280,8 @@ private:
             };
         PdrResult found = check_together(both.system, engines);
         std::ranges::move(found.failures, std::back_inserter(result_.failures));
+        if (found.verdicts.size() != properties.size() && !found.fault)
+            return {Comparison::Outcome::Unknown, "internal error: an engine has no verdict on a property", {}};
         return answered(both, found);
     }
 
@@ -212,7 +303,8 @@ private:
                     answer = {Comparison::Outcome::Unknown, verdict.reason, {}};
             } else if (queries_inputs && verdict.outcome == Outcome::Violated) {
                 return contradiction();
-            } else if (!queries_inputs && verdict.outcome == Outcome::Violated && found.runs[k]) {
+            } else if (!queries_inputs && verdict.outcome == Outcome::Violated) {
+                if (!found.runs[k]) return {Comparison::Outcome::Unknown, "an engine has no run for its verdict", {}};
                 answer = {Comparison::Outcome::Different, {}, scans_of(both, *found.runs[k])};
             }
         }
@@ -226,6 +318,7 @@ private:
             if (k > 0 && run.states[k - 1][both.waits.index] == 0) continue;
             Comparison::Scan scan;
             if (k > 0 && both.passed.valid()) scan.wait_ms = run.states[k - 1][both.passed.index] * unit();
+            if (result_.interval_ms) scan.wait_ms = *result_.interval_ms;
             for (const auto input : both.inputs) scan.inputs.push_back(run.states[k][input.index]);
             scans.push_back(std::move(scan));
         }
@@ -234,17 +327,20 @@ private:
 
     /// Stores the results of the interpreter for these scans, up to the first difference.
     void take(std::vector<Comparison::Scan> scans) {
-        const Lockstep rules(*charts_[0], *charts_[1], result_.mode);
+        const Lockstep rules = lockstep();
         const std::optional<std::size_t> last = rules.difference(scans);
         if (!last) {
             result_.outcome = Comparison::Outcome::Unknown;
-            result_.reason = "internal error: the rules of IEC 60848 do not confirm the difference";
+            result_.reason = sides_[0].is_program() || sides_[1].is_program()
+                                 ? "internal error: the interpreters do not confirm the difference"
+                                 : "internal error: the rules of IEC 60848 do not confirm the difference";
             result_.failures.emplace_back(result_.reason);
             return;
         }
         scans.resize(*last + 1);
-        std::vector<std::int64_t> times = durations(*equations_[0], *equations_[1]);
+        std::vector<std::int64_t> times = durations(sides_);
         times.insert(times.begin(), unit());
+        if (result_.interval_ms) times.clear();
         result_.scans = rules.simplified(std::move(scans), times);
         result_.answers = rules.answers(result_.scans);
     }
@@ -262,9 +358,9 @@ private:
         result_.shortest = true;
     }
 
-    const std::array<const Chart*, 2> charts_;
-    const std::array<const Equations*, 2> equations_;
+    const std::array<CompareSide, 2>& sides_;
     const CompareOptions& options_;
+    const Sources* sources_;
     Comparison& result_;
     std::optional<bool> stable_ = {};
 };
@@ -275,50 +371,82 @@ std::string steps_text(const Chart& chart, const std::vector<Id<Chart::Step>>& s
     return text;
 }
 
+/// Returns the side of a chart, with the selected initial situation. Empty after an error.
+std::optional<CompareSide> chart_side(const Chart& original, const std::vector<Id<Chart::Step>>& from,
+                                      std::string& from_text, Diagnostics& diagnostics) {
+    std::optional<Chart> chart = original;
+    if (!from.empty()) {
+        from_text = steps_text(original, from);
+        chart = beginning_with(std::move(*chart), from, diagnostics);
+        if (!chart) return {};
+    }
+    auto equations = derive(*chart, diagnostics);
+    if (!equations) return {};
+    return side_of_chart(std::move(*chart), std::move(*equations));
+}
+
+/// Returns the result for two sides; empty after an error.
+std::optional<Comparison> compared(std::array<CompareSide, 2> sides, const CompareOptions& options,
+                                   const ProgramCompareOptions& of_programs, Comparison result, const Sources* sources,
+                                   Diagnostics& diagnostics) {
+    if (!match_sides(sides, of_programs, result, diagnostics)) return {};
+    for (const std::size_t k : {0U, 1U}) {
+        result.charts[k] = sides[k].name;
+        result.programs[k] = sides[k].is_program();
+        result.constrained = result.constrained || (sides[k].chart && !sides[k].chart->constraints.empty());
+    }
+    result.settles = of_programs.settles && (result.programs[0] || result.programs[1]);
+    if (result.settles) result.mode = ExecutionMode::StabilitySearch;
+    if (!set_times(sides, options, result, diagnostics)) return {};
+    SideComparison question(sides, options, sources, result);
+    const std::vector<std::int64_t> times = durations(sides);
+    const std::int64_t most = result.programs[0] || result.programs[1] ? most_program_units : greatest_integer;
+    if (!times.empty() && times.back() / result.resolution_ms > most)
+        result.reason = "a duration has too many time units; use a coarser `--resolution`";
+    else if (question.are_identical()) question.answer_identical();
+    else question.answer();
+    const bool exact_time = result.resolution_ms == 1 && !result.interval_ms && !options.resolution_ms;
+    if (result.outcome == Comparison::Outcome::Unknown && exact_time && result.failures.empty() && !result.faulty)
+        result.reason += "; a coarser `--resolution` makes the search smaller";
+    return result;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 }  // namespace
+
+std::optional<Comparison> compare(const CompareOperand& a, const CompareOperand& b, const CompareOptions& options,
+                                  const ProgramCompareOptions& of_programs, Sources& sources,
+                                  Diagnostics& diagnostics) {
+    const auto start = std::chrono::steady_clock::now();
+    Comparison result;
+    const std::array<const CompareOperand*, 2> operands = {&a, &b};
+    std::array<std::optional<CompareSide>, 2> sides;
+    bool with_charts = false;
+    for (const std::size_t k : {0U, 1U}) {
+        const CompareOperand& operand = *operands[k];
+        if (operand.program.valid()) sides[k] = side_of_program(operand.program, sources, diagnostics);
+        else sides[k] = chart_side(operand.model->charts[operand.chart], options.from[k], result.from[k], diagnostics);
+        if (!sides[k]) return {};
+        if (operand.program.valid() || with_charts) continue;
+        with_charts = true;
+        result.mode = execution_mode(*operand.model, operand.chart, options.mode);
+    }
+    if (!with_charts) result.mode = ExecutionMode::EveryCycle;  // one execution of each program
+    else if (!a.program.valid() && !b.program.valid())
+        result.changes = difference(a.model->charts[a.chart], b.model->charts[b.chart]);
+    auto found = compared({std::move(*sides[0]), std::move(*sides[1])}, options, of_programs, std::move(result),
+                          &sources, diagnostics);
+    if (found) found->seconds = seconds_since(start);
+    return found;
+}
 
 std::optional<Comparison> compare(const Model& a, Id<Chart> of_a, const Model& b, Id<Chart> of_b,
                                   const CompareOptions& options, Diagnostics& diagnostics) {
-    const auto start = std::chrono::steady_clock::now();
-    std::array<Chart, 2> charts{a.charts[of_a], b.charts[of_b]};
-    if (!same_plugs(charts[0], charts[1], diagnostics)) return {};
-    Comparison result;
-    std::array<std::optional<Equations>, 2> equations;
-    for (const std::size_t k : {0U, 1U}) {
-        result.charts[k] = charts[k].name;
-        if (!options.from[k].empty()) {
-            result.from[k] = steps_text(charts[k], options.from[k]);
-            auto begun = beginning_with(charts[k], options.from[k], diagnostics);
-            if (!begun) return {};
-            charts[k] = std::move(*begun);
-        }
-        equations[k] = derive(charts[k], diagnostics);
-        if (!equations[k]) return {};
-        result.constrained = result.constrained || !charts[k].constraints.empty();
-    }
-    result.changes = difference(a.charts[of_a], b.charts[of_b]);
-    result.mode = execution_mode(a, of_a, options.mode);
-    result.inputs = plugs(charts[0], Chart::VariableKind::Input);
-    result.outputs = plugs(charts[0], Chart::VariableKind::Output);
-    result.resolution_ms = unit_of(*equations[0], *equations[1]);
-    if (options.resolution_ms && result.resolution_ms > 0) {
-        const std::vector<std::int64_t> times = durations(*equations[0], *equations[1]);
-        for (const std::int64_t time : times)
-            if (*options.resolution_ms == 0 || time % *options.resolution_ms != 0) {
-                diagnostics.add(messages::coarse_resolution(duration_text(*options.resolution_ms), duration_text(time),
-                                                            duration_text(common_divisor(times))));
-                return {};
-            }
-        result.resolution_ms = *options.resolution_ms;
-    }
-    ChartComparison question(charts[0], charts[1], *equations[0], *equations[1], options, result);
-    if (!durations(*equations[0], *equations[1]).empty() &&
-        durations(*equations[0], *equations[1]).back() / result.resolution_ms > greatest_integer)
-        result.reason = "a duration has too many time units; use a coarser `--resolution`";
-    else if (identical_up_to_names(*equations[0], *equations[1])) question.answer_identical();
-    else question.answer();
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return result;
+    Sources none;
+    return compare({&a, of_a, {}}, {&b, of_b, {}}, options, {}, none, diagnostics);
 }
 
 }  // namespace grafverif

@@ -40,7 +40,7 @@ std::string differing(const Comparison& comparison, const Comparison::ScanOutput
 
 std::string result_text(const Comparison& comparison, const Comparison::ScanOutputs& answer) {
     if (!answer.stop.empty()) return "stops: " + answer.stop;
-    return standing(comparison.outputs, answer.outputs) + "  in " + answer.situation;
+    return standing(comparison.outputs, answer.outputs) + (answer.situation.empty() ? "" : "  in " + answer.situation);
 }
 
 /// Prints the columns of the table, separated by two blanks. Long entries are wrapped.
@@ -63,7 +63,7 @@ void print_scans(const Comparison& comparison, std::ostream& out) {
     std::vector<std::array<std::string, 4>> rows{{"time", "inputs", "a writes", "b writes"}};
     std::int64_t time = 0;
     for (std::size_t scan = 0; scan < comparison.scans.size(); ++scan) {
-        time += comparison.scans[scan].wait_ms;
+        if (scan > 0) time += comparison.scans[scan].wait_ms;
         rows.push_back({seconds_text(time), standing(comparison.inputs, comparison.scans[scan].inputs),
                         result_text(comparison, comparison.answers[0][scan]),
                         result_text(comparison, comparison.answers[1][scan])});
@@ -75,7 +75,8 @@ void print_scans(const Comparison& comparison, std::ostream& out) {
             widths[k] = std::min(most[k], std::max(widths[k], columns_of(row[k])));
     for (const auto& row : rows) print_row(row, widths, out);
     const Comparison::ScanOutputs &a = comparison.answers[0].back(), &b = comparison.answers[1].back();
-    if (!a.stop.empty() || !b.stop.empty())
+    if (!a.stop.empty() && !b.stop.empty()) out << "  in the last scan, both stop\n";
+    else if (!a.stop.empty() || !b.stop.empty())
         out << fmt::format("  in the last scan, `{}` stops and the other continues\n", a.stop.empty() ? "b" : "a");
     else out << fmt::format("  in the last scan, they differ in {}\n", printable(differing(comparison, a, b)));
 }
@@ -89,28 +90,60 @@ std::string outcome_text(const Comparison& comparison, Colour colour) {
     return shade + text + "\x1b[0m";
 }
 
+bool has_program(const Comparison& comparison) { return comparison.programs[0] || comparison.programs[1]; }
+
+/// Returns the interpreters that replay a difference.
+std::string_view replay_text(const Comparison& comparison) {
+    if (!has_program(comparison)) return "the rules of IEC 60848";
+    return comparison.programs[0] && comparison.programs[1] ? "the interpreter of programs"
+                                                            : "the rules of IEC 60848 and the interpreter of programs";
+}
+
+/// Returns the definition of a scan.
+std::string scan_text(const Comparison& comparison) {
+    if (!has_program(comparison)) return fmt::format("one PLC cycle, mode {}", word(comparison.mode));
+    const bool with_chart = !comparison.programs[0] || !comparison.programs[1];
+    std::string text =
+        with_chart ? fmt::format("one PLC cycle of the chart, mode {}, and ", word(comparison.mode)) : "";
+    text += with_chart ? "one execution of the program" : "one execution of each program";
+    return text + (comparison.settles ? ", repeated with constant inputs and without delay until nothing changes" : "");
+}
+
+std::string names_text(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "`" : ", `") + name + "`";
+    return text;
+}
+
 /// Prints the assumptions of the verdict.
 void print_basis(const Comparison& comparison, std::ostream& out) {
-    out << fmt::format("  a scan is one PLC cycle, mode {}", word(comparison.mode));
-    if (comparison.resolution_ms > 0)
+    out << "  a scan is " << scan_text(comparison);
+    if (comparison.interval_ms) out << fmt::format("; scans occur every {}", duration_text(*comparison.interval_ms));
+    else if (comparison.resolution_ms > 0)
         out << fmt::format("; scans occur at arbitrary multiples of {}", duration_text(comparison.resolution_ms));
     out << '\n';
     if (!comparison.from[0].empty())
         out << fmt::format("  a starts in {{{}}} and b in {{{}}}\n", printable(comparison.from[0]),
                            printable(comparison.from[1]));
     if (comparison.constrained) out << "  the constraints of both charts are assumed\n";
+    if (!comparison.restricted.empty())
+        out << "  these inputs have only the values of the chart: " << printable(names_text(comparison.restricted))
+            << '\n';
+    if (!comparison.ignored.empty())
+        out << "  these outputs are not compared: " << printable(names_text(comparison.ignored)) << '\n';
 }
 
 void print_sentence(const Comparison& comparison, std::ostream& out) {
     const std::size_t scans = comparison.scans.size();
     switch (comparison.outcome) {
     case Comparison::Outcome::Equal:
-        out << "  for all inputs" << (comparison.resolution_ms > 0 ? " and all times between scans" : "")
+        out << "  for all inputs"
+            << (comparison.resolution_ms > 0 && !comparison.interval_ms ? " and all times between scans" : "")
             << ", both write the same outputs in every scan, or both stop in the same scan\n";
         return;
     case Comparison::Outcome::Different:
-        out << fmt::format("  distinguished by {} scan{}{}, replayed on the rules of IEC 60848:\n", scans,
-                           scans == 1 ? "" : "s", comparison.shortest ? ", the minimum" : "");
+        out << fmt::format("  distinguished by {} scan{}{}, replayed on {}:\n", scans, scans == 1 ? "" : "s",
+                           comparison.shortest ? ", the minimum" : "", replay_text(comparison));
         return;
     case Comparison::Outcome::Unknown: out << fmt::format("  inconclusive: {}\n", printable(comparison.reason)); return;
     }
@@ -129,7 +162,7 @@ nlohmann::ordered_json scans_json(const Comparison& comparison) {
     auto scans = nlohmann::ordered_json::array();
     std::int64_t time = 0;
     for (std::size_t scan = 0; scan < comparison.scans.size(); ++scan) {
-        time += comparison.scans[scan].wait_ms;
+        if (scan > 0) time += comparison.scans[scan].wait_ms;
         nlohmann::ordered_json row = {{"wait_ms", comparison.scans[scan].wait_ms},
                                       {"time_ms", time},
                                       {"inputs", values_json(comparison.inputs, comparison.scans[scan].inputs)},
@@ -138,7 +171,7 @@ nlohmann::ordered_json scans_json(const Comparison& comparison) {
             row["answers"].push_back(
                 {{"outputs", answers[scan].stop.empty() ? values_json(comparison.outputs, answers[scan].outputs)
                                                         : nlohmann::ordered_json(nullptr)},
-                 {"situation", answers[scan].situation},
+                 {"situation", text_or_null(answers[scan].situation)},
                  {"stop", text_or_null(answers[scan].stop)}});
         scans.push_back(std::move(row));
     }
@@ -166,6 +199,7 @@ void print_result(const Comparison& comparison, Colour colour, std::ostream& out
 
 void print_comparison(const Comparison& comparison, Colour colour, std::ostream& out) {
     print_result(comparison, colour, out);
+    if (has_program(comparison)) return;
     out << (comparison.changes.empty() ? "the texts differ at most in order and layout\n"
                                        : "differences of the texts, from a to b:\n");
     print_changes(comparison.changes, out);
@@ -173,18 +207,25 @@ void print_comparison(const Comparison& comparison, Colour colour, std::ostream&
 
 std::string comparison_json(const Comparison& comparison) {
     nlohmann::ordered_json object = {{"charts", comparison.charts},
+                                     {"programs", comparison.programs},
                                      {"mode", word(comparison.mode)},
+                                     {"settled", comparison.settles},
                                      {"from", nullptr},
                                      {"resolution_ms", nullptr},
+                                     {"interval_ms", nullptr},
                                      {"constrained", comparison.constrained},
+                                     {"restricted", comparison.restricted},
+                                     {"ignored", comparison.ignored},
                                      {"outcome", word(comparison.outcome)},
                                      {"reason", text_or_null(comparison.reason)},
+                                     {"faulty", comparison.faulty},
                                      {"shortest", comparison.shortest},
                                      {"seconds", comparison.seconds},
                                      {"scans", scans_json(comparison)},
                                      {"changes", nlohmann::ordered_json::array()}};
     if (!comparison.from[0].empty()) object["from"] = comparison.from;
     if (comparison.resolution_ms > 0) object["resolution_ms"] = comparison.resolution_ms;
+    if (comparison.interval_ms) object["interval_ms"] = *comparison.interval_ms;
     for (const ChartChange& change : comparison.changes)
         object["changes"].push_back({{"kind", word(change.kind)},
                                      {"subject", change.subject},

@@ -63,18 +63,19 @@ TEST(Compare, ImportedChartIsEqualToItsFile) {
         SCOPED_TRACE(name);
         const std::string file = folder.write(name, *text), taken = folder.file("taken.grafcet");
         ASSERT_EQ(grafverif({"import", file, "--lossy", "-o", taken}).code, ExitCode::Done);
-        const Result result = grafverif({"compare", file, taken, "--lossy", "--all-modes", "--timeout", "60s"});
+        const Result result =
+            grafverif({"compare", file, taken, "--lossy", "--all-modes", "--timeout", "60s", "--imported-charts"});
         EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;
         EXPECT_NE(result.out.find("the texts differ at most in order and layout"), std::string::npos) << result.out;
     }
 }
 
-TEST(Compare, RejectsAProgramInPlaceOfAChart) {
+TEST(Compare, RejectsAProgramInPlaceOfAnImportedChart) {
     const Folder folder;
     for (const std::string form : {"text", "xml"}) {
         const std::string program = folder.file("program");
         ASSERT_EQ(grafverif({"st", tanks, "--format", form, "-o", program}).code, ExitCode::Done) << form;
-        const Result result = grafverif({"compare", tanks, program});
+        const Result result = grafverif({"compare", tanks, program, "--imported-charts"});
         EXPECT_EQ(result.code, ExitCode::Input);
         EXPECT_NE(result.err.find("`tanks` is a program without a Sequential Function Chart"), std::string::npos)
             << result.err;

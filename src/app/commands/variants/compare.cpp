@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
-// `compare`: checks that two charts have equal outputs for all inputs, and lists other textual differences.
+// `compare`: checks that two charts or PLC programs have equal outputs for all inputs, and lists other textual
+// differences of charts.
+#include "pipeline/variants/compare.hpp"
+
+#include <fmt/format.h>
+
 #include <ostream>
 #include <sstream>
 
@@ -7,6 +12,7 @@
 #include "app/stop_text.hpp"
 #include "app/system/watchdog.hpp"
 #include "report/charts/comparison.hpp"
+#include "support/messages_choice.hpp"
 
 namespace grafverif::app {
 
@@ -22,8 +28,65 @@ std::array<std::vector<Id<Chart::Step>>, 2> beginnings(const Chart& a, const Cha
     return {named_steps(a, of_a, "--from-situation", job), named_steps(b, of_b, "--from-situation", job)};
 }
 
+/// A file to compare, with the model of its charts.
+struct ComparedFile {
+    std::optional<Model> model = {};
+    CompareOperand operand = {};
+};
+
+/// Reads an operand. `operand` refers to `file`. Returns false after an error.
+bool read_compared(const std::string& path, CommandContext& job, ComparedFile& file) {
+    const auto source = read_source(path, job);
+    if (!source) return false;
+    if (!job.options.imported_charts && contains_program(*source, job.sources)) {
+        file.operand.program = *source;
+        return true;
+    }
+    file.model = read_model(*source, path, job);
+    const auto chart = file.model ? chosen_chart(*file.model, job) : std::nullopt;
+    if (!chart) return false;
+    file.operand.model = &*file.model;
+    file.operand.chart = *chart;
+    return true;
+}
+
+/// Returns false after an error: an option does not apply to the operands, or its value has the wrong form.
+bool set_program_options(const CompareOperand& a, const CompareOperand& b, CommandContext& job,
+                         ProgramCompareOptions& set) {
+    const Options& options = job.options;
+    const std::size_t before = job.diagnostics.errors();
+    const auto reject = [&](const std::string& problem, std::string_view remedy) {
+        job.diagnostics.add(messages::not_comparable({}, problem, remedy));
+    };
+    const bool programs = a.program.valid() && b.program.valid(), program = a.program.valid() || b.program.valid();
+    for (const auto& [given, option] :
+         {std::pair(options.mode.has_value(), "--mode"), std::pair(options.all_modes, "--all-modes"),
+          std::pair(options.chart.has_value() || options.other_chart.has_value(), "--chart")})
+        if (given && programs)
+            reject(fmt::format("`{}` applies to charts, but both files are programs", option),
+                   "remove it, or pass `--imported-charts`");
+    if (options.from_situation && program)
+        reject("`--from-situation` applies to charts, but a file is a program",
+               "remove it, or pass `--imported-charts`");
+    if (options.settled && !program)
+        reject("`--compare settled` applies to programs, but both files are charts", "remove it");
+    if (options.settled && (options.all_modes || options.mode == ExecutionMode::EveryCycle))
+        reject("`--compare settled` requires the mode `stability-search`", "remove `--mode` and `--all-modes`");
+    set.settles = options.settled;
+    set.ignored = options.ignored_outputs;
+    set.stop = options.stop_output;
+    for (const std::string& renaming : options.renamings) {
+        const std::size_t sign = renaming.find('=');
+        if (sign == std::string::npos || sign == 0 || sign + 1 == renaming.size())
+            reject(fmt::format("invalid value `{}` of `--map`", renaming), "use NAME=NAME");
+        else set.map.emplace_back(renaming.substr(0, sign), renaming.substr(sign + 1));
+    }
+    return job.diagnostics.errors() == before;
+}
+
 ExitCode exit_code(const Comparison& comparison) {
     if (!comparison.failures.empty()) return ExitCode::Failure;
+    if (comparison.faulty) return ExitCode::Verdict;
     switch (comparison.outcome) {
     case Comparison::Outcome::Equal: return ExitCode::Done;
     case Comparison::Outcome::Different: return ExitCode::Verdict;
@@ -54,23 +117,24 @@ void print(const std::vector<Comparison>& all, const Options& options, Colour co
 }  // namespace
 
 ExitCode compare(CommandContext& job, const Streams& streams) {
-    const auto a = read_model(job.options.operands[0], job);
-    const auto of_a = a ? chosen_chart(*a, job) : std::nullopt;
-    if (!of_a) return ExitCode::Input;
-    const auto b = read_model(job.options.operands[1], job);
+    ComparedFile a, b;
+    if (!read_compared(job.options.operands[0], job, a)) return ExitCode::Input;
+    const std::optional<std::string> chart = job.options.chart;
     if (job.options.other_chart) job.options.chart = job.options.other_chart;
-    const auto of_b = b ? chosen_chart(*b, job) : std::nullopt;
-    if (!of_b) return ExitCode::Input;
+    if (!read_compared(job.options.operands[1], job, b)) return ExitCode::Input;
+    job.options.chart = chart;
+    ProgramCompareOptions of_programs;
+    if (!set_program_options(a.operand, b.operand, job, of_programs)) return ExitCode::Input;
     const ResourceLimits bounds(job.options, streams);
-    CompareOptions options{.mode = job.options.mode,
-                           .resolution_ms = job.options.resolution_ms,
-                           .from = beginnings(a->charts[*of_a], b->charts[*of_b], job),
-                           .limits = bounds.limits()};
+    CompareOptions options{
+        .mode = job.options.mode, .resolution_ms = job.options.resolution_ms, .limits = bounds.limits()};
+    if (job.options.from_situation)
+        options.from = beginnings(a.model->charts[a.operand.chart], b.model->charts[b.operand.chart], job);
     if (job.diagnostics.has_errors()) return ExitCode::Input;
     std::vector<Comparison> all;
     for (const std::optional<ExecutionMode> mode : requested_modes(job.options)) {
         options.mode = mode;
-        auto found = compare(*a, *of_a, *b, *of_b, options, job.diagnostics);
+        auto found = grafverif::compare(a.operand, b.operand, options, of_programs, job.sources, job.diagnostics);
         if (!found) return ExitCode::Input;
         found->reason = with_who_stopped(std::move(found->reason), bounds.interrupted(), job.options);
         all.push_back(std::move(*found));
@@ -96,7 +160,7 @@ CliCommand compare_usage() {
         "FILE OTHER",
         2,
         2,
-        "prove two charts equivalent, or find inputs that distinguish them",
+        "prove two charts or programs equivalent, or find inputs that distinguish them",
         "Compares a chart of FILE (a) with a chart of OTHER (b) that has the same inputs and outputs. Equivalent "
         "charts\n"
         "write the same outputs in every scan, for all inputs and all times between scans, or stop in the same scan\n"
@@ -104,10 +168,16 @@ CliCommand compare_usage() {
         "which is replayed on the rules of IEC 60848, and the differences of the two texts. FILE and OTHER can have "
         "any\n"
         "supported format. The default mode is the mode of the closed loop of FILE that contains this chart, or\n"
-        "stability-search if there is none. The constraints of both charts are assumed. Exit code 1: different; 3:\n"
-        "inconclusive (--timeout, --max-memory, Ctrl-C).",
+        "stability-search if there is none. The constraints of both charts are assumed.\n"
+        "\n"
+        "Structured Text, textual Sequential Function Charts and PLCopen XML are compared as PLC programs, with a "
+        "chart\n"
+        "or with another program. A difference is then replayed on the interpreter of programs. A run-time fault of a\n"
+        "program is reported as a model error. Exit code 1: different, or a model error; 3: inconclusive (--timeout,\n"
+        "--max-memory, Ctrl-C).",
         {"grafverif compare station.grafcet station.xml",
-         "grafverif compare old.grafcet new.grafcet --mode every-cycle",
+         "grafverif compare old.grafcet new.grafcet --mode every-cycle", "grafverif compare version1.st version2.st",
+         "grafverif compare station.grafcet station.st --stop-output FAULT",
          "grafverif compare old.grafcet new.grafcet --from-situation 3,5 --format json"},
         {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Compare, OptionGroup::Mode, OptionGroup::Format}};
 }

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Compares charts and PLC programs. It extends the comparison of charts of the public API.
+#pragma once
+
+#include <optional>
+
+#include "grafverif/grafverif.hpp"
+#include "pipeline/variants/compare_sides.hpp"
+
+namespace grafverif {
+
+/// A chart, or a program if `program` is valid.
+struct CompareOperand {
+    const Model* model = nullptr;
+    Id<Chart> chart = {};
+    Id<Source> program = {};
+};
+
+/// Decides if both have equal outputs for all input sequences. The interval of a program's task is the time between two
+/// scans of both; otherwise, any multiple of the resolution can pass (1 ms by default). The result is empty after an
+/// error.
+std::optional<Comparison> compare(const CompareOperand& a, const CompareOperand& b, const CompareOptions& options,
+                                  const ProgramCompareOptions& of_programs, Sources& sources, Diagnostics& diagnostics);
+
+}  // namespace grafverif

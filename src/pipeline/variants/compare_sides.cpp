@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/variants/compare_sides.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "derive/program/scan.hpp"
+#include "pipeline/program/check.hpp"
+#include "read/formats.hpp"
+#include "read/xml.hpp"
+#include "schedule/program/scan_module.hpp"
+#include "support/messages.hpp"
+#include "support/messages_choice.hpp"
+#include "syntax/resolve/nearest_of.hpp"
+#include "syntax/st/st_tree.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Plug = CompareSide::Plug;
+using Plugs = std::vector<Plug>;
+
+bool same_word(std::string_view a, std::string_view b) { return st::capitals(a) == st::capitals(b); }
+
+std::string type_text(const Plug& plug) {
+    const std::string range =
+        plug.type.boolean ? "a Boolean" : fmt::format("an integer from {} to {}", plug.type.low, plug.type.high);
+    if (plug.program_type == nullptr || plug.type.boolean) return range;
+    switch (plug.program_type->kind) {
+    case Program::Type::Kind::Time: return "a duration";
+    case Program::Type::Kind::Enumeration: return "an enumeration";
+    case Program::Type::Kind::Bits: return fmt::format("a bit string ({})", plug.program_type->name);
+    default: return range;
+    }
+}
+
+/// True if some part of the type is not supported, so that a program cannot contain its values.
+bool is_unsupported(const Program& program, Id<Program::Type> id) {
+    const Program::Type& type = program.types[id];
+    if (type.kind == Program::Type::Kind::Array) return is_unsupported(program, type.element);
+    if (type.kind == Program::Type::Kind::Block)
+        return program.units[type.unit].kind == Program::Unit::Kind::Structure &&
+               std::ranges::any_of(program.units[type.unit].variables,
+                                   [&](const Program::Variable& one) { return is_unsupported(program, one.type); });
+    return type.kind == Program::Type::Kind::Unsupported;
+}
+
+/// True if the values of both can be compared exactly. A chart and a program may have different ranges, but an input of
+/// the program must accept each value of the chart's input.
+bool comparable(const Plug& a, const Plug& b, bool input) {
+    if (a.type.boolean != b.type.boolean) return false;
+    if (a.type.boolean) return true;
+    if ((a.program_type == nullptr) == (b.program_type == nullptr))
+        return a.type == b.type && (a.program_type == nullptr || (a.program_type->kind == b.program_type->kind &&
+                                                                  a.program_type->values == b.program_type->values));
+    const Plug& of_program = a.program_type != nullptr ? a : b;
+    const Plug& of_chart = a.program_type != nullptr ? b : a;
+    const Program::Type::Kind kind = of_program.program_type->kind;
+    if (kind != Program::Type::Kind::Integer && kind != Program::Type::Kind::Bits) return false;
+    return !input || (of_program.type.low <= of_chart.type.low && of_chart.type.high <= of_program.type.high);
+}
+
+/// Assigns inputs and outputs of two sides to each other.
+class Matching {
+public:
+    Matching(std::array<CompareSide, 2>& sides, const ProgramCompareOptions& options, Comparison& result,
+             Diagnostics& diagnostics)
+        : sides_(sides), options_(options), result_(result), diagnostics_(diagnostics) {}
+
+    bool match() {
+        const std::size_t before = diagnostics_.errors();
+        take_stop();
+        take_ignored();
+        if (!are_known()) return false;
+        for (const CompareSide& side : sides_)
+            for (const Plug& plug : side.unsupported)
+                diagnostics_.add(messages::not_comparable(
+                    plug.origin, fmt::format("the type of the output `{}` is not supported", plug.name),
+                    fmt::format("use another type, or pass `--ignore {}`", plug.name)));
+        result_.inputs = pairs(&CompareSide::inputs, "input");
+        result_.outputs = pairs(&CompareSide::outputs, "output");
+        if (diagnostics_.errors() != before) return false;
+        if (result_.outputs.empty()) diagnostics_.add(messages::nothing_to_compare(sides_[0].origin, sides_[0].name));
+        rename();
+        return diagnostics_.errors() == before;
+    }
+
+private:
+    bool with_programs() const { return sides_[0].is_program() || sides_[1].is_program(); }
+
+    /// Makes the output for stops internal.
+    void take_stop() {
+        if (options_.stop.empty()) return;
+        bool found = false;
+        for (CompareSide& side : sides_) {
+            const auto plug = std::ranges::find_if(
+                side.outputs, [&](const Plug& one) { return side.is_program() && same_word(one.name, options_.stop); });
+            if (plug == side.outputs.end()) continue;
+            found = true;
+            Exprs& exprs = side.scan->equations.exprs;
+            const Id<Expr> value = side.scan->after[plug->own];
+            side.stop = plug->type.boolean ? value : exprs.apply(Op::NotEqual, value, exprs.integer(0));
+            side.stop_cell = plug->own;
+            side.scan->equations.variables[plug->variable].role = Equations::Role::Internal;
+            side.outputs.erase(plug);
+        }
+        if (!found)
+            diagnostics_.add(messages::not_comparable(
+                {}, fmt::format("`--stop-output {}` names no output of a program", options_.stop),
+                "name an output of a program"));
+    }
+
+    void take_ignored() {
+        for (const std::string& name : options_.ignored) {
+            bool found = false;
+            for (CompareSide& side : sides_) {
+                const auto has_name = [&](const Plug& one) { return is_called(side, one, name); };
+                const bool dropped = std::erase_if(side.unsupported, has_name) > 0;
+                if (dropped) result_.ignored.push_back(name);
+                found = found || dropped;
+                const auto plug = std::ranges::find_if(side.outputs, has_name);
+                if (plug == side.outputs.end()) continue;
+                found = true;
+                result_.ignored.push_back(plug->name);
+                if (side.is_program()) side.scan->equations.variables[plug->variable].role = Equations::Role::Internal;
+                side.outputs.erase(plug);
+            }
+            if (!found)
+                diagnostics_.add(messages::not_comparable(
+                    {}, fmt::format("`--ignore {}` names no output of the compared files", name), "name an output"));
+        }
+        std::ranges::sort(result_.ignored);
+        result_.ignored.erase(std::ranges::unique(result_.ignored).begin(), result_.ignored.end());
+    }
+
+    static bool is_called(const CompareSide& side, const Plug& plug, std::string_view name) {
+        return side.is_program() ? same_word(plug.name, name) : plug.name == name;
+    }
+
+    /// True if the names of `--map` exist. Otherwise errors are added.
+    bool are_known() {
+        const std::size_t before = diagnostics_.errors();
+        for (const auto& [first, second] : options_.map)
+            for (const auto& [side, name] : {std::pair(&sides_[0], &first), std::pair(&sides_[1], &second)}) {
+                std::vector<std::string> known;
+                bool found = false;
+                for (const Plugs* plugs : {&side->inputs, &side->outputs})
+                    for (const Plug& plug : *plugs) {
+                        known.push_back(plug.name);
+                        found = found || is_called(*side, plug, *name);
+                    }
+                if (!found)
+                    diagnostics_.add(
+                        messages::no_such_choice("input or output", *name, known, nearest_of(*name, known)));
+            }
+        return diagnostics_.errors() == before;
+    }
+
+    /// Returns the name of the counterpart in the second side that the user has selected.
+    std::optional<std::string> mapped(const Plug& plug) const {
+        for (const auto& [first, second] : options_.map)
+            if (is_called(sides_[0], plug, first)) return second;
+        return {};
+    }
+    bool is_mapped(const Plug& of_b) const {
+        return std::ranges::any_of(options_.map,
+                                   [&](const auto& one) { return is_called(sides_[1], of_b, one.second); });
+    }
+
+    /// Returns the counterpart of an input or output of the first side among the remaining ones of the second side. A
+    /// name that differs only in case is accepted if it is the only one.
+    Plugs::iterator counterpart(const Plug& plug, Plugs& rest) const {
+        if (const auto name = mapped(plug))
+            return std::ranges::find_if(rest, [&](const Plug& one) { return is_called(sides_[1], one, *name); });
+        const auto exact =
+            std::ranges::find_if(rest, [&](const Plug& one) { return !is_mapped(one) && one.name == plug.name; });
+        if (exact != rest.end() || !with_programs()) return exact;
+        const auto similar = [&](const Plug& one) { return !is_mapped(one) && same_word(one.name, plug.name); };
+        return std::ranges::count_if(rest, similar) == 1 ? std::ranges::find_if(rest, similar) : rest.end();
+    }
+
+    std::vector<Comparison::Variable> pairs(Plugs CompareSide::*member, std::string_view kind) {
+        const bool input = kind == "input";
+        std::vector<Comparison::Variable> common;
+        Plugs &of_a = sides_[0].*member, rest = std::move(sides_[1].*member), of_b;
+        for (Plug& plug : of_a) {
+            const auto twin = counterpart(plug, rest);
+            if (twin == rest.end()) {
+                report_missing(kind, plug, 0);
+                continue;
+            }
+            if (!comparable(plug, *twin, input)) report_types(kind, plug, *twin);
+            if (input && plug.type != twin->type) {
+                const Type range = plug.program_type == nullptr ? plug.type : twin->type;
+                if (!plug.type.boolean) result_.restricted.push_back(plug.name);
+                plug.type = twin->type = range;
+            }
+            common.push_back({plug.name, plug.type});
+            of_b.push_back(std::move(*twin));
+            rest.erase(twin);
+        }
+        for (const Plug& plug : rest) report_missing(kind, plug, 1);
+        sides_[1].*member = std::move(of_b);
+        return common;
+    }
+
+    void report_missing(std::string_view kind, const Plug& plug, std::size_t k) {
+        const CompareSide& owner = sides_[k];
+        if (!with_programs() && options_.map.empty()) {
+            diagnostics_.add(messages::not_in_both(plug.origin, kind, plug.name, owner.name));
+            return;
+        }
+        const std::string pair = k == 0 ? plug.name + "=NAME" : "NAME=" + plug.name;
+        std::string remedy = fmt::format("declare it in both, or pass `--map {}`", pair);
+        if (kind == "output") remedy += fmt::format(" or `--ignore {}`", plug.name);
+        if (kind == "output" && owner.is_program()) remedy += fmt::format(" or `--stop-output {}`", plug.name);
+        diagnostics_.add(messages::not_comparable(
+            plug.origin, fmt::format("the {} `{}` exists only in `{}`", kind, plug.name, owner.name), remedy));
+    }
+
+    void report_types(std::string_view kind, const Plug& a, const Plug& b) {
+        if (!with_programs()) {
+            diagnostics_.add(messages::other_type(a.origin, kind, a.name, type_text(a), type_text(b)));
+            return;
+        }
+        diagnostics_.add(
+            messages::not_comparable(a.origin,
+                                     fmt::format("the {} `{}` is {} in `{}` and {} in `{}`", kind, a.name, type_text(a),
+                                                 sides_[0].name, type_text(b), sides_[1].name),
+                                     "declare it with the same type in both"));
+    }
+
+    /// Gives the inputs and outputs of the second side the names of the first side, and other variables with such a name
+    /// another one. Inputs get their common range.
+    void rename() {
+        for (const auto member : {&CompareSide::inputs, &CompareSide::outputs})
+            for (std::size_t i = 0; i < (sides_[0].*member).size(); ++i)
+                for (CompareSide& side : sides_) {
+                    Equations::Variable& variable = side.equations().variables[(side.*member)[i].variable];
+                    const std::string name = (sides_[0].*member)[i].name;
+                    for (Equations::Variable& other : side.equations().variables)
+                        if (&other != &variable && other.name == name) other.name = "other " + other.name;
+                    variable.name = name;
+                    if (member == &CompareSide::inputs) variable.type = (side.*member)[i].type;
+                }
+    }
+
+    std::array<CompareSide, 2>& sides_;
+    const ProgramCompareOptions& options_;
+    Comparison& result_;
+    Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+bool contains_program(Id<Source> source, Sources& sources) {
+    const FileFormat format = format_of(sources[source].text);
+    if (format != FileFormat::Xml) return format == FileFormat::StructuredText;
+    Diagnostics ignored;
+    const auto xml = Xml::read(source, sources, ignored);
+    return xml && is(xml->root(), "project");
+}
+
+CompareSide side_of_chart(Chart chart, Equations equations) {
+    CompareSide side;
+    side.name = chart.name;
+    side.origin = chart.origin;
+    for (const auto& [kind, role, member] :
+         {std::tuple(Chart::VariableKind::Input, Equations::Role::Input, &CompareSide::inputs),
+          std::tuple(Chart::VariableKind::Output, Equations::Role::Output, &CompareSide::outputs)})
+        for (const Chart::Variable& variable : chart.variables) {
+            if (variable.kind != kind) continue;
+            Plug plug{variable.name, variable.type, nullptr, (side.*member).size(), {}, variable.origin};
+            for (const Id<Equations::Variable> id : equations.variables.ids())
+                if (equations.variables[id].role == role && equations.variables[id].name == variable.name)
+                    plug.variable = id;
+            (side.*member).push_back(std::move(plug));
+        }
+    side.chart = std::move(chart);
+    side.chart_equations = std::move(equations);
+    return side;
+}
+
+std::optional<CompareSide> side_of_program(Id<Source> source, Sources& sources, Diagnostics& diagnostics) {
+    CompareSide side;
+    side.text = read_program(source, sources, diagnostics);
+    if (!side.text) return {};
+    side.scan = scan_of(side.program(), diagnostics);
+    if (!side.scan) return {};
+    side.name = side.scan->equations.name;
+    side.origin = side.scan->equations.origin;
+    for (std::size_t i = 0; i < side.scan->layout.cells.size(); ++i) {
+        const ProgramCell& cell = side.scan->layout.cells[i];
+        const Id<Equations::Variable> id = side.scan->variables[i];
+        if (!id.valid() || (!cell.input && !cell.output)) continue;
+        const Equations::Variable& variable = side.scan->equations.variables[id];
+        (cell.input ? side.inputs : side.outputs)
+            .push_back({variable.name, variable.type, &side.program().types[cell.type], i, id, cell.origin});
+    }
+    for (const Id<Program::Unit> unit : {side.program().globals, side.program().main})
+        for (const Program::Variable& variable : side.program().units[unit].variables)
+            if (variable.output && is_unsupported(side.program(), variable.type))
+                side.unsupported.push_back({variable.name, {}, nullptr, 0, {}, variable.origin});
+    return side;
+}
+
+bool match_sides(std::array<CompareSide, 2>& sides, const ProgramCompareOptions& options, Comparison& result,
+                 Diagnostics& diagnostics) {
+    return Matching(sides, options, result, diagnostics).match();
+}
+
+LockstepSide lockstep_side(const CompareSide& side, bool settles, const Sources* sources) {
+    LockstepSide found;
+    std::vector<std::pair<std::size_t, std::size_t>> order;  // own index and common index of each input
+    for (std::size_t i = 0; i < side.inputs.size(); ++i) order.emplace_back(side.inputs[i].own, i);
+    std::ranges::sort(order);
+    for (const auto& [own, common] : order) found.inputs.push_back(common);
+    for (const Plug& output : side.outputs) found.outputs.push_back(output.own);
+    if (!side.is_program()) {
+        found.chart = &*side.chart;
+        return found;
+    }
+    found.program = &side.program();
+    found.stop = side.stop_cell;
+    if (settles) {
+        found.settled.emplace();
+        const std::vector<bool> observed = schedule::variables_observed(*side.scan, side.stop);
+        for (std::size_t i = 0; i < side.scan->variables.size(); ++i)
+            if (side.scan->variables[i].valid() && observed[side.scan->variables[i].index] &&
+                !side.scan->layout.cells[i].input)
+                found.settled->push_back(i);
+    }
+    found.fault_text = [sources](const ProgramRun::Fault& fault) {
+        const std::string where = sources != nullptr ? file_and_line(*sources, fault.where) : "";
+        return text_of(fault.kind) + (where.empty() ? "" : fmt::format(" ({})", where)) + " [no-value]";
+    };
+    return found;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// CompareSide: a chart or a PLC program that is compared, with its inputs and outputs. match_sides determines which
+// inputs and outputs of two controllers correspond.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "grafverif/ir/chart.hpp"
+#include "grafverif/ir/comparison.hpp"
+#include "grafverif/support/diagnostic.hpp"
+#include "ir/program/scan.hpp"
+#include "read/program/program.hpp"
+#include "run/lockstep.hpp"
+#include "schedule/product.hpp"
+
+namespace grafverif {
+
+/// Options for the comparison of programs. Names of programs are compared without regard to case.
+struct ProgramCompareOptions {
+    bool settles = false;  ///< compare the outputs after programs have settled with constant inputs
+    std::vector<std::pair<std::string, std::string>> map = {};  ///< name in the first controller, name in the second
+    std::vector<std::string> ignored = {};                      ///< outputs that are not compared
+    std::string stop = {};  ///< output of programs: a value other than 0 after a scan is a stop
+};
+
+struct CompareSide {
+    struct Plug {
+        std::string name = {};
+        Type type = {};
+        const Program::Type* program_type = nullptr;  ///< nullptr in a chart
+        std::size_t own = 0;  ///< index among the inputs or outputs of a chart; cell of a program
+        Id<Equations::Variable> variable = {};
+        Span origin = {};
+    };
+
+    std::string name = {};
+    Span origin = {};
+    std::optional<Chart> chart = {};
+    std::optional<Equations> chart_equations = {};
+    std::optional<ProgramText> text = {};  ///< of a program
+    std::optional<Scan> scan = {};         ///< of a program
+    Id<Expr> stop = {};                    ///< of a program: term of ProductSide
+    std::optional<std::size_t> stop_cell = {};
+    std::vector<Plug> inputs = {}, outputs = {};
+    std::vector<Plug> unsupported = {};  ///< outputs of a program with a type that has no values, such as REAL
+
+    bool is_program() const { return scan.has_value(); }
+    const Program& program() const { return text->program(); }
+    Equations& equations() { return scan ? scan->equations : *chart_equations; }
+    const Equations& equations() const { return scan ? scan->equations : *chart_equations; }
+    /// Arguments of the product; this object must outlive the result.
+    ProductSide product() const { return {&equations(), scan ? &*scan : nullptr, stop}; }
+};
+
+/// True if the source contains a program: Structured Text, or PLCopen XML.
+bool contains_program(Id<Source> source, Sources& sources);
+
+CompareSide side_of_chart(Chart chart, Equations equations);
+/// Reads a program; empty after an error.
+std::optional<CompareSide> side_of_program(Id<Source> source, Sources& sources, Diagnostics& diagnostics);
+
+/// Assigns the inputs and outputs of both sides to each other. The inputs and outputs that remain have the same order
+/// in both, and the names of the first side; `result` lists them. Returns false after an error: an input or output has
+/// no counterpart, or one with another type.
+bool match_sides(std::array<CompareSide, 2>& sides, const ProgramCompareOptions& options, Comparison& result,
+                 Diagnostics& diagnostics);
+
+/// Returns the side for the replay; it must outlive the result. `sources` is only required for programs.
+LockstepSide lockstep_side(const CompareSide& side, bool settles, const Sources* sources);
+
+}  // namespace grafverif

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: MIT
+// Tests `compare` with PLC programs: equal, different, faulty, and not comparable.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "run_program.hpp"
+
+namespace grafverif::app {
+namespace {
+
+const std::string latch =
+    "PROGRAM latch\nVAR_INPUT on, off : BOOL; END_VAR\nVAR_OUTPUT L : BOOL; END_VAR\n"
+    "IF on THEN L := TRUE; END_IF;\nIF off THEN L := FALSE; END_IF;\nEND_PROGRAM\n";
+
+const std::string counter =
+    "PROGRAM counter\nVAR_INPUT a : BOOL; n : USINT; END_VAR\nVAR_OUTPUT q : INT; END_VAR\nVAR e : R_TRIG; END_VAR\n"
+    "e(CLK := a);\nIF e.Q THEN q := q + 1; END_IF;\nEND_PROGRAM\n";
+
+const std::string delay =
+    "PROGRAM delay\nVAR_INPUT a : BOOL; END_VAR\nVAR_OUTPUT q : BOOL; END_VAR\nVAR t : TON; END_VAR\n"
+    "t(IN := a, PT := T#2s);\nq := t.Q;\nEND_PROGRAM\n";
+
+const std::string lamp =
+    "grafcet lamp {\n    input on, off;\n    output L;\n\n    initial step 0;\n    step 1 { L; }\n\n"
+    "    transition t0: 0 -> 1 when on && !off;\n    transition t1: 1 -> 0 when off;\n}\n";
+
+std::string with(std::string text, const std::string& before, const std::string& after) {
+    return text.replace(text.find(before), before.size(), after);
+}
+
+Result compared(const std::string& a, const std::string& b, std::vector<std::string> options = {}) {
+    const Folder folder;
+    options.insert(options.begin(), {"compare", folder.write("a", a), folder.write("b", b)});
+    return grafverif(options);
+}
+
+/// Adds a task to a program.
+std::string every(const std::string& program, const std::string& name, const std::string& interval) {
+    return program + "CONFIGURATION c\nTASK t(INTERVAL := " + interval +
+           ", PRIORITY := 1);\nPROGRAM p WITH t : " + name + ";\nEND_CONFIGURATION\n";
+}
+
+TEST(ComparePrograms, RewrittenProgramIsProvedEqual) {
+    const std::string other =
+        with(latch, "IF on THEN L := TRUE; END_IF;\nIF off THEN L := FALSE; END_IF;", "L := (L OR on) AND NOT off;");
+    const Result result = compared(latch, other);
+    EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;
+    EXPECT_EQ(result.out,
+              "`latch` (a) and `latch` (b): equal\n"
+              "  for all inputs, both write the same outputs in every scan, or both stop in the same scan\n"
+              "  a scan is one execution of each program\n");
+    EXPECT_EQ(compared(latch, latch).code, ExitCode::Done);
+    const std::string real = with(latch, "L : BOOL", "r : REAL; L : BOOL");
+    const Result ignored = compared(latch, real, {"--ignore", "r"});
+    EXPECT_EQ(ignored.code, ExitCode::Done) << ignored.err;
+    EXPECT_NE(ignored.out.find("  these outputs are not compared: `r`\n"), std::string::npos) << ignored.out;
+}
+
+TEST(ComparePrograms, DifferenceIsTheShortestSequenceWithBothOutputs) {
+    const Result result = compared(latch, with(latch, "IF off", "IF off AND NOT on"));
+    EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
+    EXPECT_EQ(result.out,
+              "`latch` (a) and `latch` (b): different\n"
+              "  distinguished by 1 scan, the minimum, replayed on the interpreter of programs:\n"
+              "  time  inputs   a writes  b writes\n"
+              "  0 s   on, off  none      L\n"
+              "  in the last scan, they differ in `L`\n"
+              "  a scan is one execution of each program\n");
+    const Result late = compared(counter, with(counter, "q := q + 1", "q := (q + 1) MOD 3"), {"--format", "json"});
+    EXPECT_EQ(late.code, ExitCode::Verdict) << late.out << late.err;
+    const auto json = nlohmann::json::parse(late.out);
+    EXPECT_EQ(json["programs"], nlohmann::json({true, true}));
+    EXPECT_EQ(json["shortest"], true);
+    ASSERT_EQ(json["scans"].size(), 5U) << "three edges";
+    EXPECT_EQ(json["scans"].back()["answers"][0]["outputs"]["q"], 3);
+    EXPECT_EQ(json["scans"].back()["answers"][1]["outputs"]["q"], 0);
+    EXPECT_TRUE(json["scans"].back()["answers"][0]["situation"].is_null());
+}
+
+TEST(ComparePrograms, AChartIsComparedWithAProgramInBothOrders) {
+    for (const bool turned : {false, true}) {
+        const Result same = turned ? compared(latch, lamp) : compared(lamp, latch);
+        EXPECT_EQ(same.code, ExitCode::Done) << same.out << same.err;
+        EXPECT_NE(same.out.find("a scan is one PLC cycle of the chart, mode stability-search, and one execution of the "
+                                "program\n"),
+                  std::string::npos)
+            << same.out;
+        const std::string wrong = with(latch, "IF off", "IF off AND NOT on");
+        const Result apart = turned ? compared(wrong, lamp) : compared(lamp, wrong);
+        EXPECT_EQ(apart.code, ExitCode::Verdict) << apart.out << apart.err;
+        EXPECT_NE(apart.out.find("distinguished by 1 scan, the minimum, replayed on the rules of IEC 60848 and the "
+                                 "interpreter of programs"),
+                  std::string::npos)
+            << apart.out;
+    }
+    // The first scan of a chart in every-cycle mode activates the initial steps only.
+    EXPECT_EQ(compared(lamp, latch, {"--mode", "every-cycle"}).code, ExitCode::Verdict);
+}
+
+TEST(ComparePrograms, StructuredTextOfAChartIsEqualToIt) {
+    const Folder folder;
+    const std::string chart = folder.write(
+        "lamp.grafcet",
+        with(with(with(lamp, "on, off", "go, off"), "when on", "when go"), "when off", "when off || 2s/X1"));
+    const std::string program = folder.file("lamp.st");
+    for (const std::string mode : {"every-cycle", "stability-search"}) {
+        ASSERT_EQ(
+            grafverif({"st", chart, "--format", "text", "--mode", mode, "--max-evolutions", "5", "-o", program}).code,
+            ExitCode::Done);
+        const Result result =
+            grafverif({"compare", chart, program, "--mode", mode, "--stop-output", "FAULT", "--resolution", "1s"});
+        EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;
+        EXPECT_NE(result.out.find("scans occur at arbitrary multiples of 1s"), std::string::npos) << result.out;
+    }
+    const Result fault = grafverif({"compare", chart, program});
+    EXPECT_EQ(fault.code, ExitCode::Input);
+    EXPECT_NE(fault.err.find("the output `FAULT` exists only in `lamp`; declare it in both, or pass `--map NAME=FAULT` "
+                             "or `--ignore FAULT` or `--stop-output FAULT` [not-comparable]"),
+              std::string::npos)
+        << fault.err;
+    EXPECT_EQ(grafverif({"compare", chart, program, "--ignore", "fault", "--resolution", "1s"}).code, ExitCode::Done);
+}
+
+TEST(ComparePrograms, ARunTimeFaultInWhichBothStopIsAModelError) {
+    const std::string dividing = with(counter, "IF e.Q", "IF a THEN q := q + 6 / n; END_IF;\nIF e.Q");
+    const Result result = compared(dividing, with(dividing, "6 / n", "6 / (n + 0)"));
+    EXPECT_EQ(result.code, ExitCode::Verdict) << result.out << result.err;
+    EXPECT_NE(result.out.find("unknown\n  inconclusive: both stop because of a run-time fault; they are equal in all "
+                              "scans before a fault\n"),
+              std::string::npos)
+        << result.out;
+    const Result exact = compared(dividing, dividing, {"--format", "json"});
+    const auto json = nlohmann::json::parse(exact.out);
+    EXPECT_EQ(json["outcome"], "unknown");
+    EXPECT_EQ(json["faulty"], true);
+    const std::string stop = json["scans"].back()["answers"][1]["stop"];
+    EXPECT_TRUE(stop.starts_with("the program divides by zero (")) << stop;
+    EXPECT_TRUE(stop.ends_with("b:6) [no-value]")) << stop;
+    EXPECT_NE(result.out.find("in the last scan, both stop\n"), std::string::npos) << result.out;
+    EXPECT_EQ(compared(dividing, dividing).code, ExitCode::Verdict) << "also for identical programs";
+    const Result one = compared(dividing, with(dividing, "IF a THEN", "IF a AND n > 0 THEN"));
+    EXPECT_EQ(one.code, ExitCode::Verdict);
+    EXPECT_NE(one.out.find("`a` stops and the other continues"), std::string::npos) << one.out;
+    const std::string array = with(latch, "L : BOOL; END_VAR",
+                                   "L : BOOL; END_VAR VAR_INPUT i : USINT; END_VAR "
+                                   "VAR v : ARRAY[0..3] OF BOOL; END_VAR v[i] := on;");
+    EXPECT_NE(compared(array, array, {"--format", "json"}).out.find("the program uses an index outside of its array"),
+              std::string::npos);
+}
+
+TEST(ComparePrograms, TheTimeBetweenScansIsStated) {
+    const Result any = compared(delay, with(delay, "T#2s", "T#1s"), {"--format", "json"});
+    EXPECT_EQ(any.code, ExitCode::Verdict) << any.err;
+    auto json = nlohmann::json::parse(any.out);
+    EXPECT_EQ(json["resolution_ms"], 1);
+    EXPECT_TRUE(json["interval_ms"].is_null());
+    EXPECT_EQ(json["scans"].size(), 2U);
+    const std::string task = every(delay, "delay", "T#500ms");
+    const Result fixed = compared(task, with(delay, "T#2s", "T#1s"), {"--format", "json"});
+    EXPECT_EQ(fixed.code, ExitCode::Verdict) << fixed.err;
+    json = nlohmann::json::parse(fixed.out);
+    EXPECT_EQ(json["interval_ms"], 500);
+    ASSERT_EQ(json["scans"].size(), 3U) << fixed.out;
+    EXPECT_EQ(json["scans"].back()["time_ms"], 1000);
+    EXPECT_NE(compared(task, task).out.find("; scans occur every 500ms\n"), std::string::npos);
+    // With an interval of 500 ms, 1800 ms elapse in the same scan as 2 s.
+    EXPECT_EQ(compared(task, with(task, "T#2s", "T#1800ms")).code, ExitCode::Done);
+    EXPECT_EQ(compared(delay, with(delay, "T#2s", "T#1800ms")).code, ExitCode::Verdict);
+    EXPECT_EQ(compared(delay, with(delay, "T#2s", "T#1800ms"), {"--resolution", "500ms"}).code, ExitCode::Done);
+    const std::string chart = "grafcet d { input a; output q; initial step 0 { q if 2s/a; } }\n";
+    EXPECT_EQ(compared(chart, delay, {"--mode", "every-cycle", "--resolution", "500ms"}).code, ExitCode::Done);
+    const Result late = compared(chart, with(delay, "T#2s", "T#2001ms"), {"--mode", "every-cycle"});
+    EXPECT_EQ(late.code, ExitCode::Verdict) << late.out << late.err;
+}
+
+TEST(ComparePrograms, SettledOutputsAreCompared) {
+    const std::string slow =
+        "PROGRAM slow\nVAR_INPUT on, off : BOOL; END_VAR\nVAR_OUTPUT L : BOOL; END_VAR\n"
+        "VAR m : BOOL; END_VAR\nL := m;\nm := (m OR on) AND NOT off;\nEND_PROGRAM\n";
+    EXPECT_EQ(compared(latch, slow).code, ExitCode::Verdict) << "one scan late";
+    for (const std::string& other : {latch, lamp}) {
+        const Result settled = compared(other, slow, {"--compare", "settled"});
+        EXPECT_EQ(settled.code, ExitCode::Done) << settled.out << settled.err;
+        EXPECT_NE(settled.out.find("repeated with constant inputs and without delay until nothing changes\n"),
+                  std::string::npos)
+            << settled.out;
+    }
+    const Result apart = compared(latch, with(slow, "AND NOT off", ""), {"--compare", "settled"});
+    EXPECT_EQ(apart.code, ExitCode::Verdict) << apart.out << apart.err;
+    const std::string blinking = with(slow, "(m OR on) AND NOT off", "NOT m");
+    const Result never = compared(latch, blinking, {"--compare", "settled", "--format", "json"});
+    EXPECT_EQ(never.code, ExitCode::Verdict) << never.out << never.err;
+    EXPECT_NE(never.out.find("the program repeats its states forever [total-instability]"), std::string::npos)
+        << never.out;
+    const Result neither = compared(blinking, blinking, {"--compare", "settled"});
+    EXPECT_EQ(neither.code, ExitCode::Unknown) << neither.out << neither.err;
+    EXPECT_NE(neither.out.find("the outputs of neither settle"), std::string::npos) << neither.out;
+}
+
+TEST(ComparePrograms, NamesAreMatchedWithoutCaseOrByOptions) {
+    const std::string upper = with(with(latch, "on, off", "ON, OFF"), "L : BOOL", "l : BOOL");
+    EXPECT_EQ(compared(latch, upper).code, ExitCode::Done);
+    EXPECT_EQ(compared(lamp, upper).code, ExitCode::Done);
+    const std::string german =
+        "PROGRAM lampe\nVAR_INPUT ein, aus : BOOL; END_VAR\nVAR_OUTPUT licht : BOOL; END_VAR\n"
+        "licht := (licht OR ein) AND NOT aus;\nEND_PROGRAM\n";
+    const std::vector<std::string> map = {"--map", "on=EIN", "--map", "off=aus", "--map", "L=licht"};
+    const Result mapped = compared(latch, german, map);
+    EXPECT_EQ(mapped.code, ExitCode::Done) << mapped.out << mapped.err;
+    EXPECT_EQ(compared(lamp, german, map).code, ExitCode::Done);
+    EXPECT_EQ(compared(german, lamp, {"--map", "ein=on", "--map", "aus=off", "--map", "licht=L"}).code, ExitCode::Done);
+    EXPECT_EQ(compared(latch, german, {"--map", "on=aus", "--map", "off=ein", "--map", "L=licht"}).code,
+              ExitCode::Verdict);
+    const Result missing = compared(latch, german);
+    EXPECT_EQ(missing.code, ExitCode::Input);
+    EXPECT_NE(missing.err.find("a:2:"), std::string::npos) << missing.err;
+    EXPECT_NE(missing.err.find("the input `on` exists only in `latch`; declare it in both, or pass `--map on=NAME`"),
+              std::string::npos)
+        << missing.err;
+    EXPECT_NE(missing.err.find("the output `licht` exists only in `lampe`"), std::string::npos) << missing.err;
+}
+
+TEST(ComparePrograms, TextualChartIsComparedAsAProgram) {
+    const std::string sfc =
+        "PROGRAM s\nVAR_INPUT on, off : BOOL; END_VAR\nVAR_OUTPUT L : BOOL; END_VAR\n"
+        "INITIAL_STEP s0: END_STEP\nSTEP s1: L(N); END_STEP\nTRANSITION FROM s0 TO s1 := on AND NOT off; "
+        "END_TRANSITION\nTRANSITION FROM s1 TO s0 := off; END_TRANSITION\nEND_PROGRAM\n";
+    const Result result = compared(lamp, sfc, {"--mode", "every-cycle"});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;
+    EXPECT_EQ(compared(lamp, sfc).code, ExitCode::Verdict) << "the first execution clears no transition";
+    EXPECT_EQ(compared(lamp, sfc, {"--imported-charts"}).code, ExitCode::Done);
+}
+
+TEST(ComparePrograms, WhatCannotBeComparedIsRejectedWithARemedy) {
+    struct Case {
+        std::string a, b;
+        std::vector<std::string> options;
+        std::string message;
+    };
+    const std::string wide =
+        "PROGRAM p\nVAR_INPUT on : BOOL; n : INT; END_VAR\nVAR_OUTPUT L : BOOL; END_VAR\n"
+        "L := on AND n > 3;\nEND_PROGRAM\n";
+    const std::string task = every(delay, "delay", "T#500ms");
+    for (const Case& one : std::vector<Case>{
+             {wide,
+              with(wide, "n : INT", "n : DINT"),
+              {},
+              "the input `n` is an integer from -32768 to 32767 in `p` and an "
+              "integer from -2147483648 to 2147483647 in `p`; declare it "
+              "with the same type in both"},
+             {wide, with(with(wide, "n : INT", "n : BOOL"), "n > 3", "n"), {}, "the input `n` is an integer"},
+             {wide, with(with(wide, "n : INT", "n : TIME"), "n > 3", "n > T#3ms"), {}, "a duration in `p`"},
+             {latch, with(latch, "L : BOOL", "M : BOOL; L : BOOL"), {}, "the output `M` exists only in `latch`"},
+             {latch, latch, {"--ignore", "L"}, "`latch` has no outputs and cannot be compared"},
+             {latch, latch, {"--ignore", "K"}, "`--ignore K` names no output of the compared files; name an output"},
+             {latch, latch, {"--stop-output", "K"}, "`--stop-output K` names no output of a program"},
+             {latch, latch, {"--map", "of=off"}, "input or output `of`"},
+             {latch, latch, {"--map", "off"}, "invalid value `off` of `--map`; use NAME=NAME"},
+             {latch, latch, {"--mode", "every-cycle"}, "`--mode` applies to charts, but both files are programs"},
+             {latch, lamp, {"--from-situation", "0"}, "`--from-situation` applies to charts, but a file is a program"},
+             {lamp, lamp, {"--compare", "settled"}, "`--compare settled` applies to programs"},
+             {lamp, latch, {"--compare", "settled", "--mode", "every-cycle"}, "requires the mode `stability-search`"},
+             {task,
+              every(delay, "delay", "T#1s"),
+              {},
+              "the task of `delay` is executed every 500 ms, and that of `delay` "
+              "every 1000 ms; give both tasks the same INTERVAL"},
+             {task,
+              delay,
+              {"--resolution", "500ms"},
+              "`--resolution` cannot be used, because the task of `delay` is "
+              "executed every 500 ms"},
+             {task, delay, {"--compare", "settled"}, "`--compare settled` cannot be used"},
+             {latch, "PROGRAM p\nVAR x : LREAL; END_VAR\nx := x + 1.0;\nEND_PROGRAM\n", {}, "b:3:"},
+             {latch, "PROGRAM p\nVAR x : BOOL; END_VAR\nx := ;\nEND_PROGRAM\n", {}, "b:3:"},
+             {latch,
+              with(latch, "L : BOOL", "r : REAL; L : BOOL"),
+              {},
+              "the type of the output `r` is not supported; use another type, or pass `--ignore r` [not-comparable]"},
+             {latch, "PROGRAM", {}, "b:1:"},
+             {latch, "<project", {}, "b:1:"},
+             {latch, "(* only a comment *)", {}, "error"},
+         }) {
+        SCOPED_TRACE(one.message);
+        const Result result = compared(one.a, one.b, one.options);
+        EXPECT_EQ(result.code, ExitCode::Input) << result.out << result.err;
+        EXPECT_NE(result.err.find(one.message), std::string::npos) << result.err;
+        EXPECT_EQ(result.out, "");
+    }
+}
+
+TEST(ComparePrograms, AnInputOfAProgramTakesTheValuesOfTheChart) {
+    const std::string chart = "grafcet c { input n: int 0..3; output L; initial step 0 { L if n > 2; } }\n";
+    const std::string program =
+        "PROGRAM p\nVAR_INPUT n : INT; END_VAR\nVAR_OUTPUT L : BOOL; END_VAR\n"
+        "L := n = 3;\nEND_PROGRAM\n";
+    for (const bool turned : {false, true}) {
+        const Result same = turned ? compared(program, chart) : compared(chart, program);
+        EXPECT_EQ(same.code, ExitCode::Done) << same.out << same.err;
+        EXPECT_NE(same.out.find("  these inputs have only the values of the chart: `n`\n"), std::string::npos)
+            << same.out;
+    }
+    EXPECT_EQ(compared(chart, with(program, "n : INT", "n : USINT(1..3)")).code, ExitCode::Input);
+}
+
+TEST(ComparePrograms, StoppedComparisonIsUnknown) {
+    const std::string hard = with(counter, "q := q + 1;", "q := q * q + 3;");
+    const Result result = compared(hard, with(hard, "q * q + 3", "3 + q * q"), {"--timeout", "1ms"});
+    EXPECT_EQ(result.code, ExitCode::Unknown) << result.out;
+    EXPECT_NE(result.out.find("inconclusive: "), std::string::npos) << result.out;
+}
+
+}  // namespace
+}  // namespace grafverif::app
