@@ -4,6 +4,8 @@
 // shortest, no shorter random sequence distinguishes them. The test uses charts and their mutants in both modes,
 // including timed charts. It also checks that a mutant of `mutate` is read back as written, and that it differs in one
 // location, which `compare` detects.
+#include "pipeline/variants/compare.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -13,7 +15,9 @@
 #include "compare/difference.hpp"
 #include "compare/mutants.hpp"
 #include "derive/derive.hpp"
+#include "emit/structured_text/structured_text.hpp"
 #include "grafverif/grafverif.hpp"
+#include "report/charts/comparison.hpp"
 #include "run/interpreter.hpp"
 #include "support/random_chart.hpp"
 #include "support/test_size.hpp"
@@ -129,6 +133,12 @@ Chart mutant(Chart chart, Random& random) {
     }
     }
     return tidied(chart);
+}
+
+std::string text_of_comparison(const Comparison& comparison) {
+    std::ostringstream text;
+    print_result(comparison, Colour::Plain, text);
+    return std::move(text).str();
 }
 
 Model model_of(const Chart& chart) {
@@ -262,6 +272,115 @@ TEST(RandomizedCompare, MutantsDifferInOnePlaceAndEquivalentOnesAreNeverDistingu
                   << met.equal << " equal, " << met.different << " different, " << met.unknown << " unknown\n";
     EXPECT_GT(read, refused);
     EXPECT_GT(kinds.size(), 5U);
+    EXPECT_GT(met.equal + met.different, met.unknown);
+}
+
+/// Returns the Structured Text of the chart, or nothing if it cannot be expressed.
+std::optional<std::string> controller_text(const Chart& chart, ExecutionMode mode) {
+    Diagnostics diagnostics;
+    const auto equations = derive(chart, diagnostics);
+    if (!equations || !structured_text::expressible(*equations, diagnostics)) return {};
+    std::ostringstream out;
+    structured_text::emit(*equations, {mode, 12, structured_text::Form::Text}, out);
+    return std::move(out).str();
+}
+
+/// Compares a chart with the Structured Text of `other`. Returns nothing if one of them is rejected.
+std::optional<Comparison> with_controller(const Chart& chart, const Chart& other, ExecutionMode mode, bool turned,
+                                          std::string& error) {
+    const auto text = controller_text(other, mode);
+    Diagnostics diagnostics;
+    if (!text || !derive(chart, diagnostics) || plugs(chart, Chart::VariableKind::Output).empty()) return {};
+    Sources sources;
+    const Model model = model_of(chart);
+    const CompareOperand of_chart{&model, *model.charts.ids().begin(), {}};
+    const CompareOperand program{nullptr, {}, sources.add({"controller.st", *text})};
+    CompareOptions options{.mode = mode};
+    options.limits.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+    options.resolution_ms = 500;
+    auto found = turned ? compare(program, of_chart, options, {.stop = "FAULT"}, sources, diagnostics)
+                        : compare(of_chart, program, options, {.stop = "FAULT"}, sources, diagnostics);
+    std::ostringstream errors;
+    render_text(diagnostics.all(), sources, Colour::Plain, errors);
+    if (!found) error = std::move(errors).str() + *text;
+    else if (!found->failures.empty()) error = found->failures.front() + '\n' + *text;
+    return found;
+}
+
+/// True if only the maximum number of evolutions of the program is a difference.
+bool is_cut(const Comparison& found, std::size_t program) {
+    return !found.scans.empty() && !found.answers[program].back().stop.empty() &&
+           found.answers[1 - program].back().stop.empty();
+}
+
+TEST(RandomizedCompare, StructuredTextOfAChartIsEqualToIt) {
+    Met met;
+    int rejected = 0, cut = 0;
+    for (int seed = 1; seed <= test_size(20); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed) + 3000);
+        const Chart chart = tidied(random_chart(random, chance(random, 20) ? TimedTerms::Any : TimedTerms::Steps));
+        if (chart.steps.size() > most_steps) continue;
+        const ExecutionMode mode = chance(random, 20) ? ExecutionMode::StabilitySearch : ExecutionMode::EveryCycle;
+        const bool turned = chance(random, 50);
+        std::string error;
+        const auto found = with_controller(chart, chart, mode, turned, error);
+        ASSERT_EQ(error, "") << "seed " << seed << ", " << word(mode) << '\n' << chart_text(chart);
+        if (!found && ++rejected) continue;
+        met.timed += found->resolution_ms > 0 ? 1 : 0;
+        if (found->outcome == Comparison::Outcome::Unknown && ++met.unknown) continue;
+        if (found->outcome == Comparison::Outcome::Different && mode == ExecutionMode::StabilitySearch &&
+            is_cut(*found, turned ? 0 : 1) && ++cut)
+            continue;
+        ASSERT_EQ(found->outcome, Comparison::Outcome::Equal)
+            << "seed " << seed << ", " << word(mode) << '\n'
+            << chart_text(chart) << *controller_text(chart, mode) << text_of_comparison(*found);
+        ++met.equal;
+    }
+    if (std::getenv("GRAFVERIF_TEST_SIZE") != nullptr)
+        std::cout << met.equal << " equal, " << met.timed << " timed, " << met.unknown << " unknown, " << rejected
+                  << " rejected, " << cut << " need more evolutions\n";
+    EXPECT_GT(met.equal, met.unknown);
+    EXPECT_GT(met.timed, 0);
+}
+
+TEST(RandomizedCompare, AChartAndTheStructuredTextOfAMutantDifferAsTheChartsDo) {
+    Met met;
+    for (int seed = 1; seed <= test_size(20); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed) + 4000);
+        const Chart chart = tidied(random_chart(random, chance(random, 30) ? TimedTerms::Any : TimedTerms::Steps));
+        if (chart.steps.size() > most_steps) continue;
+        const Chart other = mutant(chart, random);
+        const ExecutionMode mode = chance(random, 20) ? ExecutionMode::StabilitySearch : ExecutionMode::EveryCycle;
+        std::string error;
+        const bool turned = chance(random, 50);
+        const auto found = with_controller(chart, other, mode, turned, error);
+        ASSERT_EQ(error, "") << "seed " << seed << ", " << word(mode) << '\n' << chart_text(chart);
+        if (!found) continue;
+        const Model one = model_of(chart), second = model_of(other);
+        CompareOptions options{.mode = mode};
+        options.limits.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+        if (found->resolution_ms > 0) options.resolution_ms = 500;
+        Diagnostics diagnostics;
+        const auto charts =
+            compare(one, *one.charts.ids().begin(), second, *second.charts.ids().begin(), options, diagnostics);
+        const bool decided =
+            charts && charts->outcome != Comparison::Outcome::Unknown && found->outcome != Comparison::Outcome::Unknown;
+        if (!decided && ++met.unknown) continue;
+        if (mode == ExecutionMode::StabilitySearch && is_cut(*found, turned ? 0 : 1)) continue;
+        ASSERT_EQ(found->outcome, charts->outcome)
+            << "seed " << seed << ", " << word(mode) << '\n'
+            << chart_text(chart) << chart_text(other) << text_of_comparison(*found) << text_of_comparison(*charts);
+        ++(found->outcome == Comparison::Outcome::Equal ? met.equal : met.different);
+        if (found->shortest && charts->shortest) {
+            ++met.shortest;
+            ASSERT_EQ(found->scans.size(), charts->scans.size()) << "seed " << seed << '\n'
+                                                                 << chart_text(chart) << chart_text(other);
+        }
+    }
+    if (std::getenv("GRAFVERIF_TEST_SIZE") != nullptr)
+        std::cout << met.equal << " equal, " << met.different << " different (" << met.shortest << " shortest), "
+                  << met.unknown << " unknown\n";
+    EXPECT_GT(met.different, 1);
     EXPECT_GT(met.equal + met.different, met.unknown);
 }
 
