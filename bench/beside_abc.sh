@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Compares the engines for state properties with each other and with ABC, one property at a time.
-# Models: transfer lines of 4, 16, 32 and 50 cells, and long threads of the samples.
+# Models: transfer lines of 4, 16, 32 and 50 cells, and properties of samples.
 # Usage: bench/beside_abc.sh [BUILD [SECONDS]]. BUILD (build/release) contains bench_engine and bench_states;
 # berkeley-abc must be on the PATH; each run is stopped after SECONDS (60) of real time.
 set -euo pipefail

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Compares the symbolic engine with NuSMV with dynamic reordering: processor seconds for all properties of a model in
-# one run each.
+# Compares the symbolic engine with NuSMV with dynamic reordering: the processor seconds of one run of each program for
+# all properties of a model.
 # Usage: bench/beside_nusmv.sh [BUILD [SECONDS]]. BUILD (build/release) contains bench_symbolic; NuSMV must be on the
 # PATH; each run is stopped after SECONDS (60) of processor time.
 set -euo pipefail
@@ -12,7 +12,7 @@ bench=$build/bench/bench_symbolic
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# seconds OUTPUT COMMAND...: processor seconds of COMMAND, or `>` and the limit
+# seconds OUTPUT COMMAND...: prints the processor seconds of COMMAND, or `>` and the limit if COMMAND reached it
 seconds() {
     local out=$1
     shift

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Counts crossings, and links against the reading direction, in drawings of `grafverif draw` and in the layered layout
-// of the same graph by ELK: node crossings.mjs FOLDER_OF_ELKJS FILE.svg...  (npm install elkjs)
+// that ELK computes for the same graph: node crossings.mjs FOLDER_OF_ELKJS FILE.svg...  (npm install elkjs)
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { basename } from 'node:path';
@@ -36,7 +36,7 @@ async function laidOut({ nodes, links }) {
   }));
 }
 
-// Crossings of horizontal and vertical lines in the interior of both, each point once.
+// Returns the number of points at which a horizontal and a vertical line cross in the interior of both lines.
 function crossings(links) {
   const across = [], along = [], places = new Set();
   for (const { lines } of links)

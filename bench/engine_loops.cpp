@@ -76,12 +76,12 @@ Network beside(Network left, const Network& right) {
     return left;
 }
 
-/// The names declared in a file, which are renamed so that several copies of it can be combined.
+/// The names declared in a model text, which are numbered so that several copies of the text can form one loop.
 class Numbered {
 public:
     explicit Numbered(const std::string& text) {
-        // Declared names: after `grafcet`, `plant`, `environment`, `property`, in lists of inputs and outputs, and
-        // names bound to ports (the word after `=`, unless it is a component).
+        // Matches declared names: after `grafcet`, `plant`, `environment`, `property`, in lists of inputs and outputs,
+        // and names bound to ports (the word after `=`, unless it is a component).
         static const std::regex declared("(?:grafcet|plant|environment|property) (\\w+)|[(,]\\s*\\w+ = ([A-Z]\\w*)");
         for (std::sregex_iterator found(text.begin(), text.end(), declared), end; found != end; ++found)
             names_.insert((*found)[1].matched ? (*found)[1].str() : (*found)[2].str());
@@ -94,7 +94,8 @@ public:
             if (text.find("grafcet " + name + " {") != std::string::npos) chart_ = name;
     }
 
-    /// Returns `text` with `_k` appended to each name. Steps in verdicts are those of the chart.
+    /// Returns `text` with `_k` appended to each name. In properties, step names are prefixed with the numbered chart
+    /// name.
     std::string with(int k, const std::string& text) const {
         static const std::regex word("[A-Za-z_]\\w*");
         const std::string number = "_" + std::to_string(k);

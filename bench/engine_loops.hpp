@@ -25,10 +25,10 @@ struct LoopParts {
 /// invalid.
 LoopParts parts(const std::string& text);
 
-/// Returns the first loop of `text`, composed. Throws std::invalid_argument if the text is invalid.
+/// Composes the first loop of `text` into a network. Throws std::invalid_argument if the text is invalid.
 Network loop(const std::string& text, Grain grain = Grain::Phased);
 
-/// Returns two testing stations in one network, which share only time.
+/// Returns a network of two testing stations that share only time.
 Network two_stations(Grain grain = Grain::Phased);
 
 /// Returns the text of a loop with `count` testing stations, each with a separate controller. The stations share only

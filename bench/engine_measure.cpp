@@ -5,7 +5,7 @@
 //   `station`, `cylinders N`
 //   `two`: two stations in one network, explored as one
 //   `stations N`: N stations in one loop, checked compositionally
-//   `line N`: a transfer line of N cells, its safety by localization
+//   `line N`: a transfer line of N cells, whose safety properties are checked by localization
 #include <fmt/core.h>
 #include <sys/resource.h>
 
@@ -60,7 +60,7 @@ void print(const TimedResult& result, double seconds) {
     fmt::print("  peak {} MiB, {:.2f} s of the processor in all\n", usage.ru_maxrss / 1024, processor_seconds());
 }
 
-/// Returns the text of a generated model; otherwise empty.
+/// Returns the text of a generated model, or an empty string if `what` is not a generated model.
 std::string made(const std::string& what, int count, char** values) {
     const int size = count > 2 ? std::atoi(values[2]) : 3;
     if (what == "cylinders") return bench::cylinders(size);

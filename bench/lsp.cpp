@@ -49,7 +49,7 @@ std::string quoted(const std::string& text) {
     return json + "\"";
 }
 
-/// Both ends of the streams of a server.
+/// The two ends of the input and output streams of a server.
 class Wire {
 public:
     void say(const std::string& body) {
@@ -121,7 +121,7 @@ struct Place {
         return fmt::format(R"({{"line": {}, "character": {}}})", line, character + beyond);
     }
 };
-/// Returns the position in the condition of the last transition, after the first letter.
+/// Returns the position after the first letter of the condition of the last transition.
 Place place_in(const std::string& text) {
     const std::size_t at = text.rfind("when A") + 6;
     return {static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')),

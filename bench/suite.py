@@ -37,7 +37,7 @@ def descriptor_tasks(folder):
 
 
 def decide(program, path, properties, timeout):
-    """Verdict, proof and reason of one task, and the processor time in seconds."""
+    """Returns the verdict, proof and reason of one task, and its processor time in seconds."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     run = subprocess.run([program, "check", path, "--properties", properties, "--format", "json", "--timeout", f"{timeout}s"],
                          capture_output=True, text=True, check=False)

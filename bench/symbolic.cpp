@@ -7,7 +7,7 @@
 // bench_symbolic PATH|cylinders N|line N|two APPROACH [SCHEDULE] [discrete] [atomic]: a closed loop with all
 // properties. The loop is samples/PATH, a loop with N cylinders, a transfer line of N cells, or two testing stations
 // that share only time (with the properties of one). APPROACH: none, constraints or automata. SCHEDULE: interleaved,
-// synchronous or sequenced. `discrete` counts clocks; `atomic` selects this granularity. If the last
+// synchronous or sequenced. `discrete` models time by counting clocks; `atomic` selects the grain atomic. If the last
 // argument is `whole`, independent subsystems are explored together; if it is `nusmv`, the model is printed and not
 // checked.
 #include "check/symbolic/symbolic.hpp"
@@ -43,7 +43,7 @@ using namespace grafverif;
     throw std::invalid_argument(text.str());
 }
 
-/// Returns the chart with a property of every type about its last steps.
+/// Returns a system of `count` stations in one chart, with a property of every type about its last steps.
 TransitionSystem stations(std::size_t count) {
     Sources sources;
     Diagnostics diagnostics;

@@ -15,7 +15,7 @@ constexpr std::string_view head =
 )";
 
 constexpr std::string_view wires =
-    R"(    input GIVEN_@, STORED_@;  // of the buffers before and after cell @
+    R"(    input GIVEN_@, STORED_@;  // responses of the buffers before and after cell @
     input CLAMP_IN_@, CLAMP_OUT_@, DRILL_IN_@, DRILL_OUT_@;
     output TAKE_@, PUT_@, CLAMP_@, DRILL_@;
 )";
@@ -85,7 +85,8 @@ std::string of_cell(std::string_view text, int number) {
     return made;
 }
 
-/// Returns the buffer after cell `k`. With 0 it is the buffer before all cells, with `cells` the buffer after them.
+/// Returns the buffer after cell `k`. `k` = 0 denotes the buffer before all cells, and `k` = `cells` the buffer after
+/// them.
 std::string buffer(int k, int cells) {
     const std::string put = k == 0 ? "BRING, STORED = BROUGHT" : of_cell("PUT_@, STORED = STORED_@", k);
     const std::string take = k == cells ? "FETCH, GIVEN = FETCHED" : of_cell("TAKE_@, GIVEN = GIVEN_@", k + 1);

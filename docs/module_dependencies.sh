@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Draws docs/module_dependencies.svg from the includes of the code: which module includes which.
+# Draws docs/module_dependencies.svg, the dependencies between modules, from the includes of the code.
 #   docs/module_dependencies.sh >docs/module_dependencies.svg
 set -euo pipefail
 export LC_ALL=C

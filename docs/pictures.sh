@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Makes the pictures of the documents: docs/pictures.sh GRAFVERIF (such as build/run/bin/grafverif). The samples and the
-# chart of the tutorial are drawn; the players of the README and of the tutorial are photographed in Chromium.
+# Makes the pictures of the documents: docs/pictures.sh GRAFVERIF (such as build/run/bin/grafverif). GRAFVERIF draws the
+# samples and the chart of the tutorial; Chromium makes the pictures of the players in the README and in the tutorial.
 set -euo pipefail
 grafverif=$(realpath "$1")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Times `check` on the stations of this folder: bench/stations/measure.sh [PROGRAM [SECONDS [OPTION...]]].
-# For each station: all properties in one run with default options, then each property in its own run. PROGRAM is
-# build/release/bin/grafverif; SECONDS (60) limits each run, and each may use 2 GiB; options are passed to `check`.
-# A line has the elapsed seconds and the summary of the run.
+# For each station, checks all properties in one run with default options, and then each property in a separate run.
+# PROGRAM is build/release/bin/grafverif; each run may use SECONDS (60) and 2 GiB; options are passed to `check`. Each
+# output line contains the elapsed seconds and the summary of a run.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 program=${1:-build/release/bin/grafverif} limit=${2:-60}
@@ -11,7 +11,7 @@ shift $(($# < 2 ? $# : 2))
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# run NAME OPTIONS...: one line about one run
+# run NAME OPTIONS...: prints one line about one run
 run() {
     local name=$1 begin end
     shift

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Draws the automaton of a component with Graphviz, in the colours of either theme."""
+"""Draws the automaton of a component with Graphviz, in colours for the light and the dark theme."""
 import re
 import shutil
 import subprocess
@@ -7,7 +7,7 @@ from html import escape
 
 
 def parts(body):
-    """Locations and edges of a component in canonical text."""
+    """Returns the locations and edges of a component given in canonical text."""
     locations, edges = [], []
     for statement in re.split(r"[;{}]", body):
         statement = " ".join(statement.split())
@@ -53,7 +53,7 @@ def wrapped(text, width=34):
 
 
 def svg(body):
-    """SVG of the automaton, or None without locations or Graphviz."""
+    """Returns the SVG of the automaton, or None if it has no locations or Graphviz is not installed."""
     if not parts(body)[0] or shutil.which("dot") is None:
         return None
     done = subprocess.run(["dot", "-Tsvg"], input=dot(body), capture_output=True, text=True, timeout=60)

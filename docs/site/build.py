@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """build.py GRAFVERIF TARGET: writes the sources of the site below TARGET, for sphinx-build.
 
-Fails, with one line per problem, for a page without a title, a broken link, and an undocumented command, option,
-diagnostic or parameter. Sphinx is not needed. `--doxygen DIR` adds the C++ API, for which Doxygen writes XML into DIR. `--quick` omits the gallery,
-whose verdicts take a minute.
+Prints one line per problem and fails if a page has no title, a link is broken, or a command, option, diagnostic or
+parameter is undocumented. Sphinx is not needed. `--doxygen DIR` adds the C++ API, for which Doxygen writes XML into
+DIR. `--quick` omits the gallery, whose verdicts take a minute.
 """
 import argparse
 import shutil
@@ -16,7 +16,7 @@ from pages import Site, absolute, anchors
 
 
 def generated_parts(site, root, program, target, quick):
-    """The parts of the reference that are not written by hand: page -> Markdown."""
+    """Returns the generated parts of the reference: page -> Markdown."""
     parts, problems = {}, site.problems
     parts["reference/cli.md"] = reference.commands_page(program, problems)
     parts["reference/diagnostics.md"], _ = reference.diagnostics_page(root, problems)

@@ -36,18 +36,18 @@ REDIRECTION = """<!DOCTYPE html>
 
 
 def slug(heading):
-    """The anchor of a heading, as GitHub and MyST compute it."""
+    """Returns the anchor of a heading, as GitHub and MyST compute it."""
     text = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading).replace("`", "").replace("*", "").lower()
     return re.sub(r"[^\w\- ]", "", text).strip().replace(" ", "-")
 
 
 def absolute(path):
-    """`path` without `..`; symbolic links are kept."""
+    """Returns the absolute `path` without `..`; symbolic links are not resolved."""
     return Path(os.path.abspath(path))
 
 
 def prose(text):
-    """The lines of `text` as (number, line, inside a fenced block)."""
+    """Yields (number, line, True if inside a fenced block) for each line of `text`."""
     inside = False
     for number, line in enumerate(text.split("\n"), 1):
         fence = FENCE.match(line) is not None
@@ -61,7 +61,7 @@ def headings(text):
 
 
 def introduction(text):
-    """The first paragraph after the title."""
+    """Returns the first paragraph after the title."""
     lines = []
     for _, line, code in prose(text):
         if not code and not line.startswith("#") and (line.strip() or lines):
@@ -84,14 +84,14 @@ def anchors(text):
 class Site:
     def __init__(self, root, target):
         self.root, self.target, self.problems = Path(root), Path(target), []
-        self.pages = {}  # place in the site -> path in the repository
+        self.pages = {}  # path in the site -> path in the repository
         for path in sorted((self.root / "docs").rglob("*.md")):
             self.pages[path.relative_to(self.root / "docs").as_posix()] = path
         for path in sorted((self.root / "samples").glob("*/README.md")):
             self.pages[f"samples/{path.parent.name}.md"] = path
         self.places = {absolute(path): place for place, path in self.pages.items()}
         self.texts = {place: path.read_text() for place, path in self.pages.items()}
-        self.extra_anchors = {}  # of generated parts of pages
+        self.extra_anchors = {}  # anchors of generated parts of pages
         self.terms = self.read_terms()
 
     def problem(self, place, number, message):
@@ -100,7 +100,7 @@ class Site:
         self.problems.append(f"{shown}:{number}: {message}")
 
     def read_terms(self):
-        """Terms of the glossary, each with its anchor; `Term (other form)` defines both."""
+        """Returns the terms of the glossary, each with its anchor; `Term (other form)` defines both forms."""
         terms = {}
         for _, level, title in headings(self.texts.get(GLOSSARY, "")):
             if level == 2:
@@ -108,7 +108,7 @@ class Site:
                 for term in filter(None, [main, *others.rstrip(")").split(", ")]):
                     for form in [term, term + "s", term + "es"]:
                         terms[form.lower()] = slug(title)
-        for form in ["run", "runs"]:  # in most places another meaning
+        for form in ["run", "runs"]:  # these words mostly have another meaning
             terms.pop(form, None)
         return terms
 
@@ -157,7 +157,7 @@ class Site:
             self.problem(place, number, f"broken link `{link}`; no such heading")
 
     def link_in_site(self, place, link):
-        """`link` of a page, as a link between pages or files of the site."""
+        """Converts `link` of a page to a link between pages or files of the site."""
         target, hash_, anchor = link.partition("#")
         if "://" in target or not target:
             return link
@@ -195,7 +195,8 @@ class Site:
         return "".join(part if index % 2 else pattern.sub(linked, part) for index, part in enumerate(parts))
 
     def contents(self):
-        """The tables of contents of the front page, which Sphinx reads: the links of each section of index.md, in order."""
+        """Returns the tables of contents of the front page for Sphinx: the links of each section of index.md, in
+        order."""
         sections, lines = [], []
         for _, line, code in prose(self.texts.get("index.md", "")):
             heading = None if code else HEADING.match(line)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Generated parts of the reference: commands, diagnostics, components, Python API, gallery.
 
-Each function returns Markdown; what is undocumented is appended to `problems`.
+Each function returns Markdown and appends undocumented items to `problems`.
 """
 import ast
 import json
@@ -20,14 +20,14 @@ def run(program, *arguments, cwd=None):
 
 
 def plain(roff):
-    """A line of a manual page without its markup; bold words become code."""
+    """Returns a line of a manual page without its markup; bold words become code."""
     text = re.sub(r"\\fB(.*?)\\fR", r"`\1`", roff)
     text = re.sub(r"\\fI(.*?)\\fR", r"\1", text)
     return text.replace("\\-", "-").replace("\\&", "").replace("\\(aq", "'").replace("\\e", "\\")
 
 
 def sections(page):
-    """Sections of a manual page: name -> lines."""
+    """Returns the sections of a manual page: name -> lines."""
     found, name = {}, ""
     for line in page.splitlines():
         if line.startswith(".SH "):
@@ -39,7 +39,7 @@ def sections(page):
 
 
 def tagged(lines):
-    """The (.TP tag, text) pairs of a section."""
+    """Returns the (.TP tag, text) pairs of a section."""
     pairs, wants_tag = [], False
     for line in lines:
         if line == ".TP":
@@ -61,7 +61,7 @@ def cell(text):
 
 
 def commands(program):
-    """Commands of the program: name -> one line that describes it."""
+    """Returns the commands of the program: name -> one line that describes it."""
     overview = sections(run(program, "manual"))
     known = overview.get("COMMANDS") or overview.get("VERBS") or []
     return {tag.split("(")[0].removeprefix("grafverif-"): text for tag, text in tagged(known)}
@@ -116,7 +116,7 @@ LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
 
 
 def templates(source):
-    """(level, code, message template) of each diagnostic in a source of src/support/messages*.cpp.
+    """Yields (level, code, message template) of each diagnostic in a source of src/support/messages*.cpp.
 
     The template joins the string literals of the first message; values are shown as `...`.
     """
@@ -136,7 +136,7 @@ def templates(source):
             words.append(literal[1])
             last = literal.end()
         message = "".join(words)
-        if len(message) < 12:  # the message is put together before
+        if len(message) < 12:  # the message is composed in an earlier statement
             message = "".join(max((m for m in re.findall(r'((?:"(?:[^"\\]|\\.)*"\s*)+)', local)), key=len, default=""))
             message = "".join(LITERAL.findall(message))
         yield match[1], match[2], re.sub(r"`?\{[^}]*\}`?", "`…`", message).replace('\\"', '"').replace("\\\\", "\\").strip()
@@ -146,7 +146,8 @@ HEADER = re.compile(r"^(?P<file>[\w./-]+?\.\w+)(?::\d+:\d+)?: (?P<level>error|wa
 
 
 def examples(folder):
-    """code -> (file, printed text) of the smallest reject that shows it; its own file is preferred."""
+    """Returns code -> (file, printed text) of the smallest test that shows the diagnostic; the test named after the
+    code is preferred."""
     found = {}
     for expected in sorted(folder.glob("*.expected")):
         source = expected.with_suffix(".grafcet")
@@ -172,7 +173,7 @@ def diagnostics_page(root, problems):
             if code not in known or len(message) > len(known[code][1]):
                 known[code] = (level, message)
     shown = examples(root / "tests/diagnostics")
-    codes = sorted({*known, *shown})  # some codes, such as `unknown-variable`, are put together
+    codes = sorted({*known, *shown})  # some codes, such as `unknown-variable`, are composed at run time
     lines = ["", "## Index", "", ", ".join(f"[{code}](#{code})" for code in codes), ""]
     for code in codes:
         level, message = known.get(code, ("error", ""))
@@ -201,7 +202,7 @@ def sentence(text):
 
 
 def printable(text):
-    """Lines of `text` without licence and characters that a page cannot show."""
+    """Returns the lines of `text` without the licence line; unprintable characters are replaced."""
     clean = "".join(c if c == "\n" or c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in text.replace("\t", "    "))
     return [line for line in clean.rstrip("\n").split("\n") if "SPDX-License" not in line and not line.startswith("````")]
 
@@ -251,7 +252,7 @@ def components_page(root, program, target, problems):
 
 
 def broken(call, width=88):
-    """A signature in lines of at most `width` characters, broken after commas outside brackets."""
+    """Returns the lines of a signature, broken after commas outside brackets to at most `width` characters."""
     if len(call) <= width:
         return [call]
     rows, row, depth = [], "", 0
@@ -266,7 +267,7 @@ def broken(call, width=88):
 
 
 def python_page(path, problems):
-    """Public classes and functions of the package, with their docstrings."""
+    """Returns the public classes and functions of the package with their docstrings."""
     tree = ast.parse(path.read_text())
     lines = []
 
@@ -308,7 +309,7 @@ def python_page(path, problems):
 
 
 def headers(root):
-    """Public headers below include/, the main header first."""
+    """Returns the public headers below include/, the main header first."""
     found = [path.relative_to(root / "include").as_posix() for path in (root / "include").rglob("*.hpp")]
     return sorted(found, key=lambda name: (name.count("/"), name))
 
@@ -323,7 +324,7 @@ def doxygen(root, target):
 
 
 def introduction(path):
-    """The comment at the head of a header."""
+    """Returns the comment at the head of a header."""
     lines = []
     for line in path.read_text().splitlines():
         if not line.startswith("//"):
@@ -338,9 +339,9 @@ def words_of(element):
 
 
 def cpp_page(root, xml):
-    """One section per public header: its introduction and its declarations, of which breathe inserts types.
+    """Returns one section per public header with its introduction and its declarations; breathe inserts the types.
 
-    Functions are written from the XML, because breathe finds overloads only by their exact arguments.
+    Functions are generated from the XML, because breathe requires the exact arguments to find an overload.
     """
     declared = {}  # header -> directives
     for path in sorted(xml.glob("*.xml")):
@@ -376,7 +377,7 @@ def cpp_page(root, xml):
 
 
 def folded(rows):
-    """One row for the parts of `reachable all steps` that have the same verdict."""
+    """Merges the rows for `reachable all steps` that have the same verdict."""
     found = {}
     for row in rows:
         name = re.sub(r"\.[^.]*X\w+$", "", row["property"])

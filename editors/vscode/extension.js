@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The client for VS Code: it starts `grafverif lsp` and leaves the rest to it and to vscode-languageclient.
+// The client for VS Code: it starts `grafverif lsp`. The server and vscode-languageclient provide all other functions.
 "use strict";
 const vscode = require("vscode");
 const { LanguageClient } = require("vscode-languageclient/node");
@@ -13,7 +13,7 @@ function made() {
     return new LanguageClient("grafverif", "grafverif", server, {
         documentSelector: [{ language: "grafcet" }],
         middleware: {
-            // The palette gives a command no arguments: then it is for the file in the active editor.
+            // The command palette passes no arguments; the command then applies to the file in the active editor.
             executeCommand: (command, given, next) => {
                 const editor = vscode.window.activeTextEditor;
                 return next(command, given.length > 0 || !editor ? given : [editor.document.uri.toString()]);
@@ -28,7 +28,7 @@ async function start() {
         await client.start();
     } catch (failure) {
         const reason = failure instanceof Error ? failure.message : String(failure);
-        const what = `grafverif does not start: ${reason}. Install it, or say where it is.`;
+        const what = `grafverif does not start: ${reason}. Install it, or set grafverif.path to its path.`;
         if ((await vscode.window.showErrorMessage(what, "Settings")) === "Settings")
             await vscode.commands.executeCommand("workbench.action.openSettings", "grafverif.path");
     }

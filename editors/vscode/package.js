@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // npm run package [-- FILE]: packs the extension as FILE (default: grafcet-VERSION.vsix). Its code, with the modules that it
-// needs at run time, is one file, written by esbuild. The same sources give the same bytes.
+// needs at run time, is one file, which esbuild writes. The package is reproducible.
 "use strict";
 const fs = require("fs");
 const path = require("path");
@@ -11,7 +11,7 @@ const own = __dirname;
 const about = JSON.parse(fs.readFileSync(path.join(own, "package.json"), "utf8"));
 const modules = path.resolve(process.env.GRAFVERIF_NODE_MODULES || path.join(own, "node_modules"));
 
-// The address of the repository is declared in one place, CMakeLists.txt; without one, the extension names none.
+// The URL of the repository is declared only in CMakeLists.txt; without a URL, the package names no repository.
 const [, repository] = /HOMEPAGE_URL "([^"]*)"/.exec(fs.readFileSync(path.join(own, "../../CMakeLists.txt"), "utf8"));
 if (repository) about.repository = { type: "git", url: `${repository}.git`, directory: "editors/vscode" };
 delete about.scripts;
@@ -61,7 +61,7 @@ const contentTypes = `<?xml version="1.0" encoding="utf-8"?>
     .map((kind) => `<Default Extension=".${kind}" ContentType="${types[kind]}"/>`).join("")}</Types>
 `;
 
-/// The files below `folder` whose names `wanted` takes, in order.
+/// Returns the sorted paths of the files below `folder` whose names satisfy `wanted`.
 function filesBelow(folder, wanted) {
     return fs.readdirSync(folder, { withFileTypes: true })
         .sort((a, b) => (a.name < b.name ? -1 : 1))
@@ -89,11 +89,11 @@ const bundle = buildSync({
     absWorkingDir: own, nodePaths: [modules], platform: "node", target: "node18", external: ["vscode"], legalComments: "none",
 });
 add("extension.js", bundle.outputFiles[0].contents);
-// The language client runs this script, next to its code, to end a server that does not end.
+// The language client runs this script, which is in the folder of its code, to terminate a server that does not end.
 const script = "terminateProcess.sh";
 add(script, fs.readFileSync(path.join(modules, "vscode-languageclient/lib/node", script)), 0o100755);
 
-// The licences of the modules that the bundle contains.
+// Collects the licences of the modules that the bundle contains.
 const lock = JSON.parse(fs.readFileSync(path.join(own, "package-lock.json"), "utf8"));
 const bundled = new Set(Object.keys(bundle.metafile.inputs)
     .map((input) => /^.*?(node_modules\/(?:.*node_modules\/)?(?:@[^/]+\/)?[^/]+)\//.exec(input)?.[1]).filter(Boolean));

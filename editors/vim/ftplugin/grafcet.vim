@@ -1,5 +1,5 @@
 " SPDX-License-Identifier: MIT
-" Comments, the canonical layout, and `:make`, which runs `grafverif check` and collects the places of its errors.
+" Comments, the canonical layout, and `:make`, which runs `grafverif check` and collects the positions of its errors.
 if exists('b:did_ftplugin')
     finish
 endif

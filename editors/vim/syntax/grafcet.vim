@@ -1,7 +1,7 @@
 " SPDX-License-Identifier: MIT
 " The .grafcet language of grafverif: GRAFCET charts (IEC 60848), plant components, closed loops.
-" Words that may be names are coloured only where they cannot be: before what a name is never followed by. The words are
-" those of editors/words.json; the result is that of editors/vscode/syntaxes/grafcet.tmLanguage.json.
+" A keyword that may also be a name is coloured only if the text after it cannot follow a name. The keywords are those of
+" editors/words.json; the colours are those of editors/vscode/syntaxes/grafcet.tmLanguage.json.
 scriptencoding utf-8
 if exists('b:current_syntax')
     finish
@@ -24,10 +24,10 @@ syn keyword grafcetConstant true false
 syn keyword grafcetPattern always never inevitable possible
 syn keyword grafcetPattern reachable nextgroup=grafcetAllSteps skipwhite
 
-" Any other name, of letters of any script (`\K\k*`): what follows decides otherwise, and stands behind it for that.
+" Any other name, with letters of any script (`\K\k*`). Later items have priority over this one.
 syn match grafcetName /\<\K\k*/
 
-" Words before the beginning of a term, a label, a text: no name is followed by these.
+" Keywords before a term, a label or a string; a name is never followed by a term, a label or a string.
 let s:free = '\.\@1<!\<\%('
 let s:operand = '\%(\%(and\|or\|when\|do\)\>\)\@!'
 let s:follows = '\%(\%(implies\|in\|leads\s\+to\|at\s\+\%(stable\|most\|least\)\|on\s\+\%(activation\|deactivation\|event\)\|holds\s\+\%(for\|at\)\|precedes\|within\|before\|after\|between\|until\|since\)\>\)\@!'
@@ -48,7 +48,7 @@ exe 'syn match grafcetPattern /' . s:free . 'uppaal\|ctl\|ltl\)\>\%(\s*\%($\|"\)
 exe 'syn match grafcetEdge /' . s:free . 'rise\|fall\)\>\%(\s*(\)\@=/'
 syn match grafcetEdge /[↑↓]/
 
-" Words that come together.
+" Keywords of two words.
 exe 'syn match grafcetDeclaration /' . s:free . 'time\)\s\+unit\>/'
 exe 'syn match grafcetControl /' . s:free . 'on\)\s\+\%(activation\|deactivation\|event\)\>/'
 exe 'syn match grafcetControl /' . s:free . 'expected\)\s\+violated\>/'
@@ -65,7 +65,7 @@ exe 'syn match grafcetPattern /' . s:free . 'exactly\)\s\+one\s\+of\>/'
 syn match grafcetAllSteps /\<all\s\+steps\>/ contained
 syn match grafcetType /\%(:\s*\)\@<=\%(bool\|int\|duration\)\>\%(\s*\%(->\|\%(leads\|implies\|in\|precedes\|holds\|at\)\>\)\)\@!/
 
-" Names where they are declared.
+" Names at their declaration.
 syn match grafcetTypeName /\<\%(\%(and\|or\|when\|do\)\>\)\@!\K\k*/ contained
 syn match grafcetTypeName /\%([:=!<>]\@1<!=\s*\)\@<=\%(\%(not\|rise\|fall\)\>\)\@!\<\K\k*\%(\s*(\)\@=/
 syn match grafcetBlockName /\<\K\k*\%(\s*\%({\|$\)\)\@=/ contained
@@ -73,7 +73,7 @@ syn match grafcetStepName /\<\%(\%(and\|or\|when\|do\|step\|transition\|input\|o
 syn match grafcetLabel /\<\k\+\%(\s*:\)\@=/ contained
 syn match grafcetPropertyName /\<\K\k*/ contained
 
-" Values, signs, texts, comments.
+" Values, operators, strings and comments.
 syn match grafcetStepVariable /\<X[0-9]\k*\>/
 syn match grafcetNumber /\<[0-9]\+\>/
 syn match grafcetInvalid /\<[0-9]\+\%(\.[0-9]\+\k*\|\K\k*\)/
